@@ -5,7 +5,7 @@
 packages=(
   g++ cmake ninja-build 'pkg-config|pkgconf' xvfb
   libeigen3-dev liblua5.4-dev libsuitesparse-dev libopenblas-dev libvtk9-dev zlib1g-dev libedit-dev
-  libpng-dev libjpeg-dev libtiff-dev libboost-dev
+  libpng-dev libjpeg-dev libtiff-dev libboost-dev libdxflib-dev libxml2-dev libsvgpp-dev
   catch2 'gnuplot-nox|gnuplot-qt|gnuplot-x11'
 )
 build=$root/build

@@ -6,6 +6,7 @@
 -- It runs every example, to show what comes out; some of them are coarse, and the runs say so.
 -- warns: nine measured cloths in ten
 -- warns: the card was tested to
+-- warns: the end of the run, the ball is still in the cloth
 local fabric = require "fabric"
 local registry = require "fabric.define".registry
 local rows = registry.rows()

@@ -1,7 +1,8 @@
 -- What of a card is assumed instead of measured, with the range in which it may lie, for fabric.budget.
 --
 -- The range is the one that the card's provenance states, "assumed: 0.4 (0.1 to 0.6), ...", or else the rule below. Ranges of `poisson` are
--- values, the others factors on the card's value.
+-- values, the others factors on the card's value; those of `loading` are factors on all forces of the part, unloading and friction too.
+local filled = require "fabric.lab.filled"
 local assumed = {}
 
 local rules = {
@@ -11,6 +12,18 @@ local rules = {
   bending = { 0.4, 2.5, why = "a guess: not measured on this cloth" },
   twist = { 0.5, 2, why = "a guess: not measured on this cloth" },
 }
+
+-- The rule for a loading curve, by the words of its provenance, which are those of the rules of fabric.lab.card and of fabric.lab.filled.
+local of_yarns = { 0.55, 3, why = "four cloths of [williams2010] have 0.05 to 0.27 of the yarns' modulus; the rule is 0.09" }
+local of_shear = { 0.36, 1.8, why = "four cloths of [williams2010] have 4 to 20 times the modulus in shear; the rule is 11" }
+local guess = { 0.5, 2, why = "a guess: not measured on this cloth" }
+local function loading_rule(part, words)
+  if words:find("card 'worsted'", 1, true) then return part == "shear" and filled.shear or filled.pull end
+  if words:find("0.09 of the yarns'", 1, true) then return of_yarns end
+  if words:find("the initial modulus in shear", 1, true) then return of_shear end
+  if words:find "as the w%a+'s" then return filled.other_yarn end
+  return guess
+end
 
 -- How a value is put into a card.
 local function poisson(part) return function(card, value) return card:with { [part] = { poisson = value } } end end
@@ -23,6 +36,20 @@ local function scaled(B, factor)
   for i, b in ipairs(B) do out[i] = factor * b end
   return out
 end
+-- Numbers of a polynomial, or points {strain, stress}.
+local function stiffer(loading, factor)
+  local out = {}
+  for i, v in ipairs(loading) do out[i] = type(v) == "table" and { v[1], factor * v[2] } or factor * v end
+  return out
+end
+local function loading(part)
+  return function(card, factor)
+    local own, out = card[part], {}
+    out.loading, out.unloading = stiffer(own.loading, factor), factor * own.unloading
+    if own.friction then out.friction = { stress = factor * own.friction.stress, growth = factor * (own.friction.growth or 0) } end
+    return card:with { [part] = out }
+  end
+end
 local function bending(card, factor)
   local b = card.bending
   return card:with { bending = { warp = scaled(b.warp, factor), weft = scaled(b.weft, factor), twist = scaled(b.twist, factor) } }
@@ -30,6 +57,7 @@ end
 local function twist(card, factor) return card:with { bending = { twist = scaled(card.bending.twist, factor) } } end
 
 local known = {
+  { "warp.loading", "loading", loading "warp" }, { "weft.loading", "loading", loading "weft" }, { "shear.loading", "loading", loading "shear" },
   { "warp.poisson", "poisson", poisson "warp" }, { "weft.poisson", "poisson", poisson "weft" },
   { "warp.unloading", "unloading", unloading "warp" }, { "weft.unloading", "unloading", unloading "weft" },
   { "shear.unloading", "shear_unloading", unloading "shear" },
@@ -56,7 +84,7 @@ end
 function assumed.of(card)
   local list, others, provenance = {}, {}, card.provenance or {}
   local function add(name, rule, value, apply, words)
-    local range = stated(words) or rules[rule]
+    local range = stated(words) or rules[rule] or loading_rule(name:match "^%a+", words)
     list[#list + 1] = usable(card, { range[1], range[2], name = name, value = value, apply = apply, why = range.why })
   end
   local seen = {}

@@ -107,7 +107,7 @@ local function answer(t, values, used)
   return result
 end
 
--- All runs: at the middle on each mesh and with each step, then A, B and A with input i of B for each sample.
+-- All runs: at the middle on each mesh and with each step, then A, B and, for the shares, A with input i of B for each sample.
 local function plan(t, inputs)
   local jobs = {}
   for i = 2, t.mesh and #t.mesh or 1 do
@@ -123,7 +123,7 @@ local function plan(t, inputs)
   local numerical = #jobs
   if #inputs > 0 then
     for i = 1, t.samples do
-      for of_b = -1, #inputs do -- -1: A; 0: B; k: A with input k of B
+      for of_b = -1, t.shares and #inputs or 0 do -- -1: A; 0: B; k: A with input k of B
         local values = middle(t)
         for k, input in ipairs(inputs) do input.put(values, i, (of_b == 0 or of_b == k) and 2 or 1) end
         jobs[#jobs + 1] = values
@@ -134,7 +134,7 @@ local function plan(t, inputs)
 end
 
 local function compute(t, jobs, names)
-  local answers = fabric.lab.parallel { count = #jobs, processes = t.processes, progress = "budget", work = function(i)
+  local answers = fabric.lab.parallel { count = #jobs, processes = t.processes, progress = "budget", collect = true, work = function(i)
     local result, row = answer(t, jobs[i]), {}
     for k, name in ipairs(names) do
       if result[name] == nil then error(("budget: run(p) returned no '%s' this time"):format(name), 0) end
@@ -143,6 +143,24 @@ local function compute(t, jobs, names)
     return row
   end }
   return answers
+end
+
+-- What the runs warned of: { {code, text, runs}, ... }, texts that differ in their numbers alone counting as one, the first of which is given.
+local function counted(answers)
+  local list, by_key = {}, {}
+  for _, answer in ipairs(answers) do
+    local seen = {}
+    for _, w in ipairs(answer.warnings or {}) do
+      local key = w.code .. " " .. w.text:gsub("%-?%d[%d%.eE+-]*", "#")
+      if not by_key[key] then
+        by_key[key] = { code = w.code, text = w.text, runs = 0 }
+        list[#list + 1] = by_key[key]
+      end
+      by_key[key].runs = by_key[key].runs + (seen[key] and 0 or 1)
+      seen[key] = true
+    end
+  end
+  return list
 end
 
 -- --- evaluation
@@ -179,6 +197,12 @@ local function indices(rows, k)
   end
   if variance == 0 then return 0, 0, 0 end
   return math.min(first, total) / variance, total / variance, variance
+end
+
+local function variance_of(list)
+  local m, sum = mean(list), 0
+  for _, v in ipairs(list) do sum = sum + (v - m) ^ 2 end
+  return sum / (#list - 1)
 end
 
 -- The same with 95 % bands by the bootstrap over rows.
@@ -225,17 +249,20 @@ local function budget_of(t, inputs, base, numerical, rows)
   local from_numbers, variance, own = 0, 0, 0
   for _, c in ipairs(out.contributions) do from_numbers = from_numbers + c.deviation ^ 2 end
   local below, above = 0, 0
+  local all = {}
   if #rows > 0 then
-    local all = {}
     for _, row in ipairs(rows) do all[#all + 1], all[#all + 2] = row[1], row[2] end
     below, above = base - quantile(all, (1 - level) / 2), quantile(all, (1 + level) / 2) - base
-    for k, index in ipairs(indices_with_bands(rows, inputs, t.seed)) do
+    for k, index in ipairs(t.shares and indices_with_bands(rows, inputs, t.seed) or {}) do
       variance = index.variance
       own = own + math.max(index.first, 0)
       index.range, index.why = inputs[k].range, inputs[k].why
       add(inputs[k].name, math.sqrt(math.max(index.first, 0) * variance), index)
     end
-    if own > 1 then -- indices of first order have errors of their own: they share the variance
+    if not t.shares then
+      variance = variance_of(all)
+      add("inputs", math.sqrt(variance), { range = "all together" })
+    elseif own > 1 then -- indices of first order have errors of their own: they share the variance
       for _, c in ipairs(out.contributions) do if c.first then c.deviation = c.deviation / math.sqrt(own) end end
     elseif #inputs > 1 and variance > 0 then
       add("together", math.sqrt((1 - own) * variance), { range = "interactions" })
@@ -272,11 +299,7 @@ local function text_of(t, result, names)
     say("%d runs%s, %d samples%s", result.runs, where ~= "" and ", samples with " .. where or "", t.samples,
       result.failed > 0 and (", %d of them left out because a run of theirs failed: %s"):format(result.failed, result.trouble) or "")
   end
-  local codes, seen = {}, {}
-  for _, w in ipairs(result.warnings) do
-    if not seen[w.code] then codes[#codes + 1], seen[w.code] = w.code, true end
-  end
-  if #codes > 0 then say("warnings of these runs: %s", table.concat(codes, " ")) end
+  for _, one in ipairs(result.told) do say("%s in %d of %d runs: %s", one.code, one.runs, result.runs - 1, one.text) end
   for _, name in ipairs(result.not_varied) do say("not varied: %s, which the card assumes", name) end
   return table.concat(lines, "\n")
 end
@@ -320,16 +343,17 @@ local function run(t)
   if used.specimen then
     inputs[#inputs + 1] = { name = "specimen", range = "by its seed", put = function(p, i, set) p.specimen = 1 + i + (set - 1) * t.samples end }
   end
-  local result = { of = {}, value = {}, band = {}, contributions = {}, not_varied = not_varied, runs = 0, failed = 0, warnings = {} }
+  local result = { of = {}, value = {}, band = {}, contributions = {}, not_varied = not_varied, runs = 0, failed = 0, warnings = {}, told = {} }
   if fabric.checking() then return result end
   local jobs, numerical = plan(t, inputs)
   local before = define.log_end()
   local answers = #jobs > 0 and compute(t, jobs, names) or {}
-  result.runs, result.warnings = #jobs + 1, define.warnings(before)
+  result.runs, result.warnings, result.told = #jobs + 1, define.warnings(before), counted(answers)
+  for _, one in ipairs(result.told) do define.say(("budget: in %d of %d runs: %s"):format(one.runs, #jobs, one.text)) end
   for i = 1, numerical do
     if answers[i].trouble then fail("budget: " .. answers[i].trouble) end
   end
-  local width, whole = 2 + #inputs, {}
+  local width, whole = 2 + (t.shares and #inputs or 0), {}
   for i = 1, #inputs > 0 and t.samples or 0 do
     local trouble
     for k = 1, width do trouble = trouble or answers[numerical + (i - 1) * width + k].trouble end
@@ -363,13 +387,14 @@ define {
     { name = "steps", kind = "table", optional = true, sentence = "for p.step, falling" },
     { name = "assumed", kind = "table", optional = true, sentence = "{ name={low, high} }: other ranges of what the card assumes, and more numbers, for p.assumed.name" },
     { name = "samples", kind = "integer", low = 8, high = 100000, default = 64, sentence = "draws of all inputs; the runs are this times the inputs and 2" },
+    { name = "shares", kind = "boolean", default = true, sentence = "false: the band alone, at two runs a sample, without the share of each input" },
     { name = "seed", kind = "integer", low = 1, default = 1, sentence = "of the draws" },
     { name = "processes", kind = "integer", low = 1, high = 4096, optional = true, sentence = "runs side by side; default: the threads that the program may use" },
     { name = "print", kind = "boolean", default = true, sentence = "the table" },
     { name = "figure", kind = "text", optional = true, sentence = "a file for a picture of the shares" },
   },
   sentence = "The uncertainty of what a deck computes, after the GUM: the errors of the mesh (Richardson's extrapolation) and of the steps, the card's measured bands, what it assumes, and the specimen. Returns by the name of each number value, band {low, high} (95 %) "
-    .. "and contributions { {source, deviation, share, first, total, first_band, total_band, range, why}, ... }, the largest first; text, runs, failed, warnings, not_varied.",
+    .. "and contributions { {source, deviation, share, first, total, first_band, total_band, range, why}, ... }, the largest first; text, runs, failed, warnings, told (what the samples warned of, once each: code, text, runs), not_varied.",
   example = "local b = require 'fabric'.budget{ assumed={ a={0, 2}, b={0, 1} }, samples=256, print=false,\n"
     .. "  run=function(p) return { sum=p.assumed.a + p.assumed.b } end }\n"
     .. "assert(math.abs(b.value.sum - 1.5) < 1e-12 and b.contributions.sum[1].source == 'assumed.a')\n"

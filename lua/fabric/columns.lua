@@ -8,7 +8,7 @@ local column_kind, curve_kind = { __name = "fabric.column" }, { __name = "fabric
 local function column(values) return setmetatable(values, column_kind) end
 
 -- A value in a message.
-local function told(value) return type(value) == "string" and "'" .. value .. "'" or tostring(value) end
+local function shown(value) return type(value) == "string" and "'" .. value .. "'" or tostring(value) end
 
 -- Methods are called with a colon; c.S.max() and c.max("S") have no column or curve of their own.
 local function with_colon(name, method)
@@ -29,7 +29,7 @@ local function operand(value, count, sign)
   if getmetatable(value) == "fabric.curve" then fail(("column %s: expected a number or a column, got a curve; one of its columns is meant, as in c.S"):format(sign)) end
   if #value ~= count then fail(("column %s: expected lists of equal length, got %d and %d numbers"):format(sign, count, #value)) end
   return function(i)
-    if type(value[i]) ~= "number" then fail(("column %s: expected numbers, got %s at place %d"):format(sign, told(value[i]), i)) end
+    if type(value[i]) ~= "number" then fail(("column %s: expected numbers, got %s at place %d"):format(sign, shown(value[i]), i)) end
     return value[i]
   end
 end
@@ -53,7 +53,7 @@ column_kind.__pow = operator("^", function(a, b) return a ^ b end)
 function column_kind.__unm(a) return a * -1 end
 
 local function number_at(values, i, name)
-  if type(values[i]) ~= "number" then fail(("%s: expected numbers, got %s at place %d"):format(name, told(values[i]), i)) end
+  if type(values[i]) ~= "number" then fail(("%s: expected numbers, got %s at place %d"):format(name, shown(values[i]), i)) end
   return values[i]
 end
 
@@ -122,7 +122,7 @@ local function named(rows, name)
     local value = rawget(rows[i], name)
     if type(value) ~= "number" then
       fail(("columns: expected a number %s in each row, row %d of %d has %s; the columns are %s"):format(tostring(name), i, #rows,
-        value == nil and "none" or told(value), table.concat(names_of(rows), ", ")))
+        value == nil and "none" or shown(value), table.concat(names_of(rows), ", ")))
     end
     out[i] = value
   end

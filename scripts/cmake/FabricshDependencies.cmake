@@ -7,6 +7,9 @@ find_package(ZLIB REQUIRED)
 find_package(PNG REQUIRED)
 find_package(JPEG REQUIRED)
 find_package(TIFF REQUIRED)
+# SVG drawings: XML, and the headers of svgpp.
+find_package(LibXml2 REQUIRED)
+find_path(SVGPP_INCLUDE_DIR svgpp/svgpp.hpp REQUIRED)
 
 # Lua built as C++, so that an error raised in a binding unwinds C++ frames and runs destructors.
 pkg_check_modules(LUA REQUIRED IMPORTED_TARGET lua5.4-c++)

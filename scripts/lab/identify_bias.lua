@@ -1,11 +1,12 @@
 -- A shear backbone from a bias-extension record, through the simulated test: what eqs. 3.15 and 3.16 cannot give when the
 -- specimen has its three zones, and no photographs were taken.
 --
---   fabricsh scripts/lab/identify_bias.lua [file] [width mm] [length mm] [out] [cells] [other width mm] [other length mm]
+--   fabricsh scripts/lab/identify_bias.lua [file] [width mm] [length mm] [out] [cells] [other width mm] [other length mm] [other file]
 --
 -- file: displacement (mm) and force (N); default: the published benchmark curve of a plain-weave glass fabric, 150 x 450 mm
 -- [cao2008], if it lies beside this checkout (../shared/data); the program carries no copy. Writes card.lua, overlay.svg and
--- what was simulated so far (identify.part, taken up again) into out. cells: squares across the width, default 6. The card then runs another specimen, 115 x 230 mm.
+-- what was simulated so far (identify.part, taken up again) into out. cells: squares across the width, default 6. The card then runs another specimen, 115 x 230 mm,
+-- and is compared with its record (of another laboratory, in ../shared/data).
 local fabric = require "fabric"
 local lab, u = fabric.lab, fabric.units
 
@@ -25,6 +26,7 @@ local function size(i, default) return (tonumber(arg[i]) or default) * u.mm end
 local width, length, out = size(2, 150), size(3, 450), arg[4] or "out/identify-bias"
 local cells = math.tointeger(tonumber(arg[5] or 6))
 local other = { width = size(6, 115), length = size(7, 230) }
+other.file = arg[8] or not arg[6] and not arg[7] and readable(place .. "../shared/data/cao-2008/bias-extension-115x230-INSA.csv")
 if fabric.checking() then return end
 
 local record = lab.read { file = file, default_units = { displacement = "mm", force = "N" } }
@@ -111,6 +113,16 @@ local there = last * (other.length - other.width) / (length - width)
 local small = simulate(card, other.width, other.length, there)
 print(("%g x %g mm: %.3f N at %.1f mm"):format(other.width / u.mm, other.length / u.mm, small[#small].force, there / u.mm))
 
+-- The measured record of the other specimen, to the same displacement.
+local there_measured = other.file and lab.read { file = other.file, default_units = { displacement = "mm", force = "N" } }
+local function rows_to(c, most)
+  local x, y = {}, {}
+  for i, d in ipairs(c.displacement) do
+    if d <= most then x[#x + 1], y[#y + 1] = d / u.mm, c.force[i] end
+  end
+  return x, y
+end
+
 local function columns(c)
   local x, y = {}, {}
   for i, row in ipairs(c) do x[i], y[i] = row.displacement / u.mm, row.force end
@@ -120,9 +132,15 @@ local x, y = columns(curve)
 local sx, sy = columns(small)
 local measured = {}
 for i, d in ipairs(record.displacement) do measured[i] = d / u.mm end
-fabric.plot { file = out .. "/overlay.svg", title = "bias extension", xlabel = "displacement, mm", ylabel = "force, N", curves = {
-  { x = measured, y = record.force, label = "measured", style = "points" }, { x = x, y = y, label = "card, simulated" },
-  { x = sx, y = sy, label = ("%g x %g mm"):format(other.width / u.mm, other.length / u.mm), style = "dashed" } } }
+local function named(w, l, what) return ("%g × %g mm, %s"):format(w / u.mm, l / u.mm, what) end
+local curves = { { x = measured, y = record.force, label = named(width, length, "measured"), style = "points" }, { x = x, y = y, label = named(width, length, "card fitted to it") },
+  { x = sx, y = sy, label = named(other.width, other.length, "predicted"), style = "dashed" } }
+if there_measured then
+  local mx, my = rows_to(there_measured, there)
+  curves[4] = { x = mx, y = my, label = named(other.width, other.length, "measured"), style = "points" }
+  if #mx > 0 then print(("%g x %g mm measured: %.3f N at %.1f mm"):format(other.width / u.mm, other.length / u.mm, my[#my], mx[#mx])) end
+end
+fabric.plot { file = out .. "/overlay.svg", xlabel = "displacement, mm", ylabel = "force, N", key = "below", curves = curves }
 fabric.expect {
   { "largest residual over the peak force", found.misses.bias.worst, 0, absolute = 0.05 },
   { "force of the other specimen is a force", small[#small].force > 0 and 1 or 0, 1, absolute = 0 },

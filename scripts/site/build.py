@@ -88,7 +88,10 @@ def lay_out(tree, source):
         names = re.findall(r"^\| *\[[^\]]*\]\(([^)]+)\.md\)", table, flags=re.M)
         if names:
             groups.append((heading, names))
-    groups.append(("Project", [page[:-3] for page in own.values()]))
+    of_project = [page[:-3] for page in own.values()]
+    if groups and groups[-1][0] == "Project":
+        of_project = groups.pop()[1] + of_project
+    groups.append(("Project", of_project))
     index = (tree / "README.md").read_text().replace("](share/doc/README.md)", "](#pages)").replace("](share/doc/", "](")
     for name, page in own.items():
         index = index.replace(f"]({name})", f"]({page})")

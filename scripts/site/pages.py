@@ -1,4 +1,4 @@
-"""What the pages of share/doc need of Sphinx: formulas in plain letters, sessions at the prompt, KaTeX, pictures in their size on paper, the sign
+"""What the pages of share/doc need of Sphinx: sessions at the prompt, KaTeX, pictures in their size on paper, the sign
 of plus and minus, and links that show the title of a page in the place of its file's name."""
 import os
 import pathlib
@@ -10,7 +10,6 @@ import pygments.lexers
 import pygments.token
 from docutils import nodes
 
-import formula
 
 
 class SessionLexer(pygments.lexer.Lexer):
@@ -28,12 +27,6 @@ class SessionLexer(pygments.lexer.Lexer):
             else:
                 yield at, pygments.token.Generic.Output, line
             at += len(line)
-
-
-def formulas(app, page, text):
-    """```formula blocks become mathematics before the page is parsed."""
-    text[0] = re.sub(r"^```formula\n(.*?)^```$", lambda m: "```{math}\n" + formula.to_latex(m.group(1)) + "\n```", text[0],
-                     flags=re.M | re.S)
 
 
 def titles(app, page, text):
@@ -99,7 +92,6 @@ def block(self, node):
 def setup(app):
     app.add_lexer("fabricsh", SessionLexer)
     app.add_html_math_renderer("katex", (inline, None), (block, None))
-    app.connect("source-read", formulas)
     app.connect("source-read", titles)
     app.connect("source-read", signs)
     app.connect("doctree-read", sizes)

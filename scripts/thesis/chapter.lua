@@ -76,7 +76,7 @@ end
 -- Fields for a run that may not converge: it gives up soon. 1e-5 of the largest force: the comparison laws jump at their
 -- switches, and Newton can't get below the jump there.
 function chapter.patient(fields)
-  fields.max_cuts, fields.max_iterations, fields.most_steps, fields.tolerance = 4, 20, 300, 1e-5
+  fields.max_cuts, fields.max_iterations, fields.tolerance = 4, 20, 1e-5
   return fields
 end
 

@@ -49,7 +49,7 @@ local history = {}
 ---@field beyond any The largest strain beyond what the card was tested to, or nil: share (1.2 is 20 % beyond), yarn (warp, weft or shear), element and time of this largest strain, strain (E11, E22 or E12), tested (the strain tested), first (time at which the run first went beyond) and elements (fraction of the elements beyond).
 ---@field duration number Where it ends, s.
 ---@field energy table<string, number> Energies in J: kinetic, stored, dissipated, damping, external, internal, initial, created. Parts of stored: contact, guard (the barrier that keeps surfaces from passing), stick (elastic slip of friction that holds), directors (what keeps the directors by the normal where the elements' shear does not). Parts of dissipated: dissipated_warp, _weft, _shear, _bending, friction (of contact), impact (of surfaces that meet), joints (motion lost as joints closed, see analysis:join), fracture (broken yarns of tearable zones). Parts of kinetic: rigid (free rigid bodies), scaled (rotary inertia that is scaled up). error: the imbalance over the largest external work; with contact at least over the cloth's weight times its thickness.
----@field joints any Of the tearable zones: open, the number of places whose joint is open; places, of all places with several nodes.
+---@field joints any Of the tearable zones: open, the number of places whose joint is open; places, of all places with several nodes. Of seams: stitches, and how many of them are closed.
 ---@field mesh any The mesh of its model, as it was before the run.
 ---@field model any The model that it computes.
 ---@field stable_step number A step that no frequency of the reference configuration forbids central differences, s.
@@ -57,7 +57,7 @@ local history = {}
 ---@field steps table[] Of each committed step: time, step, iterations, cuts, residuals, negative_pivots (none on a stable path).
 ---@field stopped string|false The reason it was stopped for, or false.
 ---@field time number Where the run is, s.
----@field warnings any What the run has said about how far its results can be trusted, in order: a list of {code, text, time (s), element (nil: no particular one), serious}. Also in run.json. Under --strict the serious ones raise a numerical failure. The codes: ledger (energy appears or is lost beyond what the steps explain), inverted (an element is turned inside out), director (a director has turned over to the other side of the sheet), beyond (the strain is beyond what the card was tested to; serious with limit="stop"), pivots (the path of a static run has passed a limit or bifurcation point), relaxed (relaxation took a noticeable part of a static run's work, or its first step), stabilise (stabilisation has taken a noticeable part of the work), jump (a load or motion is there at once, not ramped), step (the explicit step is near the stable one, or is split because stretch has shortened that), inertia (much of the kinetic energy is in rotary inertia that is scaled up for the step), guard (contact is pressed so far that a barrier keeps the surfaces apart), dropped (an initial velocity is dropped along supports), idle (supports take up the whole of a load), bending (the bending rigidity of the card is far from that of cloth), card (the check of the card has a warning), units (a value of the deck is far outside the usual), mesh (the file of a mesh was cut short or holds what is left out), restart (the run was continued from the checkpoint of another deck), lost (an output of the restarted run is gone), deck (the deck or a virtual test has said it with fabric.warn).
+---@field warnings any What the run has said about how far its results can be trusted, in order: a list of {code, text, time (s), element (nil: no particular one), serious}. Also in run.json. Under --strict the serious ones raise a numerical failure. The codes: ledger (energy appears or is lost beyond what the steps explain), inverted (an element is turned inside out), director (a director has turned over to the other side of the sheet), beyond (the strain is beyond what the card was tested to; serious with limit="stop"), pivots (the path of a static run has passed a limit or bifurcation point), relaxed (relaxation took a noticeable part of a static run's work, or its first step), stabilise (stabilisation has taken a noticeable part of the work), jump (a load or motion is at full value at once, not ramped), step (the explicit step is near the stable one, or is split because stretch has shortened that), inertia (much of the kinetic energy is in rotary inertia that is scaled up for the step), guard (contact is pressed so far that a barrier keeps the surfaces apart), seam (edges that are sewn had not met when their time was over), dropped (an initial velocity is dropped along supports), idle (supports take up the whole of a load), bending (the bending rigidity of the card is far from that of cloth), card (the check of the card has a warning), units (a value of the deck is far outside the usual), mesh (the file of a mesh was cut short or holds what is left out), restart (the run was continued from the checkpoint of another deck), lost (an output of the restarted run is gone), retired (an argument of an earlier release has no effect any more), deck (the deck or a virtual test has said it with fabric.warn).
 local analysis = {}
 
 ---The whole state of a run.
@@ -111,7 +111,7 @@ function analysis:checkpoint(path, options) end
 ---@field set? string the edges between nodes of this set
 ---@field line? table a list of points {x, y, z}: the edges that lie on the line through them, m in the reference
 
----Opens joints of tearable zones, between two steps: in a hook, an event's action, or between calls. Along the edges named the elements come apart; the tip of a cut stays whole. Returns how many joints there are more.
+---Opens joints of tearable zones and stitches of seams, between two steps: in a hook, an event's action, or between calls. Along the edges named the elements come apart; the tip of a cut stays whole. Returns how many joints there are more.
 ---@param fields analysis_cut_fields
 ---@return any
 function analysis:cut(fields) end
@@ -151,7 +151,7 @@ function analysis:gap() end
 ---@field line? table a list of points {x, y, z}: the edges that lie on the line through them, m in the reference
 ---@field within? number m: how far apart nodes that become one may be; default a millionth of the mean edge
 
----Closes joints of tearable zones, between two steps, where their nodes have met again. They take the mean of their velocities weighted by their masses; the kinetic energy lost is a.energy.joints. Returns how many joints there are less.
+---Closes joints of tearable zones and stitches of seams, between two steps, where their nodes have met again. They take the mean of their velocities weighted by their masses; the kinetic energy lost is a.energy.joints. Returns how many joints there are less.
 ---@param fields analysis_join_fields
 ---@return any
 function analysis:join(fields) end
@@ -162,7 +162,7 @@ function analysis:join(fields) end
 ---@return number
 function analysis:mean(name, set) end
 
----Where a node is and how it moves, global: a table of ux uy uz (from the reference position; m), vx vy vz (of a run in motion; zero in statics; m/s), nx ny nz (unit vector across the sheet), x y z (where the node is now; m), X Y Z (where the node was in the reference; m), reaction_x reaction_y reaction_z (force of the supports on the node, which a:reaction sums over a set; N), gap (distance to the nearest surface that it may touch, less the smallest distance that contact allows; at most the reach of contact; m), contact_pressure (normal pressure of contact, without friction; that on the front and that on the back of a sheet added; Pa), joint_open (1 where a joint of a tearable zone is open, 0 elsewhere).
+---Where a node is and how it moves, global: a table of ux uy uz (from the reference position; m), vx vy vz (of a run in motion; zero in statics; m/s), nx ny nz (unit vector across the sheet), x y z (where the node is now; m), X Y Z (where the node was in the reference; m), reaction_x reaction_y reaction_z (force of the supports on the node, which a:reaction sums over a set; N), gap (distance to the nearest surface that it may touch, less the smallest distance that contact allows; at most the reach of contact; m), contact_pressure (normal pressure of contact, without friction; that on the front and that on the back of a sheet added; Pa), joint_open (1 where a joint of a tearable zone is open, or a seam has been opened or has burst; 0 elsewhere).
 ---@param number integer of the node
 ---@return table<string, any>
 function analysis:node(number) end
@@ -294,12 +294,13 @@ function fabric.asked_case() end
 ---@field steps? table for p.step, falling
 ---@field assumed? table { name={low, high} }: other ranges of what the card assumes, and more numbers, for p.assumed.name
 ---@field samples? integer draws of all inputs; the runs are this times the inputs and 2 (default 64)
+---@field shares? boolean false: the band alone, at two runs a sample, without the share of each input (default true)
 ---@field seed? integer of the draws (default 1)
 ---@field processes? integer runs side by side; default: the threads that the program may use
 ---@field print? boolean the table (default true)
 ---@field figure? string a file for a picture of the shares
 
----The uncertainty of what a deck computes, after the GUM: the errors of the mesh (Richardson's extrapolation) and of the steps, the card's measured bands, what it assumes, and the specimen. Returns by the name of each number value, band {low, high} (95 %) and contributions { {source, deviation, share, first, total, first_band, total_band, range, why}, ... }, the largest first; text, runs, failed, warnings, not_varied.
+---The uncertainty of what a deck computes, after the GUM: the errors of the mesh (Richardson's extrapolation) and of the steps, the card's measured bands, what it assumes, and the specimen. Returns by the name of each number value, band {low, high} (95 %) and contributions { {source, deviation, share, first, total, first_band, total_band, range, why}, ... }, the largest first; text, runs, failed, warnings, told (what the samples warned of, once each: code, text, runs), not_varied.
 ---@param fields fabric_budget_fields
 ---@return any
 function fabric.budget(fields) end
@@ -337,7 +338,7 @@ function fabric.columns(rows) end
 ---@field scheme? "explicit"|"implicit" explicit (central differences) or implicit (Newmark with Newton) (default "explicit")
 ---@field gamma? number of Newmark; above 1/2 it damps; default 1/2
 ---@field beta? number of Newmark; default 0 explicit, (1/2 + gamma)^2/4 implicit
----@field hht? number alpha of Hilbert, Hughes and Taylor: damps high frequencies (default 0)
+---@field hht? number alpha of Hilbert, Hughes and Taylor: damps high frequencies; default 0, and -0.2 from the step on in which implicit steps have made energy
 ---@field damping? fabric_dynamic_fields.damping Rayleigh's damping {mass=a, stiffness=b}; none unless given
 ---@field inertia? "scaled"|"true" rotary inertia of the cloth: true, or scaled up where it would limit the explicit step
 ---@field force? boolean take the step even above the stable one (default false)
@@ -449,7 +450,7 @@ function fabric.history(points) end
 ---@field tested? fabric_import_card_fields.tested strains up to which the curves count as measured; default: LAW58 where loading and unloading cross, else those that the file states in a comment 'Tested up to E11 = ...', else the curves' ends
 ---@field unloading? fabric_import_card_fields.unloading unloading moduli, Pa, instead of those of the file's curves
 
----A woven card out of another solver's material: its curves as measured points, its unloading as a modulus. Returns card, report (text), losses and lost (as fabric.export.card, the file's law beside the card's), notes. A material that no card follows within 25 % of the peak stress along its yarns is refused; what differs by more on other paths is told.
+---A woven card out of another solver's material: its curves as measured points, its unloading as a modulus. Returns card, report (text), losses and lost (as fabric.export.card, the file's law beside the card's), notes. A material that no card follows within 25 % of the peak stress along its yarns is refused; what differs by more on other paths is reported.
 ---@param fields fabric_import_card_fields
 ---@return any
 function fabric.import.card(fields) end
@@ -464,6 +465,27 @@ function fabric.import.card(fields) end
 ---@return table[]
 function fabric.lab.backbone(fields) end
 
+---@class fabric_lab_ball_burst_fields
+---@field card card the fabric, with rupture of warp and weft
+---@field ball? number m: diameter (default 0.0254)
+---@field ring? number m: inner diameter (default 0.04445)
+---@field h? number m: size of the elements (default 0.002)
+---@field stiffness? number Pa/m: of contact, as for model:contact
+---@field friction? number of ball and cloth (default 0.2)
+---@field ledger_limit? number as for fabric.dynamic (default 0.05)
+---@field speed? number m/s: of the grips apart; default: kinetic energy stays a small share of the work
+---@field damping? number 1/s: of the masses
+---@field coarse? "lower"|"refuse"|"keep" as for model:tearable
+---@field seed? integer of the scatter of strengths (default 1)
+---@field rows? integer of the curve, at equal times
+---@field out? string folder for curve.csv and the VTK series
+---@field prepare? function function(analysis), called before the run: for hooks, records and checkpoints of your own
+
+---A ball is pushed through cloth that is held in a ring, as in ASTM D3787 [astm_d3787], with contact and friction. Returns peak (N, the bursting strength), elongation (m, the ball's way there), curve (a list of time, displacement, force: N, work over way from row to row, open: joints, and the energies of analysis.energy), energy (J), fracture (J), kinetic (kinetic energy over work at the peak), series (VTK), analysis, model, mesh and ball.
+---@param fields fabric_lab_ball_burst_fields
+---@return table<string, any>
+function fabric.lab.ball_burst(fields) end
+
 ---@class fabric_lab_ball_drop_fields
 ---@field card card the fabric
 ---@field side? number m: of the clamped square (default 0.2)
@@ -472,7 +494,6 @@ function fabric.lab.backbone(fields) end
 ---@field height? number m: that it falls from, of its lowest point above the sheet (default 0.1)
 ---@field friction? number of ball and cloth (default 0.2)
 ---@field stiffness? number Pa/m: of contact, as for model:contact
----@field clearance? number m: from which on the fall is computed (default 1e-04)
 ---@field cells? integer along an edge (default 20)
 ---@field duration? number s: of the run (default 0.03)
 ---@field step? number s: as for fabric.dynamic; default: "auto"
@@ -482,8 +503,6 @@ function fabric.lab.backbone(fields) end
 ---@field gravity? number m/s^2: along -z (default 9.81)
 ---@field damping? number 1/s: of the masses (default 0)
 ---@field every? number s: time between rows and frames (default 5e-04)
----@field force? boolean as for fabric.dynamic (default false)
----@field ledger_limit? number as for fabric.dynamic (default 0.05)
 ---@field out? string folder for curve.csv and the VTK series, cloth and ball
 
 ---A rigid ball falls onto the middle of a clamped square. Returns curve (a list of time, depth of the ball's lowest point and deflection of the middle, m below the sheet at rest, force on the ball, N, its speed downwards, m/s, the smallest gap above the floor of contact, m, and the energies of analysis.energy), depth, deflection and force (the largest of all rows), gap (the smallest), analysis, model, mesh and ball.
@@ -523,7 +542,6 @@ function fabric.lab.band(fields) end
 ---@field tolerance? number as for fabric.static (default 1e-10)
 ---@field max_iterations? integer as for fabric.static (default 200)
 ---@field max_cuts? integer as for fabric.static (default 12)
----@field most_steps? integer the run stops after so many steps
 ---@field method? "newton"|"relaxation"|"either" as for fabric.static (default "newton")
 ---@field width? number m: of the strip (default 0.0254)
 ---@field length? number m: between the grips (default 0.0762)
@@ -573,7 +591,7 @@ function fabric.lab.bias_shear(fields) end
 ---@field edges? boolean the free edges are accounted for, if the sizes determine them (default true)
 ---@field scatter? number relative deviation of one specimen, known from elsewhere: the least that bands hold; default: only what the records show (0.04 for the deviation of the edge)
 
----One shear curve from bias pulls of several sizes, and the width of the free edges that carry nothing (slip of edge yarns, pull-out): edge (m), edge_deviation, edges (true if it exceeds twice its deviation and is below its bound, a fifth of the width; else the edges are taken as none), curve {angle, normal_force (N/m), deviation, E12, S12}, shear (for fabric.lab.card), specimens {name, rms, at_end, without = {rms, at_end}, predicted}, left_out (each size from the others: rms, at_end, points, inside), left_out_by (the same by laboratory and direction), predict(self, {displacement, width, length, laboratory, direction, edges=false}) -> {force, angle, band, low, high}: the 95 % band of a specimen, band 'learned' from how sizes, laboratories, directions and specimens differ, 'given' where only `scatter` is known, nil with a reason where nothing tells it; text.
+---One shear curve from bias pulls of several sizes, and the width of the free edges that bear no load (slip of edge yarns, pull-out): edge (m), edge_deviation, edges (true if it exceeds twice its deviation and is below its bound, a fifth of the width; else the edges are taken as none), curve {angle, normal_force (N/m), deviation, E12, S12}, shear (for fabric.lab.card), specimens {name, rms, at_end, without = {rms, at_end}, predicted}, left_out (each size from the others: rms, at_end, points, inside), left_out_by (the same by laboratory and direction), predict(self, {displacement, width, length, laboratory, direction, edges=false}) -> {force, angle, band, low, high}: the 95 % band of a specimen, band 'learned' from how sizes, laboratories, directions and specimens differ, 'given' where only `scatter` is known, nil with a reason where it cannot be determined; text.
 ---@param fields fabric_lab_bias_sizes_fields
 ---@return table<string, any>
 function fabric.lab.bias_sizes(fields) end
@@ -615,6 +633,31 @@ function fabric.lab.boxes(fields) end
 ---@param fields fabric_lab_branches_fields
 ---@return table[]
 function fabric.lab.branches(fields) end
+
+---@class fabric_lab_breaking_strength_fields
+---@field folder string of records of pulls to rupture; specimens whose names differ by the number at the end (warp-1.csv, warp-2.csv) are a group, and so are those in one file
+---@field standard? "ISO 13934-1"|"ASTM D5035" which says what counts (default "ISO 13934-1")
+---@field gauge_length number m: between the jaws
+---@field width number m: of the strips
+---@field pretension? number N: elongations count from where the force first reaches it, and slack up to there lengthens the specimen; default: from the first row
+---@field breaks? string|table { ['warp-2']=3e-3, ['warp-4']='jaw' }: distance of the break from the nearer jaw, m; or a table in a file: specimen, distance (mm). Within 5 mm it is a break at the jaw
+---@field faulty? table { ['warp-3']='slipped' }: specimens to leave out, and why
+---@field cut_at_break? boolean the machine ends its record at the break: one that ends near its largest force is of a specimen that broke (default false)
+---@field kept? number broken: the force falls below this part of the largest and stays there (default 0.8)
+---@field level? number of confidence of the interval of the mean (default 0.95)
+---@field zero? boolean the displacement of the first row is taken off, and its force unless there is a pretension (default false)
+---@field outliers? "tell"|"drop"|"keep" as in fabric.lab.tensile (default "tell")
+---@field columns? table as in fabric.lab.read
+---@field units? table as in fabric.lab.read
+---@field default_units? table as in fabric.lab.read
+---@field vocabulary? string|table as in fabric.lab.read
+---@field thousands? "auto"|"."|"," as in fabric.lab.read (default "auto")
+---@field file? string the table as CSV
+
+---The table of a folder of pulls to rupture after ISO 13934-1 or ASTM D5035. Returns names (of the groups), groups { name={ specimens={ {name, force, elongation, elongation_at_break, from_jaw, jaw, counted, remark, warnings}, ... }, counted, force, elongation and elongation_at_break (each n, mean, deviation, cv, low, high: the interval of the mean), per_width (N/m), notes } }, text (the table), warnings {code, text, specimen}, file. Elongations are numbers, not per cent.
+---@param fields fabric_lab_breaking_strength_fields
+---@return table<string, any>
+function fabric.lab.breaking_strength(fields) end
 
 ---@class fabric_lab_cantilever_fields
 ---@field card card the fabric
@@ -663,7 +706,7 @@ function fabric.lab.capstan(fields) end
 ---@field poisson? table {warp=, weft=}: numbers, or results of fabric.lab.poisson
 ---@field assume? boolean|table true: values without a test follow a rule and are marked assumed in card.provenance; a table gives values, {['warp.unloading']=..., ['weft.poisson']=...}, and {thickness=true} marks an argument; false: an error (default false)
 ---@field bending? table as in fabric.woven
----@field viscous? table result of fabric.lab.viscous (which may tell of none), or { shear={ modulus=, time= } } in S12 over E12; default: nothing relaxes
+---@field viscous? table result of fabric.lab.viscous (which may find none), or { shear={ modulus=, time= } } in S12 over E12; default: nothing relaxes
 
 ---A woven card from fits, with bands, tested ranges and, in provenance, where each number comes from: fitted, copied off a card, typed, or assumed; card:write keeps them.
 ---@param fields fabric_lab_card_fields
@@ -723,12 +766,9 @@ function fabric.lab.correlate(fields) end
 ---@field friction? number of cloth on pedestal and on cloth (default 0.3)
 ---@field contact? boolean false: the cloth touches nothing, it is held at the pedestal's rounded edge (default true)
 ---@field self? boolean the cloth may touch itself (default true)
----@field by? "motion"|"relaxation" how it comes to rest: relaxation goes through equilibria under growing shares of the weight, in a fraction of the time where yarns are stiff; limp cloth comes to fewer and deeper folds so, and to a coefficient that is 3 to 7 points lower (default "motion")
----@field steps? integer shares of the weight, of relaxation (default 10)
+---@field by? "motion"|"relaxation" how it comes to rest: relaxation goes through equilibria under growing fractions of the weight, in a fraction of the time where yarns are stiff; limp cloth comes to fewer and deeper folds so, and to a coefficient that is 3 to 7 points lower (default "motion")
+---@field steps? integer load steps of the weight, of relaxation (default 10)
 ---@field lowering? number s: over which the weight comes (default 1.5)
----@field shakes? integer up and down of the pedestal, after the lowering: they work against friction (default 0)
----@field shake? number m/s^2: their acceleration (default 5)
----@field period? number s: of a shake (default 0.25)
 ---@field damping? number 1/s: of the masses (default 5)
 ---@field gravity? number m/s^2: of the place (default 9.80665)
 ---@field still? number rest: no place of the rim moves by more than this part of the overhang in a window (default 0.005)
@@ -860,6 +900,27 @@ function fabric.lab.fast_card(fields) end
 ---@return table<string, any>
 function fabric.lab.fit(fields) end
 
+---@class fabric_lab_grab_fields
+---@field card card the fabric, with rupture
+---@field yarn? "warp"|"weft" that is pulled (default "warp")
+---@field width? number m: of the specimen (default 0.1)
+---@field length? number m: between the jaws (default 0.1)
+---@field jaw? number m: width and depth of the jaws (default 0.025)
+---@field h? number m: size of the elements (default 0.005)
+---@field ledger_limit? number as for fabric.dynamic (default 0.05)
+---@field speed? number m/s: of the grips apart; default: kinetic energy stays a small share of the work
+---@field damping? number 1/s: of the masses
+---@field coarse? "lower"|"refuse"|"keep" as for model:tearable (default "keep")
+---@field seed? integer of the scatter of strengths (default 1)
+---@field rows? integer of the curve, at equal times
+---@field out? string folder for curve.csv and the VTK series
+---@field prepare? function function(analysis), called before the run: for hooks, records and checkpoints of your own
+
+---A wide specimen is held in its middle by narrow jaws and pulled until it breaks, as in ISO 13934-2 [iso_13934_2]. strength is over the width of the jaws. Returns peak (N, the largest force), elongation (m) and strain there, strength (N/m), curve (a list of time, displacement, force: N, work over way from row to row, open: joints, and the energies of analysis.energy), energy (J, of the whole record), fracture (J), kinetic (kinetic energy over work at the peak), series (VTK), analysis, model and mesh. There are no peaks to take a mean of.
+---@param fields fabric_lab_grab_fields
+---@return table<string, any>
+function fabric.lab.grab(fields) end
+
 ---@class fabric_lab_heart_loop_fields
 ---@field card card the fabric
 ---@field direction? number|"warp"|"weft" degrees: of the strip: warp, weft or an angle from the warp (default "warp")
@@ -897,10 +958,33 @@ function fabric.lab.identifiability(fields) end
 ---@field settle? integer rounds at the end, with central differences over a standard deviation along combinations of parameters (default 8)
 ---@field progress? boolean prints the progress on stderr (default false)
 
----Card parameters by bounded least squares through simulation. Returns parameters (by name), deviation (nan on a bound), on_bound (the bound, by name), known (by name), correlation, weakest, misses (per test: rms and worst over the largest measured value, deviations), chi2 (per degree of freedom), further (ranked), simulations, text, card(self, function(p) return card end): the card with the parameters' 95 % bands carried to its numbers, for card:sample.
+---Card parameters by bounded least squares through simulation. Returns parameters (by name), deviation (nan on a bound), on_bound (the bound, by name), known (by name), correlation, weakest, misses (per test: rms and worst over the largest measured value, deviations), chi2 (per degree of freedom), further (ranked), simulations, text, card(self, function(p) return card end): the card with the parameters' 95 % bands propagated to its numbers, for card:sample.
 ---@param fields fabric_lab_identify_fields
 ---@return table<string, any>
 function fabric.lab.identify(fields) end
+
+---@class fabric_lab_impact_fields
+---@field card card the fabric, with rupture of warp and weft
+---@field ball? number m: diameter (default 0.00556)
+---@field mass? number kg: of the ball; default: of steel (default 7e-04)
+---@field side? number m: of the clamped square (default 0.1)
+---@field h? number m: size of the elements in the middle (default 0.001)
+---@field most? number m: size of the elements at the rim (default 0.004)
+---@field duration? number s: at which a run ends that has not done so before (default 0.001)
+---@field stiffness? number Pa/m: of contact, as for model:contact
+---@field friction? number of ball and cloth (default 0.2)
+---@field ledger_limit? number as for fabric.dynamic (default 0.05)
+---@field speed number m/s: at which the ball strikes
+---@field coarse? "lower"|"refuse"|"keep" as for model:tearable
+---@field seed? integer of the scatter of strengths (default 1)
+---@field rows? integer of the curve, at equal times
+---@field out? string folder for curve.csv and the VTK series
+---@field prepare? function function(analysis), called before the run: for hooks, records and checkpoints of your own
+
+---A ball is shot through the middle of a clamped square. Returns residual (m/s, its speed behind the cloth; negative: thrown back), through (whether it is behind the cloth), energy (J, what it lost), fracture (J), depth (m, the deepest), peak (N, the largest force), curve (a list of time, depth, speed, force, open: joints, and the energies of analysis.energy), series (VTK), analysis, model, mesh and ball.
+---@param fields fabric_lab_impact_fields
+---@return table<string, any>
+function fabric.lab.impact(fields) end
 
 ---@class fabric_lab_kes_bending_fields
 ---@field curvature? number[] 1/m: of a cycle 0 to 250, to -250, to 0
@@ -960,15 +1044,15 @@ function fabric.lab.kes_bending(fields) end
 ---@field density? number kg/m^3: mass over volume; or W
 ---@field T? number mm: thickness at 0.5 gf/cm^2, in place of thickness
 ---@field W? number mg/cm^2: weight, in place of density
----@field warp fabric_lab_kes_card_fields.warp pull along the warp
----@field weft fabric_lab_kes_card_fields.weft pull along the weft
----@field shear fabric_lab_kes_card_fields.shear with 2HG5 elastic shear with friction that grows with the angle
+---@field warp? fabric_lab_kes_card_fields.warp pull along the warp; without it as of the weft, without both as of the library's cloths
+---@field weft? fabric_lab_kes_card_fields.weft pull along the weft, likewise
+---@field shear? fabric_lab_kes_card_fields.shear with 2HG5 elastic shear with friction that grows with the angle; without it as of the library's cloths
 ---@field bending? fabric_lab_kes_card_fields.bending without it as of the thickness
 ---@field compression? fabric_lab_kes_card_fields.compression what contact presses with; RC is kept in the card's source, since contact gives back all
 ---@field fibre_density? number kg/m^3: of what the yarns are made of, as in fabric.woven: cloth is pressed no thinner than its fibres
----@field poisson fabric_lab_kes_card_fields.poisson KES does not measure them
+---@field poisson? fabric_lab_kes_card_fields.poisson KES does not measure them; default 0.4, assumed
 
----A card that reproduces the given KES numbers; its source says which it represents, and which not. fabric.lab.kes_sheet reads them back.
+---A card that reproduces the given KES numbers; its source says which it represents, and which not. fabric.lab.kes_sheet reads them back. Any part of the sheet will do, bending alone too: what is missing is taken from the cards of the library, marked assumed in card.provenance with the range in which it may lie, and varied by fabric.budget.
 ---@param fields fabric_lab_kes_card_fields
 ---@return card
 function fabric.lab.kes_card(fields) end
@@ -1083,6 +1167,7 @@ function fabric.lab.normal(probability) end
 ---@field processes? integer parallel processes, each with one thread; default: the threads that the program may use
 ---@field done? function done(i) is called in this process after each item
 ---@field isolated? boolean each item in a process of its own, even with processes=1 (default false)
+---@field collect? boolean what the items warn of is not shown but returned, a list warnings with each answer, and logged (default false)
 ---@field progress? string progress is shown, preceded by this word (default "")
 
 ---Calls work(i) for items 1 to count in parallel processes. Returns the lists in order; that of a failed item is empty and has trouble, the message, and died=true when its process ended without an answer.
@@ -1177,7 +1262,7 @@ function fabric.lab.poke(fields) end
 ---@field tolerance? number relative, of the sum of squares and of the parameters (default 1e-06)
 ---@field progress? boolean prints the progress on stderr (default false)
 
----Parameters from several specimens, sizes, laboratories and speeds at once, with the scatter between specimens and the mesh's error beside the noise: parameters, low, high (by name), deviation, covariance, between (relative deviation of specimens), mesh (relative), chi2 (of what is left, per degree of freedom), tests (by name: predicted, low, high: band of the mean, next_low, next_high: of the next specimen, rms, factor: of this specimen), left_out (by name: inside, rms, at_end, predicted, low, high, from the others), coverage, left_out_by (by group a list {label, inside, points, rms, tests}), effects (what the model misses: freedom, deviation, shares), predict(self, {x=, ...}) -> {predicted, low, high, band, reason}: a specimen that was not tested; band is nil and reason says why where the tests do not tell how wrong the model is; card(self, function(p) return card end): the card with the parameters' bands carried to its numbers; text.
+---Parameters from several specimens, sizes, laboratories and speeds at once, with the scatter between specimens and the mesh's error beside the noise: parameters, low, high (by name), deviation, covariance, between (relative deviation of specimens), mesh (relative), chi2 (of what is left, per degree of freedom), tests (by name: predicted, low, high: band of the mean, next_low, next_high: of the next specimen, rms, factor: of this specimen), left_out (by name: inside, rms, at_end, predicted, low, high, from the others), coverage, left_out_by (by group a list {label, inside, points, rms, tests}), effects (what the model misses: freedom, deviation, shares), predict(self, {x=, ...}) -> {predicted, low, high, band, reason}: a specimen that was not tested; band is nil and reason says why where the tests do not show how wrong the model is; card(self, function(p) return card end): the card with the parameters' bands propagated to its numbers; text.
 ---@param fields fabric_lab_pool_fields
 ---@return table<string, any>
 function fabric.lab.pool(fields) end
@@ -1218,7 +1303,7 @@ function fabric.lab.read(fields) end
 ---@field gauge_length number m: between the grips
 ---@field width number m: of the specimen
 ---@field thickness number m: of one ply
----@field plies integer layers that carry: 2 for a sewn loop on two pins
+---@field plies integer layers that bear load: 2 for a sewn loop on two pins
 ---@field compliance? number m/N: of the frame, elastic (default 0)
 ---@field slip? number m/N: in the grips over the largest force so far; it does not come back (default 0)
 ---@field slack? number m: displacement at first contact (default 0)
@@ -1228,6 +1313,29 @@ function fabric.lab.read(fields) end
 ---@param fields fabric_lab_reduce_fields
 ---@return table<string, any>
 function fabric.lab.reduce(fields) end
+
+---@class fabric_lab_rupture_fields.warp
+---@field strips table strips pulled until they broke: largest forces (N), records { displacement=, force= }, or results of fabric.lab.tensile
+---@field width number m: of the strips
+---@field tears? table trouser or tongue tears in which these yarns broke: mean forces (N) or records { displacement=, force= }
+---@field energy? number J/m: in their place, from elsewhere
+
+---@class fabric_lab_rupture_fields.weft
+---@field strips table strips pulled until they broke: largest forces (N), records { displacement=, force= }, or results of fabric.lab.tensile
+---@field width number m: of the strips
+---@field tears? table trouser or tongue tears in which these yarns broke: mean forces (N) or records { displacement=, force= }
+---@field energy? number J/m: in their place, from elsewhere
+
+---@class fabric_lab_rupture_fields
+---@field card card the fabric
+---@field warp? fabric_lab_rupture_fields.warp what was measured on the warp
+---@field weft? fabric_lab_rupture_fields.weft the same of the weft
+---@field source? string who measured, when (default "")
+
+---From strips pulled to break and tears to a card that breaks. Returns card (with rupture, and its origin in card.provenance), and warp and weft: strength (N/m) and energy (J/m, twice the mean force of the tears after their first quarter), strengths (of the strips), tear (N, mean force), modulus (Weibull's, of strips: no part of the card), bands of 95 % for strength and modulus.
+---@param fields fabric_lab_rupture_fields
+---@return table<string, any>
+function fabric.lab.rupture(fields) end
 
 ---@class fabric_lab_shear_fields
 ---@field card card the fabric
@@ -1253,7 +1361,7 @@ function fabric.lab.shear(fields) end
 ---@field gauge_length number m: between the grips
 ---@field width number m: of the specimen
 ---@field thickness number m: of one ply
----@field plies integer layers that carry
+---@field plies integer layers that bear load
 ---@field compliance? number m/N: of the frame (default 0)
 ---@field slip? number m/N: in the grips (default 0)
 
@@ -1274,7 +1382,6 @@ function fabric.lab.sobol_points(count, dimensions, seed) end
 ---@field width integer of the picture, pixels
 ---@field height integer of the picture, pixels
 ---@field size? number pixels: of a speckle: deviation of its round blot (default 2)
----@field cover? number blots of one deviation's area over the area of the cloth (default 0.5)
 ---@field F? number[] {F11, F12, F21, F22}: the map of the cloth about the middle, y upwards; default: none
 ---@field shift? number[] pixels: {x, y}, y upwards, after the map
 ---@field noise? number of a pixel, white being 1 (default 0)
@@ -1297,6 +1404,26 @@ function fabric.lab.speckles(fields) end
 ---@return table<string, any>
 function fabric.lab.spread(fields) end
 
+---@class fabric_lab_strip_rupture_fields
+---@field card card the fabric, with rupture
+---@field yarn? "warp"|"weft" that is pulled (default "warp")
+---@field width? number m: of the specimen (default 0.05)
+---@field length? number m: between the jaws (default 0.2)
+---@field h? number m: size of the elements (default 0.005)
+---@field ledger_limit? number as for fabric.dynamic (default 0.05)
+---@field speed? number m/s: of the grips apart; default: kinetic energy stays a small share of the work
+---@field damping? number 1/s: of the masses
+---@field coarse? "lower"|"refuse"|"keep" as for model:tearable (default "keep")
+---@field seed? integer of the scatter of strengths (default 1)
+---@field rows? integer of the curve, at equal times
+---@field out? string folder for curve.csv and the VTK series
+---@field prepare? function function(analysis), called before the run: for hooks, records and checkpoints of your own
+
+---A strip is pulled until it breaks, as in ISO 13934-1 [iso_13934_1]. Yarns whose strength scatters break where they are weakest, others in the middle. Returns peak (N, the largest force), elongation (m) and strain there, strength (N/m), curve (a list of time, displacement, force: N, work over way from row to row, open: joints, and the energies of analysis.energy), energy (J, of the whole record), fracture (J), kinetic (kinetic energy over work at the peak), series (VTK), analysis, model and mesh. There are no peaks to take a mean of.
+---@param fields fabric_lab_strip_rupture_fields
+---@return table<string, any>
+function fabric.lab.strip_rupture(fields) end
+
 ---The quantile of Student's t distribution.
 ---@param probability number of values below it
 ---@param freedom number degrees of freedom
@@ -1314,22 +1441,43 @@ function fabric.lab.student(probability, freedom) end
 ---@field slack? number m: largest displacement before first contact (default 5e-04)
 ---@field slip? number m/N: in the grips (default 0)
 ---@field compliance? number m/N: of the frame (default 0)
----@field force_noise? number N: standard deviation (default 0.02)
----@field calibration? number relative error of the load cell, one for all specimens: standard deviation (default 0.003)
----@field displacement_noise? number m: standard deviation (default 2e-06)
----@field position_noise? number m: of a marker coordinate (default 1e-05)
 ---@field markers? number[] {rows, columns}; default {5, 4}
 ---@field pitch? number m: between markers (default 0.005)
 ---@field photographs? integer over the whole test (default 60)
 ---@field gauge_length? number m: between the grips (default 0.0762)
 ---@field width? number m: of the specimen (default 0.0254)
 ---@field thickness? number m: default: the card's
----@field plies? integer layers that carry (default 2)
+---@field plies? integer layers that bear load (default 2)
 
 ---Pulls of a card's cloth as a laboratory would have recorded them: a list of specimens {record={displacement, force}, photographs={markers, force, displacement, warp}}.
 ---@param fields fabric_lab_synthetic_fields
 ---@return table[]
 function fabric.lab.synthetic(fields) end
+
+---@class fabric_lab_tear_fields
+---@field card card the fabric, with rupture
+---@field method? "trouser"|"tongue"|"trapezoid" ISO 13937-2, ASTM D2261, ASTM D5587 (default "trouser")
+---@field along? "warp"|"weft" yarns along which the tear runs: the others break (default "warp")
+---@field h? number m: size of the elements along the tear (default 0.003)
+---@field width? number m: of the specimen, for a trapezoid along the tear; default: the standard's
+---@field leg? number m: trouser, tongue: from jaw to tip; default: half of the standard's gauge length
+---@field short? number m: trapezoid: the short side; default: the standard's
+---@field long? number m: trapezoid: the long side; default: the standard's
+---@field cut? number m: trapezoid: length of the cut; default: the standard's
+---@field tear? number m: how far it is torn; default: 50 mm
+---@field ledger_limit? number as for fabric.dynamic (default 0.05)
+---@field speed? number m/s: of the grips apart; default: kinetic energy stays a small share of the work
+---@field damping? number 1/s: of the masses
+---@field coarse? "lower"|"refuse"|"keep" as for model:tearable
+---@field seed? integer of the scatter of strengths (default 1)
+---@field rows? integer of the curve, at equal times
+---@field out? string folder for curve.csv and the VTK series
+---@field prepare? function function(analysis), called before the run: for hooks, records and checkpoints of your own
+
+---A cut specimen is torn on: trouser [iso_13937_2], tongue (single rip) [astm_d2261] or trapezoid [astm_d5587]; a membrane whose yarns break on the line of the cut. Returns mean (N, the work of the grips over their way after the first quarter of the tear; with legs that do not stretch half of the energy of breaking), mean_of_peaks (N, as the standard takes it; nil where the record has no peaks), peaks, peak (N), expected (N, half of the energy; trouser and tongue), curve (a list of time, displacement, force: N, work over way from row to row, torn: m, open: joints, and the energies of analysis.energy), energy (J), fracture (J), kinetic (kinetic energy over work at the peak), series (VTK), analysis, model and mesh.
+---@param fields fabric_lab_tear_fields
+---@return table<string, any>
+function fabric.lab.tear(fields) end
 
 ---@class fabric_lab_tensile_fields
 ---@field file? string of the load frame
@@ -1342,7 +1490,7 @@ function fabric.lab.synthetic(fields) end
 ---@field gauge_length number m: between the grips
 ---@field width number m: of the specimen
 ---@field thickness number m: of one ply
----@field plies integer layers that carry: 1, or 2 for a sewn loop on two pins
+---@field plies integer layers that bear load: 1, or 2 for a sewn loop on two pins
 ---@field compliance? number m/N: of frame and load cell (default 0)
 ---@field slip? number m/N: in the grips, over the largest force so far (default 0)
 ---@field zero? boolean displacement and force of the first row are taken off: a crosshead's position, an offset of the load cell (default false)
@@ -1378,7 +1526,6 @@ function fabric.lab.tensile(fields) end
 ---@field scale? number m: of a pixel
 ---@field known? fabric_lab_track_fields.known a known distance, instead of the scale
 ---@field dark? boolean dots on lighter cloth (default true)
----@field smallest? number area of a dot, pixels (default 12)
 ---@field largest? number area of a dot, pixels (default 1e+05)
 ---@field contrast? number least, black on white being 1 (default 0.1)
 
@@ -1430,7 +1577,6 @@ function fabric.lab.twist(fields) end
 ---@field tolerance? number as for fabric.static (default 1e-10)
 ---@field max_iterations? integer as for fabric.static (default 200)
 ---@field max_cuts? integer as for fabric.static (default 12)
----@field most_steps? integer the run stops after so many steps
 ---@field method? "newton"|"relaxation"|"either" as for fabric.static (default "newton")
 ---@field width? number m: of the strip (default 0.0254)
 ---@field length? number m: between the grips (default 0.0762)
@@ -1463,7 +1609,7 @@ function fabric.lab.unloading(fields) end
 ---@field limit? number degrees: shear angle up to which rows count (default 30)
 ---@field level? number of confidence (default 0.95)
 
----The part of shear that relaxes (viscous of a card) from tests at several speeds or with holds: viscous {shear {modulus, time}} or nil where the tests do not tell it, modulus, time, low and high {modulus, time, viscosity} (by the profile of the sum of squares), open_below, open_above (the time is not determined), contradicts (the faster is the softer), speed {ratio, low, high, decades}, ratio {angle, E, ratio, low, high} (the fastest over the slowest against the angle), withheld (the conclusion hangs on the angles that are taken: none is drawn), by_limit ({limit, verdict}, ...), elastic {E, S}, shear (for fabric.lab.card), scatter, rms, profile, reason, text.
+---The part of shear that relaxes (viscous of a card) from tests at several speeds or with holds: viscous {shear {modulus, time}} or nil where the tests do not tell it, modulus, time, low and high {modulus, time, viscosity} (by the profile of the sum of squares), open_below, open_above (the time is not determined), contradicts (the faster is the softer), speed {ratio, low, high, decades}, ratio {angle, E, ratio, low, high} (the fastest over the slowest against the angle), withheld (the conclusion depends on the angles that are used: none is drawn), by_limit ({limit, verdict}, ...), elastic {E, S}, shear (for fabric.lab.card), scatter, rms, profile, reason, text.
 ---@param fields fabric_lab_viscous_fields
 ---@return table<string, any>
 function fabric.lab.viscous(fields) end
@@ -1624,17 +1770,39 @@ function fabric.mesh.merge(fields) end
 ---@return mesh
 function fabric.mesh.of(fields) end
 
+---@class fabric_mesh_panel_fields
+---@field outline? table { {x, y}, {x, y, name=}, {arc=, name=}, {spline=, name=}, ... }: a start, then pieces, each from where the one before it ends
+---@field file? string in place of an outline: a .dxf of a pattern program (AAMA/ASTM), or a .svg
+---@field piece? string of the file, if it has several
+---@field unit? number m: of the file's lengths (fabric.units.mm), if it does not say
+---@field size number m: of an element
+---@field grain? number degrees: direction of the warp, counter-clockwise from +x, default 0; wins over the grain line of a file
+---@field holes? table { line, ... }: closed lines like the outline
+---@field darts? table { {from=, tip=, to=, name=}, ... }: wedges cut from the outline
+---@field notches? table { {name=, edge=, at=|share=|point=}, ... }: places that get a node
+---@field triangles? boolean equilateral ones, in place of squares along the grain (default false)
+
+---A panel from its outline, in the x-y plane, normal +z: squares along the grain, and a rim of quadrilaterals and triangles whose border nodes lie on the outline. A piece is a straight line to {x, y}, {arc={to=, through=|centre=, clockwise=}}, {spline={ {x, y}, ... }}, {bezier={c, c, to}}, or {name=}, which closes the line; a line {circle={x, y}, radius=} is a circle; elements= of a piece sets their number. Named edges, the sides NAME_in and NAME_out of darts, and notches become sets; all and boundary as usual. Edges of a file are edge1, edge2, ..., its notches notch1, notch2, .... A model takes the warp from the grain.
+---@param fields fabric_mesh_panel_fields
+---@return mesh
+function fabric.mesh.panel(fields) end
+
 ---Reads a mesh of triangles and quadrilaterals, lengths in m: Gmsh 2 and 4.1, VTK's .vtu and legacy .vtk, Wavefront .obj, .stl and .ply (text and binary; equal vertices of an .stl are joined), .inp of Abaqus and CalculiX, .k of LS-DYNA. Physical groups and groups become node sets, sets of elements those of their nodes; so do integer arrays: those of 0 and 1 by their name, others as name_value; parts and solids where there are several. Nodes in no element are left out; the sets all and boundary are added.
 ---@param file string ends in .msh, .vtu, .vtk, .obj, .stl, .ply, .inp, .k or .key; a bare name may be a mesh shipped with the program
 ---@return mesh
 function fabric.mesh.read(file) end
 
+---@class fabric_mesh_rectangle_fields.grading
+---@field x? number[] m: of the lines of nodes across x, from 0 to the width, ascending
+---@field y? number[] m: of those across y, from 0 to the height
+
 ---@class fabric_mesh_rectangle_fields
 ---@field width number m: size along x
 ---@field height number m: size along y
----@field nx integer elements along x
----@field ny integer elements along y
+---@field nx? integer elements along x; may be left out with grading.x
+---@field ny? integer elements along y; may be left out with grading.y
 ---@field origin? number[] m: corner of smallest x and y, {x, y} or {x, y, z}
+---@field grading? fabric_mesh_rectangle_fields.grading positions of the lines of nodes, from the origin corner; without: at equal distances
 ---@field triangles? boolean cut every cell into two triangles, the cuts turning from cell to cell (default false)
 
 ---A structured rectangle in the x-y plane, normal +z, nodes and elements row by row from the origin corner; sets left, right, bottom, top, boundary, corners, all.
@@ -1647,11 +1815,12 @@ function fabric.mesh.rectangle(fields) end
 ---@field card? card the fabric
 ---@field layers? table { {card=, warp=, thickness=, name=}, ... }: plies from below, in place of a card
 ---@field thickness? number m: replaces the card's; mass per area changes with it
----@field warp? number|function|number[] degrees: warp direction: angle counter-clockwise about the normal from global +x, {x, y, z}, or function(x, y, z) returning either; default 0 on a flat generated mesh
+---@field warp? number|function|number[] degrees: warp direction: angle counter-clockwise about the normal from global +x, {x, y, z}, or function(x, y, z) returning either; default: along the grain of a panel, 0 on another flat generated mesh
 ---@field points? integer integration points through the thickness (default 3)
 ---@field offset? number reference surface: -1 lower face, 0 middle, 1 upper face (default 0)
 ---@field regions? table { set = {card=, thickness=, warp=, ...}, ... }: sets of elements with a card or section of their own
 ---@field bodies? table { {name=, mesh=, card=, regions=, ...}, ... }: several meshes in place of one; their sets are then name.left
+---@field membrane? boolean cloth without bending and transverse shear, whose directors are held: for sheets that are taut, or fold more sharply than an element can show (default false)
 
 ---The declared problem: a mesh of a fabric, or several, to be held, moved and loaded.
 ---@param fields fabric_model_fields
@@ -2031,9 +2200,9 @@ function fabric.why() end
 ---@field weft? fabric_woven_fields.rupture.weft breaking of the weft yarns; without it they hold
 
 ---@class fabric_woven_fields.warp.loop
----@field friction number share of the peak stress that friction between the fibres carries: the width of the loop
----@field reach? number share of the way from the peak to zero stress over which that friction is lost, and built up again after a reversal (default 0.5)
----@field curve? number share of the elastic rest that grows with the square of the way; 0: with the way (default 0)
+---@field friction number fraction of the peak stress due to friction between the fibres: the width of the loop
+---@field reach? number fraction of the strain from the peak to zero stress over which that friction is lost, and built up again after a reversal (default 0.5)
+---@field curve? number fraction of the elastic part that grows with the square of that strain; 0: linearly (default 0)
 
 ---@class fabric_woven_fields.warp
 ---@field loading number[]|table Pa: tangent modulus D(E) = d0 + d1 E + ..., Pa, as {d0, d1, ...}; or measured points {{E, S}, ...} from {0, 0} on
@@ -2042,9 +2211,9 @@ function fabric.why() end
 ---@field loop? fabric_woven_fields.warp.loop unloading and reloading along curves instead of one straight line, with loops inside loops; unloading is then the secant from the peak to zero stress; law potential only
 
 ---@class fabric_woven_fields.weft.loop
----@field friction number share of the peak stress that friction between the fibres carries: the width of the loop
----@field reach? number share of the way from the peak to zero stress over which that friction is lost, and built up again after a reversal (default 0.5)
----@field curve? number share of the elastic rest that grows with the square of the way; 0: with the way (default 0)
+---@field friction number fraction of the peak stress due to friction between the fibres: the width of the loop
+---@field reach? number fraction of the strain from the peak to zero stress over which that friction is lost, and built up again after a reversal (default 0.5)
+---@field curve? number fraction of the elastic part that grows with the square of that strain; 0: linearly (default 0)
 
 ---@class fabric_woven_fields.weft
 ---@field loading number[]|table Pa: tangent modulus D(E) = d0 + d1 E + ..., Pa, as {d0, d1, ...}; or measured points {{E, S}, ...} from {0, 0} on
@@ -2174,15 +2343,66 @@ function mesh:orient(direction) end
 ---@overload fun(self: mesh, name: string): integer[]
 function mesh:set(name, nodes) end
 
+---@class mesh_slit_fields
+---@field from number[] m: {x, y} or {x, y, z}: a node, where the slit begins
+---@field to number[] m: where it ends
+---@field left? string name of a set to make of the nodes of its left side, seen on the way against the normal
+---@field right? string the same of its right side
+
+---Slits the mesh along a straight line of edges between nodes: the nodes on it are doubled, but for an end inside the mesh, which is the tip. The left side keeps them, the new nodes follow all others and are in the same sets; boundary has the sides of the slit, too.
+---@param fields mesh_slit_fields
+---@return any
+function mesh:slit(fields) end
+
+---@class mesh_wrap_fields.cylinder
+---@field radius number m: at the point `at` of the panel
+---@field from? number[] {x, y, z}: the point of the axis beside it, m, default the origin
+---@field axis? number[] {x, y, z}: its direction, default {0, 0, 1}
+---@field towards? number[] {x, y, z}: where `at` lies as seen from the axis, default {1, 0, 0}
+---@field at? number[] m: {x, y}: a point in the plane of the panel, default {0, 0}
+
+---@class mesh_wrap_fields.cone
+---@field radius number m: at the point `at` of the panel
+---@field from? number[] {x, y, z}: the point of the axis beside it, m, default the origin
+---@field axis? number[] {x, y, z}: its direction, default {0, 0, 1}
+---@field towards? number[] {x, y, z}: where `at` lies as seen from the axis, default {1, 0, 0}
+---@field at? number[] m: {x, y}: a point in the plane of the panel, default {0, 0}
+---@field angle number degrees: between axis and surface; positive: wider along the axis
+
+---@class mesh_wrap_fields
+---@field cylinder? mesh_wrap_fields.cylinder to go around
+---@field cone? mesh_wrap_fields.cone to go around
+---@field overlap? boolean allow more than one turn (default false)
+
+---Lays a mesh in the x-y plane around a cylinder or a cone, with lengths, angles and areas kept and the normal outward: the point `at` comes to lie beside `from` at the distance radius, +y runs along the axis there, +x around it counter-clockwise. The warp of a panel goes along. Errors move no node.
+---@param fields mesh_wrap_fields
+---@return any
+function mesh:wrap(fields) end
+
 ---Writes the mesh, lengths in m. With its sets: .vtu and .msh (Gmsh 4.1), which read back equal, .inp (Abaqus, CalculiX), .k (LS-DYNA), .rad (OpenRadioss). The surface alone: .obj, .ply, .stl. The old file stays until the new one is whole.
 ---@param file string ends in .msh, .vtu, .obj, .stl, .ply, .inp, .k or .rad
 ---@return mesh
 function mesh:write(file) end
 
+---@class model_band_fields
+---@field set string the nodes of an edge
+---@field stiffness number N: force per strain of the band
+---@field ease? number by what share of the edge the band is shorter without force (default 0)
+---@field over? number s: time in which it becomes that short; without it, it is from the start
+
+---Puts a band along an edge: elastic in a hem, or with a high stiffness a cord that is drawn tight. It pulls and never pushes.
+---@param fields model_band_fields
+---@return model
+function model:band(fields) end
+
+---@class model_contact_fields.friction
+---@field static number of what sticks, at least the kinetic one
+---@field kinetic number of what slides
+
 ---@class model_contact_fields
 ---@field between? table { body or set, ... }: every two of them touch ("all": the whole cloth)
 ---@field self? string a set whose cloth touches itself
----@field friction? number friction coefficient (default 0)
+---@field friction? number|model_contact_fields.friction friction coefficient, or that of what sticks and that of what slides (default 0)
 ---@field thickness? number m: of the cloth in contact; default: the cloth's own, or that of its card's compression
 ---@field stiffness? number Pa/m: pressure per closed gap; default: the compression curve of the card, or else 1 MPa down to the floor; in explicit runs no more than the cloth's own stable step carries
 ---@field restitution? number speed after over speed before of a sheet that meets something flat; 1: nothing is lost (default 0.5)
@@ -2279,6 +2499,20 @@ function model:pressure(value, set) end
 ---@return model
 function model:remove(row) end
 
+---@class model_seam_fields.seam
+---@field over? number s: time in which threads draw the edges together, before they become one; without it they lie on each other and are one from the start
+---@field ease? number by what share of the longer edge the other may be shorter; the rest is spread evenly (default 0.01)
+---@field reverse? boolean whether the edges are matched from different ends, the end of an edge with the lowest number of a node being its first; default so that the ends lie nearer
+---@field hinge? boolean whether the edges can turn against each other; default where their normals are more than 60 degrees apart as they become one
+---@field stiffness? number N/m^2: force per metre of seam and metre of opening, of a seam that gives way; default none, the edges become one
+---@field strength? number N/m: force per metre at which the seam bursts; default never
+---@field energy? number J/m: that bursting takes, per metre; with strength
+
+---Sews two edges of the cloth together: threads draw them together, then they are one. The edge with more nodes follows the other, matched by the length along each.
+---@param seam model_seam_fields.seam|table { first, second, ... }: the sets of the nodes of two edges
+---@return model
+function model:seam(seam) end
+
 ---@class model_spring_fields.stiffness
 ---@field x? number N/m: along x
 ---@field y? number N/m: along y
@@ -2301,8 +2535,9 @@ function model:spring(set, stiffness, options) end
 function model:symmetry(set, normal) end
 
 ---@class model_tearable_fields.options
----@field coarse? "lower"|"refuse" where elements are coarse for the card's strength and energy: lower the strength until a tear runs at the right force, and say so; or refuse (default "lower")
+---@field coarse? "lower"|"refuse"|"keep" where elements are coarse for the card's strength and energy: lower the strength until a tear runs at the right force, and say so; refuse; or keep the strength, which is right where no tear runs, as in a strip without a notch (default "lower")
 ---@field seed? integer of the scatter of strengths (default 1)
+---@field path? string a set of nodes: yarns break at these places only, where the path of a tear is given
 
 ---Declares a tearable zone: each corner of its elements gets a node of its own, which moves with the others at its place until a:cut opens the joint, or in explicit motion its yarns reach the strength that the card has in rupture. The further nodes are numbered after those of the mesh.
 ---@param set string a set whose elements may come apart along their edges during a run

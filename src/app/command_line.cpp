@@ -52,30 +52,30 @@ std::vector<std::string> long_options() {
 }
 
 // Reads options one by one up to the deck.
-class Reader {
+class OptionReader {
  public:
-  Reader(CommandLine& command, int count) : c_(command), count_(static_cast<std::size_t>(count)) {}
+  OptionReader(CommandLine& command, int count) : c_(command), count_(static_cast<std::size_t>(count)) {}
 
   void read() {
-    while (at_ < count_ && c_.trouble.empty() && !c_.has_deck && !closed_) option(c_.line[at_]);
-    if (!c_.has_deck && at_ < count_ && c_.trouble.empty()) take_deck(c_.line[at_]);
-    if (c_.trouble.empty() && !c_.safe && !only_safe_.empty())
-      c_.trouble = "'" + only_safe_ + "' goes with --safe";
+    while (at_ < count_ && c_.error.empty() && !c_.has_deck && !closed_) option(c_.line[at_]);
+    if (!c_.has_deck && at_ < count_ && c_.error.empty()) take_deck(c_.line[at_]);
+    if (c_.error.empty() && !c_.safe && !only_safe_.empty())
+      c_.error = "'" + only_safe_ + "' goes with --safe";
   }
 
  private:
   // A deck that came with the program is found from any folder by its name in the manual:
   // scripts/lab/characterise.lua.
   static std::string found(const std::string& name) {
-    std::error_code trouble;
-    if (!name.starts_with("scripts/") || std::filesystem::exists(name, trouble)) return name;
+    std::error_code error;
+    if (!name.starts_with("scripts/") || std::filesystem::exists(name, error)) return name;
     const std::string own = data_file(name);
     return own.empty() ? name : own;
   }
 
   void take_deck(const std::string& name) {
     if (name.empty()) {  // for example from an unset variable of the shell
-      c_.trouble = "the name of the deck is empty (- is standard input)";
+      c_.error = "the name of the deck is empty (- is standard input)";
       return;
     }
     c_.has_deck = true;
@@ -90,7 +90,7 @@ class Reader {
     ++at_;
     if (!out.empty()) return true;
     if (at_ >= count_) {
-      c_.trouble = "'" + word + "' needs an argument";
+      c_.error = "'" + word + "' needs an argument";
       return false;
     }
     out = c_.line[at_++];
@@ -101,7 +101,7 @@ class Reader {
     const char* end = text.data() + text.size();
     const auto [stop, error] = std::from_chars(text.data(), end, c_.threads);
     if (error != std::errc() || stop != end || c_.threads < 1 || c_.threads > 4096)
-      c_.trouble = "--threads: expected an integer from 1 to 4096, got '" + text + "'";
+      c_.error = "--threads: expected an integer from 1 to 4096, got '" + text + "'";
   }
 
   // The value of --name=X or of --name X; false: another option, or no value.
@@ -113,7 +113,7 @@ class Reader {
     }
     if (word != name) return false;
     if (++at_ < count_) return out = c_.line[at_++], true;
-    c_.trouble = "'" + name + "' needs an argument";
+    c_.error = "'" + name + "' needs an argument";
     return false;
   }
 
@@ -123,19 +123,19 @@ class Reader {
     const auto end = text.data() + text.size();
     const auto [stop, wrong] = std::from_chars(text.data(), end, c_.study.only);
     if (wrong != std::errc() || stop != end || c_.study.only < 1)
-      c_.trouble = "--case: expected the number of a case, from 1 on, got '" + text + "'";
+      c_.error = "--case: expected the number of a case, from 1 on, got '" + text + "'";
     return true;
   }
 
   template <class Number>
   bool limit(const std::string& word, const std::string& name, double least, double most, Number& out) {
     std::string text;
-    if (!long_value(word, name, text)) return !c_.trouble.empty();
+    if (!long_value(word, name, text)) return !c_.error.empty();
     char* end = nullptr;
     const double value = std::strtod(text.c_str(), &end);
     if (text.empty() || *end != '\0' || !(value >= least) || value > most)
-      c_.trouble = name + ": expected a number from " + fabricsh::number(least) + " to " +
-                   fabricsh::number(most) + ", got '" + text + "'";
+      c_.error = name + ": expected a number from " + fabricsh::number(least) + " to " +
+                 fabricsh::number(most) + ", got '" + text + "'";
     else
       out = static_cast<Number>(value);
     return only_safe_ = name, true;
@@ -172,8 +172,8 @@ class Reader {
       c_.interactive = true;
       ++at_;
     } else if (long_value(word, "--restart", c_.restart)) {
-      if (c_.restart.empty()) c_.trouble = "'--restart' needs an argument";
-    } else if (!c_.trouble.empty()) {
+      if (c_.restart.empty()) c_.error = "'--restart' needs an argument";
+    } else if (!c_.error.empty()) {
     } else if (word.rfind("--threads=", 0) == 0) {
       threads(word.substr(10));
       ++at_;
@@ -181,11 +181,11 @@ class Reader {
       if (++at_ < count_)
         threads(c_.line[at_++]);
       else
-        c_.trouble = "'--threads' needs an argument";
+        c_.error = "'--threads' needs an argument";
     } else if (word[1] == 'e' || word[1] == 'l') {
       if (value(word, text)) c_.before.emplace_back(word[1], text);
     } else {
-      c_.trouble = "unknown option '" + word + "'" + did_you_mean(word, long_options());
+      c_.error = "unknown option '" + word + "'" + did_you_mean(word, long_options());
     }
   }
 
@@ -201,7 +201,7 @@ class Reader {
 CommandLine read_command_line(int count, char** words) {
   CommandLine command;
   command.line.assign(words, words + count);
-  Reader(command, count).read();
+  OptionReader(command, count).read();
   return command;
 }
 

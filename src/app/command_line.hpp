@@ -23,7 +23,7 @@ struct CommandLine {
   std::size_t deck_place = 0;
   std::vector<std::string> line;       // all words, the program's name first
   std::vector<std::string> arguments;  // after the deck
-  std::string trouble;                 // not empty: a usage error
+  std::string error;                   // not empty: a usage error
 };
 
 CommandLine read_command_line(int count, char** words);

@@ -24,7 +24,7 @@ const char* better_kernels() {
 
 }  // namespace
 
-std::string environment_trouble() {
+std::string environment_error() {
   const char* wish = std::getenv("FABRICSH_ISA");
   if (wish == nullptr || *wish == 0 || std::strcmp(wish, name(best_isa())) == 0) return {};
   std::string known;

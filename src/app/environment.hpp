@@ -5,7 +5,7 @@
 namespace fabricsh::app {
 
 // An invalid setting: "FABRICSH_ISA: expected ...". Empty: none.
-std::string environment_trouble();
+std::string environment_error();
 
 // Sets the variables below unless they are set already, and restarts the program if it has set any.
 // Returns if there is nothing to do or a restart is impossible. GOMP_SPINCOUNT: how long a thread

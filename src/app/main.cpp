@@ -26,7 +26,7 @@
 namespace {
 
 using namespace fabricsh;
-using repl::Outcome;
+using repl::EvaluationOutcome;
 
 // 0 if no signal has ended or stopped anything.
 int code_of_signal(const script::Session& session) {
@@ -35,13 +35,13 @@ int code_of_signal(const script::Session& session) {
 }
 
 int exit_code(const script::Session& session, const repl::Result& result) {
-  if (result.outcome != Outcome::done) {
+  if (result.outcome != EvaluationOutcome::done) {
     std::fflush(stdout);
     std::cerr << "fabricsh: " << result.message << std::endl;
   }
   if (const int code = code_of_signal(session)) return code;
-  if (result.outcome == Outcome::done) return 0;
-  return result.outcome == Outcome::numerical_failure ? 3 : 1;
+  if (result.outcome == EvaluationOutcome::done) return 0;
+  return result.outcome == EvaluationOutcome::numerical_failure ? 3 : 1;
 }
 
 bool is_dumb() {
@@ -66,12 +66,12 @@ class Speaker {
   app::ProgressLine progress{stderr, isatty(STDERR_FILENO) != 0 && !is_dumb()};
 
  private:
-  repl::Style style_ = repl::Style::of(STDERR_FILENO);
+  repl::TerminalStyle style_ = repl::TerminalStyle::of(STDERR_FILENO);
 };
 
-script::Options session_options(const app::CommandLine& command, Speaker& speaker) {
+script::SessionOptions session_options(const app::CommandLine& command, Speaker& speaker) {
   const auto say = [&speaker](const std::string& text) { speaker.say(text); };
-  script::Options options;
+  script::SessionOptions options;
   if (command.safe) options.safe = command.limits;
   options.check = command.check;
   options.quiet = speaker.quiet = command.quiet;
@@ -82,7 +82,8 @@ script::Options session_options(const app::CommandLine& command, Speaker& speake
   options.deck = command.deck;
   options.arguments = command.arguments;
   options.notice = say;
-  if (!command.quiet) options.progress = [&speaker](const script::Progress& p) { speaker.progress.show(p); };
+  if (!command.quiet)
+    options.progress = [&speaker](const script::RunProgress& p) { speaker.progress.show(p); };
   options.clear_progress = [&speaker] { speaker.progress.clear(); };
   return options;
 }
@@ -90,10 +91,10 @@ script::Options session_options(const app::CommandLine& command, Speaker& speake
 // Reports a checkpoint from which no analysis of the deck has started.
 repl::Result check_restart(const script::Session& session, repl::Result result) {
   const auto& from = session.restart();
-  if (result.outcome != Outcome::done || !from || from->number <= session.analyses()) return result;
-  return {Outcome::deck_error, "--restart: '" + from->path + "' was written by analysis " +
-                                   std::to_string(from->number) + " of its deck; this one makes " +
-                                   std::to_string(session.analyses())};
+  if (result.outcome != EvaluationOutcome::done || !from || from->number <= session.analyses()) return result;
+  return {EvaluationOutcome::deck_error, "--restart: '" + from->path + "' was written by analysis " +
+                                             std::to_string(from->number) + " of its deck; this one makes " +
+                                             std::to_string(session.analyses())};
 }
 
 // Runs -e and -l in their order, then the deck. The first failure ends it.
@@ -106,10 +107,10 @@ repl::Result run_all(script::Session& session, const app::CommandLine& command) 
   repl::set_arguments(session, line, command.deck_place);
   if (spill) result = repl::spill_globals(session);
   for (const auto& [kind, text] : command.before) {
-    if (result.outcome != Outcome::done) return result;
+    if (result.outcome != EvaluationOutcome::done) return result;
     result = kind == 'e' ? repl::run_text(session, text, "=(command line)") : repl::run_module(session, text);
   }
-  if (result.outcome == Outcome::done && command.has_deck)
+  if (result.outcome == EvaluationOutcome::done && command.has_deck)
     result = repl::run_deck(session, command.deck, command.arguments);
   return check_restart(session, result);
 }
@@ -123,17 +124,17 @@ int converse(script::Session& session, Speaker& speaker, bool interactive) {
   if (terminal) std::cout << app::headline() << "\n" << repl::greeting << "\n";
   const auto lines =
       terminal
-          ? repl::terminal_lines({repl::history_path(), repl::Style::of(STDOUT_FILENO),
+          ? repl::terminal_lines({repl::history_path(), repl::TerminalStyle::of(STDOUT_FILENO),
                                   [&session](const auto& text) { return repl::complete(session, text); }})
           : repl::stream_lines(std::cin);
   speaker.lines = lines.get();
-  const Outcome first =
-      repl::converse(session, *lines, {std::cout, std::cerr, repl::Style::of(STDERR_FILENO)}, attended);
+  const EvaluationOutcome first = repl::converse(
+      session, *lines, {std::cout, std::cerr, repl::TerminalStyle::of(STDERR_FILENO)}, attended);
   speaker.lines = nullptr;
   if (session.terminated() != 0 || (attended == repl::Attended::no && session.stopped_by_interrupt()))
     return code_of_signal(session);
-  if (terminal || first == Outcome::done) return 0;
-  return first == Outcome::numerical_failure ? 3 : 1;
+  if (terminal || first == EvaluationOutcome::done) return 0;
+  return first == EvaluationOutcome::numerical_failure ? 3 : 1;
 }
 
 }  // namespace
@@ -141,12 +142,12 @@ int converse(script::Session& session, Speaker& speaker, bool interactive) {
 int main(int count, char** words) {
   app::hold_standard_streams();
   app::watch_output();
-  if (const std::string trouble = app::environment_trouble(); !trouble.empty())
-    return std::cerr << "fabricsh: " << trouble << "\n", 2;
+  if (const std::string error = app::environment_error(); !error.empty())
+    return std::cerr << "fabricsh: " << error << "\n", 2;
   app::settle_environment(words);
   const app::CommandLine command = app::read_command_line(count, words);
-  if (!command.trouble.empty()) {
-    std::cerr << "fabricsh: " << command.trouble << "; fabricsh --help shows the options\n";
+  if (!command.error.empty()) {
+    std::cerr << "fabricsh: " << command.error << "; fabricsh --help shows the options\n";
     return 2;
   }
   if (command.help) return std::cout << app::usage, 0;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kRedraw = 0.1, kFirstBar = 0.3;  // s, on a terminal
 constexpr double kFirstLine = 2, kNextLine = 10;  // s, in a log
-constexpr double kShare = 0.01;                   // share of the time that the ledger may take
+constexpr double kTimeFraction = 0.01;            // fraction of the time that the ledger may take
 
 int columns_of(std::FILE* stream) {
   winsize size{};
@@ -33,7 +33,7 @@ std::string duration_text(double seconds) {
   return text;
 }
 
-std::string progress_text(const script::Progress& p, double ledger_error) {
+std::string progress_text(const script::RunProgress& p, double ledger_error) {
   char text[200];
   std::snprintf(text, sizeof text, "t = %.4g of %.4g s, step %zu", p.time, p.duration, p.steps);
   std::string line = text;
@@ -44,19 +44,19 @@ std::string progress_text(const script::Progress& p, double ledger_error) {
   return line;
 }
 
-std::string bar_text(double share, int width) {
+std::string bar_text(double fraction, int width) {
   if (width < 6) return {};
   const int inner = width - 3;
-  const int full = static_cast<int>(std::clamp(share, 0.0, 1.0) * inner);
+  const int full = static_cast<int>(std::clamp(fraction, 0.0, 1.0) * inner);
   std::string bar = "[" + std::string(static_cast<std::size_t>(full), '=');
   if (full < inner) bar += '>';
   bar.resize(static_cast<std::size_t>(inner + 1), ' ');
   return bar + "] ";
 }
 
-// The ledger's error, updated so seldom that it takes no more than its share of the time.
-double ProgressLine::ledger(const script::Progress& p) {
-  if (asked_ >= 0 && p.elapsed < asked_ + dear_ / kShare) return error_;
+// The ledger's error, updated so seldom that it takes no more than that fraction of the time.
+double ProgressLine::ledger(const script::RunProgress& p) {
+  if (asked_ >= 0 && p.elapsed < asked_ + dear_ / kTimeFraction) return error_;
   const auto start = std::chrono::steady_clock::now();
   error_ = p.ledger_error();
   dear_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -64,7 +64,7 @@ double ProgressLine::ledger(const script::Progress& p) {
   return error_;
 }
 
-void ProgressLine::show(const script::Progress& p) {
+void ProgressLine::show(const script::RunProgress& p) {
   if (p.run != run_) {
     run_ = p.run;
     next_ = 0;

@@ -1,4 +1,4 @@
-// Two of the three kinds of trouble as exceptions; the third, a bug, is an assert.
+// Two of the three kinds of failure as exceptions; the third, a bug, is an assert.
 #pragma once
 #include <cstdint>
 #include <stdexcept>

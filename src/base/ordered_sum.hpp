@@ -1,4 +1,4 @@
-// Sums whose bits do not depend on the number of threads: blocks of fixed size are added in order.
+// Sums that are the same bit for bit for any number of threads: blocks of fixed size are added in order.
 #pragma once
 #include <algorithm>
 #include <array>

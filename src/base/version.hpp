@@ -4,7 +4,7 @@
 
 namespace fabricsh {
 
-// A library and its version: that found at run time if the library tells it, else that compiled against.
+// A library and its version: that found at run time if the library provides it, else that compiled against.
 struct Library {
   std::string name, version;
 };

@@ -18,8 +18,8 @@ struct Curve {
   std::vector<std::pair<double, double>> points;
 };
 
-// Unloading and reloading that are not straight. All three numbers are shares: friction of the peak stress,
-// reach of the way from the peak to zero stress, curve of the elastic part that is square in that way.
+// Unloading and reloading that are not straight. All three numbers are fractions: friction of the peak
+// stress, reach of the strain from the peak to zero stress, curve of the elastic part quadratic in it.
 struct YarnLoop {
   double friction = 0, reach = 0.5, curve = 0;
 };
@@ -31,7 +31,7 @@ struct Yarn {
   std::optional<YarnLoop> loop = {};  // law "potential" only
 };
 
-enum class Measure { tensor, engineering };  // dS12/dE12 in E12 | dS12/d(2 E12) in 2 E12
+enum class StrainMeasure { tensor, engineering };  // dS12/dE12 in E12 | dS12/d(2 E12) in 2 E12
 enum class ShearMemory {
   printed,
   fading
@@ -44,7 +44,7 @@ struct ShearFriction {
 struct Shear {
   Curve loading;
   double unloading = 0;
-  Measure measure = Measure::tensor;
+  StrainMeasure measure = StrainMeasure::tensor;
   ShearMemory memory = ShearMemory::printed;
   std::optional<ShearFriction> friction = {};  // law "potential" only
 };
@@ -95,7 +95,7 @@ struct Woven {
   Transverse transverse = Transverse::elastic;  // comparison laws only
   bool shear_hysteresis = true;                 // comparison laws only
   std::optional<Biaxial> biaxial;
-  rheology::Given beside;  // law "potential" only: elements in parallel to its springs
+  rheology::Given parallel;  // law "potential" only: elements in parallel to its springs
   std::optional<Bands> bands;
 };
 
@@ -104,19 +104,20 @@ struct Svk {  // St. Venant-Kirchhoff (theory.md, 4); shear is the engineering m
   std::optional<double> g13, g23;  // default 5/6 shear
 };
 
-struct Linear {  // linear orthotropic, small strain [williams2010, eq. 4.2]; refused unless nu12 / E1 = nu21
-                 // / E2
+struct LinearElastic {  // linear orthotropic, small strain [williams2010, eq. 4.2]; refused unless nu12 / E1
+                        // = nu21
+                        // / E2
   double warp = 0, weft = 0, shear = 0, nu12 = 0, nu21 = 0;
 };
 
 // An assumed bending rigidity, for a card without a measured one that asks for an estimate.
-struct Estimate {
+struct BendingEstimate {
   Bending bending;
   std::string source;
 };
 
 // Breaking of one family of yarns; per metre along the line on which they break.
-struct Scatter {  // of the strength, after Weibull
+struct StrengthScatter {  // of the strength, after Weibull
   double modulus = 0;
   std::optional<double> length = {};    // m of yarn, at which the strength was measured
   std::optional<double> exponent = {};  // of the size: strength goes with length^-exponent; 1 / modulus
@@ -124,7 +125,7 @@ struct Scatter {  // of the strength, after Weibull
 struct YarnBreak {
   double strength = 0;  // N/m, the mean
   double energy = 0;    // J/m of tear
-  std::optional<Scatter> scatter = {};
+  std::optional<StrengthScatter> scatter = {};
 };
 struct Rupture {
   std::optional<YarnBreak> warp, weft;  // empty: not measured, does not break
@@ -134,9 +135,9 @@ struct Card {
   std::string name, source;
   double density = 0;    // kg/m^3
   double thickness = 0;  // m
-  std::variant<Woven, Svk, Linear> law;
+  std::variant<Woven, Svk, LinearElastic> law;
   std::optional<Bending> bending;
-  std::optional<Estimate> estimate = {};
+  std::optional<BendingEstimate> estimate = {};
   bool through_thickness = false;  // bending by integration is intended, however stiff it is
   // One sheet between two plates, as a compression tester measures it: thickness (m), ascending, and pressure
   // (Pa). Empty: not measured.

@@ -20,7 +20,7 @@ using Points = std::vector<std::pair<double, double>>;
 // The value of a field; monostate if the card does not have it.
 using Value = std::variant<std::monostate, double, bool, std::string, std::vector<double>, Points>;
 
-enum class Holds {
+enum class FieldType {
   number,
   flag,
   text,     // one of `words`, or any text if there are none
@@ -35,7 +35,7 @@ enum class Holds {
 // The description of a field. Units are SI.
 struct Row {
   std::string name;
-  Holds holds = Holds::number;
+  FieldType holds = FieldType::number;
   std::string unit;
   Range range;
   std::string sentence;
@@ -126,7 +126,7 @@ struct FieldOf : Row {
 // --- making rows from members ---
 
 template <class Owner>
-FieldOf<Owner> row(std::string name, Holds holds, std::string unit, Range range, std::string sentence) {
+FieldOf<Owner> row(std::string name, FieldType holds, std::string unit, Range range, std::string sentence) {
   FieldOf<Owner> f;
   f.phrase = name + " #" + (unit.empty() ? "" : " " + unit);
   f.name = std::move(name);
@@ -148,20 +148,22 @@ template <class Owner>
 FieldOf<Owner> number(std::string name, double Owner::*place, std::string unit, Range range,
                       std::string sentence) {
   return member(place,
-                row<Owner>(std::move(name), Holds::number, std::move(unit), range, std::move(sentence)));
+                row<Owner>(std::move(name), FieldType::number, std::move(unit), range, std::move(sentence)));
 }
 
 template <class Owner>
 FieldOf<Owner> numbers(std::string name, std::vector<double> Owner::*place, std::string unit,
                        std::string sentence) {
-  return member(place, row<Owner>(std::move(name), Holds::numbers, std::move(unit), {}, std::move(sentence)));
+  return member(place,
+                row<Owner>(std::move(name), FieldType::numbers, std::move(unit), {}, std::move(sentence)));
 }
 
 // A number that a card may do without.
 template <class Owner>
 FieldOf<Owner> number(std::string name, std::optional<double> Owner::*place, std::string unit, Range range,
                       std::string sentence) {
-  auto f = row<Owner>(std::move(name), Holds::number, std::move(unit), range, std::move(sentence)).optional();
+  auto f =
+      row<Owner>(std::move(name), FieldType::number, std::move(unit), range, std::move(sentence)).optional();
   f.get = [place](const Owner& o) { return o.*place ? Value(*(o.*place)) : Value(); };
   f.set = [place](Owner& o, const Value& v) { o.*place = std::get<double>(v); };
   return f;
@@ -171,7 +173,7 @@ FieldOf<Owner> number(std::string name, std::optional<double> Owner::*place, std
 template <class Owner>
 FieldOf<Owner> points(std::string name, Points Owner::*place, std::vector<std::string> parts,
                       std::function<std::string(const Points&)> check, std::string sentence) {
-  auto f = row<Owner>(std::move(name), Holds::points, "", {}, std::move(sentence)).optional();
+  auto f = row<Owner>(std::move(name), FieldType::points, "", {}, std::move(sentence)).optional();
   f.parts = std::move(parts);
   f.check = std::move(check);
   f.get = [place](const Owner& o) { return (o.*place).empty() ? Value() : Value(o.*place); };
@@ -184,19 +186,19 @@ FieldOf<Owner> points(std::string name, Points Owner::*place, std::vector<std::s
 
 template <class Owner>
 FieldOf<Owner> flag(std::string name, bool Owner::*place, std::string sentence) {
-  return member(place, row<Owner>(std::move(name), Holds::flag, "", {}, std::move(sentence)));
+  return member(place, row<Owner>(std::move(name), FieldType::flag, "", {}, std::move(sentence)));
 }
 
 template <class Owner>
 FieldOf<Owner> text(std::string name, std::string Owner::*place, std::string sentence) {
-  return member(place, row<Owner>(std::move(name), Holds::text, "", {}, std::move(sentence)));
+  return member(place, row<Owner>(std::move(name), FieldType::text, "", {}, std::move(sentence)));
 }
 
 // words: names of the enumerators in their order; the first one is the fallback.
 template <class Owner, class Enum>
 FieldOf<Owner> word(std::string name, Enum Owner::*place, std::vector<std::string> words,
                     std::string sentence) {
-  auto f = row<Owner>(std::move(name), Holds::text, "", {}, std::move(sentence)).or_else(words.front());
+  auto f = row<Owner>(std::move(name), FieldType::text, "", {}, std::move(sentence)).or_else(words.front());
   f.words = words;
   f.get = [place, words](const Owner& o) { return Value(words.at(static_cast<std::size_t>(o.*place))); };
   f.set = [place, words](Owner& o, const Value& v) {
@@ -208,7 +210,7 @@ FieldOf<Owner> word(std::string name, Enum Owner::*place, std::vector<std::strin
 
 template <class Owner>
 FieldOf<Owner> curve(std::string name, Curve Owner::*place, std::string sentence) {
-  auto f = row<Owner>(std::move(name), Holds::curve, "Pa", {}, std::move(sentence));
+  auto f = row<Owner>(std::move(name), FieldType::curve, "Pa", {}, std::move(sentence));
   f.parts = {"strain", "stress"};
   f.get = [place](const Owner& o) {
     const Curve& c = o.*place;
@@ -229,7 +231,7 @@ template <class Owner>
 FieldOf<Owner> number_or_curve(std::string name, double Owner::*place, Curve Owner::*as_curve,
                                std::string unit, Range range, std::string sentence) {
   auto f = curve(std::move(name), as_curve, std::move(sentence));
-  f.holds = Holds::number_or_curve;
+  f.holds = FieldType::number_or_curve;
   f.unit = std::move(unit);
   f.range = range;
   f.get = [place, as_curve](const Owner& o) {
@@ -269,7 +271,7 @@ FieldOf<Whole> lifted(const FieldOf<Part>& f, Enter enter) {
 template <class Whole, class Part, class Enter>
 FieldOf<Whole> grouped(std::string name, const std::vector<FieldOf<Part>>& rows, Enter enter,
                        std::string sentence) {
-  auto f = row<Whole>(std::move(name), Holds::group, "", {}, std::move(sentence));
+  auto f = row<Whole>(std::move(name), FieldType::group, "", {}, std::move(sentence));
   f.there = [](const Whole&) { return true; };
   f.make = [](Whole&) {};
   for (const auto& r : rows) f.rows.push_back(lifted<Whole>(r, enter));

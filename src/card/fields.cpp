@@ -39,22 +39,22 @@ std::string curve_words(const Curve& curve, const std::string& strain) {
 }
 
 Rows<YarnLoop> loop_rows(const std::string& side) {
-  return {
-      number("friction", &YarnLoop::friction, "", Range{0, 1, false, true},
-             "share of the peak stress that friction between the fibres carries: the width of the loop")
-          .on_line(side + " loop")
-          .printed("friction #"),
-      number("reach", &YarnLoop::reach, "", Range{1e-3, 1, false, false},
-             "share of the way from the peak to zero stress over which that friction is lost, and built up "
-             "again after a reversal")
-          .or_else(0.5)
-          .on_line(side + " loop")
-          .printed("over # of the way"),
-      number("curve", &YarnLoop::curve, "", Range{0, 1},
-             "share of the elastic rest that grows with the square of the way; 0: with the way")
-          .or_else(0.0)
-          .on_line(side + " loop")
-          .printed("curve #")};
+  return {number("friction", &YarnLoop::friction, "", Range{0, 1, false, true},
+                 "fraction of the peak stress due to friction between the fibres: the width of the loop")
+              .on_line(side + " loop")
+              .printed("friction #"),
+          number("reach", &YarnLoop::reach, "", Range{1e-3, 1, false, false},
+                 "fraction of the strain from the peak to zero stress over which that friction is lost, and "
+                 "built up "
+                 "again after a reversal")
+              .or_else(0.5)
+              .on_line(side + " loop")
+              .printed("over # of the way"),
+          number("curve", &YarnLoop::curve, "", Range{0, 1},
+                 "fraction of the elastic part that grows with the square of that strain; 0: linearly")
+              .or_else(0.0)
+              .on_line(side + " loop")
+              .printed("curve #")};
 }
 
 Rows<Yarn> yarn_rows(const std::string& side, const std::string& strain, const std::string& ratio) {
@@ -96,7 +96,7 @@ Rows<Shear> shear_rows() {
           .band()
           .in_column("tangent modulus, MPa")
           .said([](const Shear& shear) {
-            return curve_words(shear.loading, shear.measure == Measure::tensor ? "E12" : "2E12");
+            return curve_words(shear.loading, shear.measure == StrainMeasure::tensor ? "E12" : "2E12");
           }),
       modulus("unloading", &Shear::unloading, "unloading modulus, in the same measure")
           .band()
@@ -140,7 +140,8 @@ Rows<Biaxial> biaxial_rows() {
 
 // The rows of a rheological element; a name with a dot stands in the group before it.
 template <class Parameters>
-Rows<Parameters> element_rows(const std::vector<rheology::Row<Parameters>>& rows, const std::string& inside) {
+Rows<Parameters> element_rows(const std::vector<rheology::ParameterRow<Parameters>>& rows,
+                              const std::string& inside) {
   const auto same = [](auto& parameters) -> auto& { return parameters; };
   Rows<Parameters> out;
   for (const auto& r : rows) {
@@ -161,7 +162,7 @@ void add_elements(Rows<Woven>& rows) {
   rheology::for_each([&rows](auto element, auto given, auto) {
     const auto own = group(element.name, given, element_rows(element.rows(), ""), element.sentence);
     rows.push_back(lifted<Woven>(
-        own, [](auto& woven) -> auto& { return woven.beside; }));
+        own, [](auto& woven) -> auto& { return woven.parallel; }));
   });
 }
 
@@ -270,17 +271,17 @@ Rows<Owner> silent(Rows<Owner> rows) {
   return rows;
 }
 
-Rows<Scatter> scatter_rows() {
-  return {number("modulus", &Scatter::modulus, "", positive,
+Rows<StrengthScatter> scatter_rows() {
+  return {number("modulus", &StrengthScatter::modulus, "", positive,
                  "Weibull modulus of the strength; the larger, the less it scatters")
               .ask(1, 200, "is it the Weibull modulus?")
               .printed("Weibull modulus #"),
-          number("length", &Scatter::length, "m", positive,
+          number("length", &StrengthScatter::length, "m", positive,
                  "length of yarn at which the strength was measured; without it strength does not depend on "
                  "length")
               .ask(1e-4, 10, "is the length in m?")
               .printed("at # mm", 1e3),
-          number("exponent", &Scatter::exponent, "", not_negative,
+          number("exponent", &StrengthScatter::exponent, "", not_negative,
                  "strength goes with length^-exponent; default 1 / modulus, the weakest link")
               .printed("size exponent #")};
 }
@@ -307,9 +308,10 @@ Rows<Rupture> rupture_rows() {
       group("weft", &Rupture::weft, break_rows("weft"), "breaking of the weft yarns; without it they hold")};
 }
 
-Rows<Estimate> estimate_rows() {
-  return silent<Estimate>({group("bending", &Estimate::bending, bending_rows(), "of the bending"),
-                           text("source", &Estimate::source, "where the estimate comes from")});
+Rows<BendingEstimate> estimate_rows() {
+  return silent<BendingEstimate>(
+      {group("bending", &BendingEstimate::bending, bending_rows(), "of the bending"),
+       text("source", &BendingEstimate::source, "where the estimate comes from")});
 }
 
 Rows<Woven> woven_rows() {
@@ -350,7 +352,7 @@ Rows<Woven> woven_rows() {
 
 template <class Law>
 FieldOf<Law> ratios(std::string sentence) {
-  auto f = row<Law>("poisson", Holds::ratios, "", Range{-1, 10, true, false}, std::move(sentence))
+  auto f = row<Law>("poisson", FieldType::ratios, "", Range{-1, 10, true, false}, std::move(sentence))
                .in_column("poisson")
                .in_rows({"warp", "weft"});
   f.parts = {"nu12", "nu21"};
@@ -373,7 +375,7 @@ Rows<Law> moduli() {
 }
 
 FieldOf<Svk> young() {
-  auto f = row<Svk>("young", Holds::number, "Pa", positive,
+  auto f = row<Svk>("young", FieldType::number, "Pa", positive,
                     "modulus of an isotropic sheet, instead of warp, weft, shear")
                .ask(1e3, 1e12, "is the modulus in Pa? (write 8*MPa; N/m divided by the thickness)")
                .optional();
@@ -385,8 +387,8 @@ FieldOf<Svk> young() {
 }
 
 FieldOf<Svk> transverse() {
-  auto f =
-      row<Svk>("transverse", Holds::numbers, "Pa", positive, "{G13, G23}; default 5/6 of shear").optional();
+  auto f = row<Svk>("transverse", FieldType::numbers, "Pa", positive, "{G13, G23}; default 5/6 of shear")
+               .optional();
   f.parts = {"G13", "G23"};
   f.get = [](const Svk& law) {
     const double usual = 5.0 / 6.0 * law.shear;
@@ -409,9 +411,9 @@ Rows<Svk> svk_rows() {
   return rows;
 }
 
-Rows<Linear> linear_rows() {
-  auto rows = moduli<Linear>();
-  rows.push_back(ratios<Linear>("{nu12, nu21}"));
+Rows<LinearElastic> linear_rows() {
+  auto rows = moduli<LinearElastic>();
+  rows.push_back(ratios<LinearElastic>("{nu12, nu21}"));
   return rows;
 }
 
@@ -476,13 +478,13 @@ FieldTable table_of(const Rows<Law>& law) {
 
 std::string kind(const Card& card) {
   if (std::holds_alternative<Svk>(card.law)) return "svk";
-  return std::holds_alternative<Linear>(card.law) ? "linear" : "woven";
+  return std::holds_alternative<LinearElastic>(card.law) ? "linear" : "woven";
 }
 
 Card blank(const std::string& kind) {
   Card card;
   if (kind == "svk") card.law = Svk{};
-  if (kind == "linear") card.law = Linear{};
+  if (kind == "linear") card.law = LinearElastic{};
   return card;
 }
 

@@ -36,12 +36,12 @@ void require(const Card& card);
 std::string at_field(const Card& card, const std::string& path);
 
 // A number outside the usual range for cloth, most often because of a wrong unit.
-struct Doubt {
+struct UnusualValue {
   std::string field, unit, question;
   double value;
   Range cloth;
 };
-std::vector<Doubt> doubts(const Card& card);
+std::vector<UnusualValue> doubts(const Card& card);
 
 // The card as a Lua file; reading it gives an equal card.
 std::string lua_text(const Card& card);

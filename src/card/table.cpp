@@ -13,7 +13,7 @@ namespace {
 template <class Visit>
 void visit_fields(const FieldTable& table, const Card& card, const std::string& path, const Visit& visit) {
   for (const Field& field : table) {
-    if (field.holds == Holds::group) {
+    if (field.holds == FieldType::group) {
       if (field.there(card)) visit_fields(field.rows, card, path + field.name + ".", visit);
     } else if (field.get) {
       const Value value = field.get(card);
@@ -30,9 +30,9 @@ double initial_modulus(const Value& curve) {
 }
 
 // The number that is compared with the usual range for cloth.
-std::optional<double> telling(const Field& field, const Value& value) {
+std::optional<double> compared_number(const Field& field, const Value& value) {
   if (const auto* x = std::get_if<double>(&value)) return *x;
-  if (field.holds == Holds::curve) return initial_modulus(value);
+  if (field.holds == FieldType::curve) return initial_modulus(value);
   return {};
 }
 
@@ -100,7 +100,7 @@ std::optional<Clash> clash(const Card& card) {
   if (woven->shear.friction) return of("shear.friction");
   std::optional<Clash> found;
   rheology::for_each([&](auto element, auto given, auto) {
-    if (!found && woven->beside.*given) found = of(element.name);
+    if (!found && woven->parallel.*given) found = of(element.name);
   });
   return found;
 }
@@ -119,15 +119,15 @@ void require(const Card& card) {
     if (field.check)
       if (const std::string fault = field.check(std::get<Points>(value)); !fault.empty())
         throw Error(at_field(card, path) + fault);
-    if (field.holds == Holds::ratios || field.holds == Holds::numbers)
+    if (field.holds == FieldType::ratios || field.holds == FieldType::numbers)
       for (const double x : std::get<std::vector<double>>(value)) check(x);
   });
 }
 
-std::vector<Doubt> doubts(const Card& card) {
-  std::vector<Doubt> out;
+std::vector<UnusualValue> doubts(const Card& card) {
+  std::vector<UnusualValue> out;
   visit_fields(fields(card), card, "", [&](const std::string& path, const Field& field, const Value& value) {
-    const auto x = telling(field, value);
+    const auto x = compared_number(field, value);
     if (x && *x > 0 && !field.question.empty() && !field.cloth.holds(*x))
       out.push_back({path, field.unit, field.question, *x, field.cloth});
   });

@@ -49,7 +49,7 @@ struct ValueText {
 };
 
 bool written(const Field& field, const Card& card) {
-  if (field.holds == Holds::group) return field.there(card);
+  if (field.holds == FieldType::group) return field.there(card);
   if (!field.get) return false;
   const Value value = field.get(card);
   return !std::holds_alternative<std::monostate>(value) && !(field.rare && value == field.fallback);
@@ -70,8 +70,8 @@ std::string group_text(const Field& group, const Card& card, const std::string& 
 
 std::string field_text(const Field& field, const Card& card, const std::string& indent) {
   return field.name + " = " +
-         (field.holds == Holds::group ? group_text(field, card, indent)
-                                      : std::visit(ValueText{}, field.get(card)));
+         (field.holds == FieldType::group ? group_text(field, card, indent)
+                                          : std::visit(ValueText{}, field.get(card)));
 }
 
 }  // namespace

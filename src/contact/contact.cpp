@@ -92,7 +92,7 @@ double farthest(std::span<const Vec3> x, const std::vector<Vec3>& since) {
 void Contact::prepare(std::span<const Vec3> x) {
   if (at_search_.size() != x.size()) return search(x);
   change_ = checked_ + 2 * farthest(x, at_check_);
-  if (change_ <= nearly * skins_.inner && points_tell(at_check_, x)) return;
+  if (change_ <= nearly * skins_.inner && vertex_motion_bounds_surface_motion(at_check_, x)) return;
   mark_checked(x, patches_.against(at_refine_, x, skins_.inner));
   if (change_ <= nearly * skins_.inner) return;
   const double since_search = patches_.against(at_search_, x, skins_.inner);
@@ -370,7 +370,8 @@ double Contact::safe_share(std::span<const Vec3> x, std::span<const Vec3> by,
   for (const Vec3& u : by) most = std::max(most, (u - mean).norm());
   std::vector<Vec3> end(x.begin(), x.end());
   for (std::size_t i = 0; i < end.size(); ++i) end[i] += by[i];
-  const double against = points_tell(x, end) ? 2 * most : patches_.against_on_way(x, end);
+  const double against =
+      vertex_motion_bounds_surface_motion(x, end) ? 2 * most : patches_.against_on_way(x, end);
   std::vector<Candidate> pairs = find(x, against * (1 + rounding));
   const auto other = [among](const Candidate& c) {
     return std::any_of(c.point.begin(), c.point.end(),

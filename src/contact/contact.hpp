@@ -101,7 +101,7 @@ class Contact {
   double reach() const { return widest_; }  // m, above the floor: the largest range of all laws
 
   // Whether the largest way of the points bounds how far anything moves between two states.
-  bool points_tell(std::span<const Vec3> from, std::span<const Vec3> to) const {
+  bool vertex_motion_bounds_surface_motion(std::span<const Vec3> from, std::span<const Vec3> to) const {
     return !patches_.walls_turn(from, to);
   }
   // Whether anything may have passed on the straight way `by` (m) from `x`. `gap`: m, the smallest at its
@@ -171,6 +171,7 @@ class Contact {
     double gap = 0;        // m
     Vec3 slip = Vec3::Zero(), pull = Vec3::Zero();
     double damped = 0;
+    bool slides = false;
     bool is(const Candidate& c) const {
       return point == c.point && interaction == c.interaction && kind == c.pair.kind;
     }

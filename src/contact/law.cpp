@@ -111,8 +111,8 @@ void Law::add_curve(const LawData& data) {
   }
 }
 
-Answer Law::operator()(double d) const {
-  Answer out;
+ContactResponse Law::operator()(double d) const {
+  ContactResponse out;
   if (d >= gap_) return out;
   if (!(d > floor_)) {
     constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -136,8 +136,8 @@ Answer Law::operator()(double d) const {
   return out;
 }
 
-Answer Law::scaled(double d, double scale) const {
-  Answer out = (*this)(d / scale);
+ContactResponse Law::scaled(double d, double scale) const {
+  ContactResponse out = (*this)(d / scale);
   out.contact *= scale * scale;
   out.guard *= scale * scale;
   out.pressure *= scale;

@@ -23,7 +23,7 @@ struct LawData {
   std::vector<std::pair<double, double>> curve = {};
 };
 
-struct Answer {
+struct ContactResponse {
   double contact = 0, guard = 0;  // energies per area, J/m2
   double pressure = 0;            // -d(contact + guard)/dd, Pa
   double stiffness = 0;           // -d pressure/dd, Pa/m
@@ -41,10 +41,10 @@ class Law {
   double guard_gap() const { return guard_; }    // m: where the guard begins
   double stiffest() const { return stiffest_; }  // Pa/m, without the guard
   // Evaluates at a gap d (m). At and below the floor all values are infinite: such a state cannot occur.
-  Answer operator()(double d) const;
+  ContactResponse operator()(double d) const;
   // The same law with all lengths multiplied by `scale` (0 to 1) and the same stiffness,
   // for neighbours in a sheet whose reference distance is smaller than the gap.
-  Answer scaled(double d, double scale) const;
+  ContactResponse scaled(double d, double scale) const;
 
  private:
   struct Knot {

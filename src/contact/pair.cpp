@@ -8,9 +8,9 @@ namespace fabricsh::contact {
 namespace {
 
 // One place of contact, the law's answer there, and the derivatives of its weight.
-struct Pressed {
+struct PressedPlace {
   const Place& place;
-  Answer answer;
+  ContactResponse answer;
   double count;  // m2: area times how often it counts
 };
 
@@ -27,7 +27,8 @@ double visit_pressed(const Law& law, const Pair& pair, const Corners& x, bool se
       count += place.modulated * m.value;
       if (count == 0 && m.constant) return;
     }
-    visit(Pressed{place, law.scaled(place.touch.distance - pair.offset, pair.scale), pair.area * count}, m);
+    visit(PressedPlace{place, law.scaled(place.touch.distance - pair.offset, pair.scale), pair.area * count},
+          m);
   });
 }
 
@@ -35,18 +36,21 @@ double visit_pressed(const Law& law, const Pair& pair, const Corners& x, bool se
 // far as friction carries it.
 struct Slid {
   Vec3 moved;  // m, of the first side against the second, with its part along the normal
-  Vec3 lever;  // m
+  Vec3 lever;  // m, from the rigid side's corners to its surface
   Vec3 slid;   // m
   Vec3 trial;  // m, elastic slip of a spring that never gives way
   double damping = 0, damping_slope = 0;  // Pa, by which an approach is resisted; Pa/m, by the opening
   double spring = 0, most = 0;            // N/m; N, mu times the normal force
-  bool sticks() const { return spring * trial.norm() <= most; }
+  double holds = 0;      // N, what sticks holds: of static friction, unless it slides already
+  bool goes_on = false;  // slides, and in this step on in the same direction
+  bool sticks() const { return spring * trial.norm() <= holds; }
+  double bound() const { return sticks() ? holds : most; }
   // Share of the trial slip that friction holds.
   double kept() const { return sticks() ? 1 : most / (spring * trial.norm()); }
 };
 
 // An implicit step has the stiffness at its beginning, so that the pressure is linear in the approach.
-void damp(const Law& law, const Pair& pair, const Pressed& at, const Slip& slip, Slid& out) {
+void damp(const Law& law, const Pair& pair, const PressedPlace& at, const Slip& slip, Slid& out) {
   const double opened = at.place.touch.normal.dot(out.moved);
   if (slip.loss == 0 || slip.dt == 0 || opened >= 0) return;
   const double gap = at.place.touch.distance - pair.offset - (slip.step == 0 ? opened : 0);
@@ -55,17 +59,20 @@ void damp(const Law& law, const Pair& pair, const Pressed& at, const Slip& slip,
   out.damping = out.damping_slope * opened;
 }
 
-Slid slide(const Law& law, const Pair& pair, const Pressed& at, const Slip& slip) {
+Slid slide(const Law& law, const Pair& pair, const PressedPlace& at, const Slip& slip) {
   const Touch& touch = at.place.touch;
   Slid out;
-  out.lever = touch.distance * touch.normal;
+  out.lever = pair.offset * touch.normal;
   out.moved = -slip.turn.cross(out.lever);
   for (std::size_t i = 0; i < 4; ++i) out.moved += touch.weight[i] * slip.moved[i];
   out.slid = out.moved - touch.normal.dot(out.moved) * touch.normal;
   out.trial = out.slid + slip.held - touch.normal.dot(slip.held) * touch.normal;
   damp(law, pair, at, slip, out);
   out.spring = slip.stiffness * std::fabs(at.count);
-  out.most = slip.friction * std::fabs(at.count) * (at.answer.pressure + out.damping);
+  const double normal = std::fabs(at.count) * (at.answer.pressure + out.damping);
+  out.most = slip.friction * normal;
+  out.goes_on = slip.slides && out.slid.dot(slip.held) > 0;
+  out.holds = out.goes_on ? out.most : std::max(slip.sticking, slip.friction) * normal;
   return out;
 }
 
@@ -82,19 +89,19 @@ class Friction {
  public:
   Friction(const Law& law, const Pair& pair, const Slip& slip, Force& force)
       : law_(law), pair_(pair), slip_(slip), force_(force) {}
-  void add(const Pressed& at) {
+  void add(const PressedPlace& at) {
     const Slid s = slide(law_, pair_, at, slip_);
     damp(at, s);
-    if (slip_.friction > 0) rub(at, s);
+    if (slip_.friction > 0 || slip_.sticking > 0) rub(at, s);
     first_ = false;
   }
 
  private:
-  void rub(const Pressed& at, const Slid& s) {
+  void rub(const PressedPlace& at, const Slid& s) {
     const Touch& touch = at.place.touch;
     Vec3 pull = s.spring * s.trial + resistance(touch, slip_) * s.slid;
     const double size = pull.norm(), kept = s.kept();
-    if (size > s.most) pull *= s.most / size;
+    if (size > s.bound()) pull *= s.bound() / size;
     if (at.count < 0) pull = -pull;
     for (std::size_t i = 0; i < 4; ++i) force_.on[i] -= touch.weight[i] * pull;
     force_.torque += s.lever.cross(pull);
@@ -103,12 +110,13 @@ class Friction {
     const double before = slip_.step == 0 ? 0 : 0.5;
     force_.work += (1 - before) * pull.dot(s.slid);
     if (first_) force_.work += before * slip_.pull.dot(s.slid);
-    const double weight = pair_.kind == Kind::wrap ? s.most : first_ ? 1 : 0;
+    const double weight = pair_.kind == Kind::wrap ? s.bound() : first_ ? 1 : 0;
     share_ += weight;
+    force_.slides = force_.slides || (weight > 0 && (s.goes_on || !s.sticks()));
     if (weight > 0) force_.slip += weight / share_ * (kept * s.trial - force_.slip);
   }
 
-  void damp(const Pressed& at, const Slid& s) {
+  void damp(const PressedPlace& at, const Slid& s) {
     const double press = at.count * s.damping;
     const Touch& touch = at.place.touch;
     const double closed = -touch.normal.dot(s.moved), before = slip_.step == 0 ? 0 : 0.5;
@@ -132,7 +140,7 @@ Force pair_force(const Law& law, const Pair& pair, const Corners& x, const Slip*
   Force force;
   std::optional<Friction> friction;
   if (slip != nullptr) friction.emplace(law, pair, *slip, force);
-  const double nearest = visit_pressed(law, pair, x, false, [&](const Pressed& at, const Modulation& m) {
+  const double nearest = visit_pressed(law, pair, x, false, [&](const PressedPlace& at, const Modulation& m) {
     force.active = true;
     force.contact += at.count * at.answer.contact;
     force.guard += at.count * at.answer.guard;
@@ -152,7 +160,7 @@ Force pair_force(const Law& law, const Pair& pair, const Corners& x, const Slip*
 
 Derivatives pair_derivatives(const Law& law, const Pair& pair, const Corners& x) {
   Derivatives out;
-  visit_pressed(law, pair, x, true, [&](const Pressed& at, const Modulation& m) {
+  visit_pressed(law, pair, x, true, [&](const PressedPlace& at, const Modulation& m) {
     const Touch& touch = at.place.touch;
     const Vector12 slope = distance_gradient(touch);
     out.contact += at.count * at.answer.contact;
@@ -187,13 +195,13 @@ Mat3 cross_matrix(const Vec3& a) {
 // Derivatives by one corner of all quantities in the friction at a place.
 struct Place3 {
   Mat3 sliding;               // of the sliding perpendicular to the normal
-  Mat3 lever;                 // of the vector between the closest points
+  Mat3 lever;                 // of the lever of the rigid side
   std::array<Vec3, 2> slide;  // of the parameters of the closest points
   Vec3 opened;                // of the motion along the normal
 };
 
-Place3 sliding_by_corner(const Touch& touch, const Corners& x, const Corners& moved, const Vec3& u,
-                         const Vec3& held, const Vec3& turn, const Slides& slide, std::size_t j) {
+Place3 sliding_by_corner(const Touch& touch, const Corners& x, const Slip& slip, const Slid& s, double radius,
+                         const Slides& slide, std::size_t j) {
   const Mat3 one = Mat3::Identity();
   Mat3 r = touch.weight[j] * one, du = touch.weight[j] * one;
   Place3 out;
@@ -201,16 +209,16 @@ Place3 sliding_by_corner(const Touch& touch, const Corners& x, const Corners& mo
     const auto plus = std::size_t(touch.plus[k]), minus = std::size_t(touch.minus[k]);
     out.slide[k] = slide[k][j];
     r += (x[plus] - x[minus]) * slide[k][j].transpose();
-    du += (moved[plus] - moved[minus]) * slide[k][j].transpose();
+    du += (slip.moved[plus] - slip.moved[minus]) * slide[k][j].transpose();
   }
-  du -= cross_matrix(turn) * r;
   const Vec3& n = touch.normal;
   const Mat3 across = one - n * n.transpose();
   const Mat3 dn = across * r / touch.distance;
-  out.lever = r;
-  const Vec3 trial = u + held;
+  out.lever = radius * dn;
+  du -= cross_matrix(slip.turn) * out.lever;
+  const Vec3 trial = s.moved + slip.held;
   out.sliding = across * du - n.dot(trial) * dn - n * (trial.transpose() * dn);
-  out.opened = du.transpose() * n + dn.transpose() * u;
+  out.opened = du.transpose() * n + dn.transpose() * s.moved;
   return out;
 }
 
@@ -218,7 +226,7 @@ Place3 sliding_by_corner(const Touch& touch, const Corners& x, const Corners& mo
 
 FrictionTangent friction_tangent(const Law& law, const Pair& pair, const Corners& x, const Slip& slip) {
   FrictionTangent out;
-  visit_pressed(law, pair, x, false, [&](const Pressed& at, const Modulation& m) {
+  visit_pressed(law, pair, x, false, [&](const PressedPlace& at, const Modulation& m) {
     const Touch& touch = at.place.touch;
     const Slid s = slide(law, pair, at, slip);
     const bool modulated = at.place.modulated != 0 && !m.constant;
@@ -227,7 +235,7 @@ FrictionTangent friction_tangent(const Law& law, const Pair& pair, const Corners
     std::array<Place3, 4> by;
     Vector12 opened, press;  // derivatives of the opening, and of the normal force by all corners
     for (std::size_t j = 0; j < 4; ++j) {
-      by[j] = sliding_by_corner(touch, x, slip.moved, s.moved, slip.held, slip.turn, slide, j);
+      by[j] = sliding_by_corner(touch, x, slip, s, pair.offset, slide, j);
       opened.segment<3>(3 * int(j)) = by[j].opened;
     }
     press = at.count * s.damping_slope * opened;
@@ -235,7 +243,7 @@ FrictionTangent friction_tangent(const Law& law, const Pair& pair, const Corners
     if (s.damping != 0)
       out.jacobian +=
           distance_gradient(touch) * press.transpose() + at.count * s.damping * distance_hessian(x, touch);
-    if (slip.friction == 0) return;
+    if (slip.friction == 0 && slip.sticking == 0) return;
     press -= at.count * at.answer.stiffness * distance_gradient(touch);
     if (modulated) press += share * at.answer.pressure * m.gradient;
 

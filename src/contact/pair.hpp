@@ -38,18 +38,23 @@ struct Pair {
 // While a pair approaches, a pressure of loss * sqrt(stiffness of the law) times the speed of approach is
 // added: a share zeta of the critical damping, whatever the depth. A sheet that meets something flat then
 // leaves with exp(-zeta acos(zeta) / sqrt(1 - zeta^2)) of its speed.
+//
+// What sticks holds up to a static coefficient, which may be larger. Once it slides it goes on with mu, until
+// the sliding of a step is no longer against the pull.
 struct Slip {
   double friction = 0;                                                       // mu
   double stiffness = 0;                                                      // Pa/m, of the spring, per area
   Corners moved = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  // m, the corners in the step
-  // rad, rotation of the rigid side in the step. Its surface is taken at the place of the cloth, so that the
-  // two forces of friction act at one place and angular momentum is conserved.
+  // rad, rotation of the rigid side in the step. Friction acts on it at its own surface, the pair's offset
+  // from its corners, so that a ball of radius R rolls with the speed w R.
   Vec3 turn = Vec3::Zero();
   Vec3 held = Vec3::Zero();  // m, elastic slip at the beginning of the step
   Vec3 pull = Vec3::Zero();  // N, friction on the second side then
   double loss = 0;           // sqrt(kg)/m, 2 zeta sqrt(areal mass)
   double dt = 0;             // s, of the step in time; 0: no damping
   double damped = 0;         // N, of the damping of approach at the beginning of the step
+  double sticking = 0;       // the static coefficient; below mu: the same as mu
+  bool slides = false;       // at the beginning of the step
   // Explicit steps: a resistance of 0.2 m / dt to the sliding velocity below the bound of Coulomb, with the
   // effective mass m of the pair at the place, damps the vibration of what sticks. It cannot reverse the
   // sliding.
@@ -65,6 +70,7 @@ struct Force {
   Vec3 pull = Vec3::Zero();    // N, friction on the second side
   double stick = 0;            // J, elastic energy of the slip
   double damped = 0;           // N, of the damping of approach
+  bool slides = false;         // at the end of the step
   // J, work that the sliding of the step does against friction: in explicit steps by the forces at both ends,
   // else by those at the end; and against the damping of approach.
   double work = 0, impact = 0;

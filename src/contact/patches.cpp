@@ -12,12 +12,12 @@ constexpr std::size_t patch = 32;  // largest number of triangles in a leaf
 
 }  // namespace
 
-void Patches::Range::add(const Vec3& p) {
+void Patches::Extent::add(const Vec3& p) {
   low = low.cwiseMin(p);
   high = high.cwiseMax(p);
 }
 
-void Patches::Range::add(const Range& other) {
+void Patches::Extent::add(const Extent& other) {
   low = low.cwiseMin(other.low);
   high = high.cwiseMax(other.high);
 }
@@ -58,7 +58,7 @@ std::int32_t Patches::grow(std::span<std::int32_t> triangles) {
     points.erase(std::unique(points.begin(), points.end()), points.end());
     return leaf(points);
   }
-  Range box;
+  Extent box;
   for (const std::int32_t t : triangles) box.add(middle(t));
   Eigen::Index axis = 0;
   (box.high - box.low).maxCoeff(&axis);

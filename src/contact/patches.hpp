@@ -21,14 +21,14 @@ class Patches {
   double against_on_way(std::span<const Vec3> from, std::span<const Vec3> to);
 
  private:
-  struct Range {
+  struct Extent {
     Vec3 low = Vec3::Constant(1e300), high = Vec3::Constant(-1e300);
     void clear() { *this = {}; }
     void add(const Vec3& p);
-    void add(const Range& other);
+    void add(const Extent& other);
   };
   struct Node {
-    Range place, way;                    // m, of all its points: positions, displacements
+    Extent place, way;                   // m, of all its points: positions, displacements
     std::int32_t left = -1, right = -1;  // -1: a leaf
     std::size_t first = 0, last = 0;     // of a leaf: its rows in points_
   };

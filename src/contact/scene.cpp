@@ -198,18 +198,19 @@ int Scene::add_triangles(Surface surface, std::span<const Triangle> triangles,
 
 // Adds the edges of a surface, in ascending order of their ends.
 void Scene::add_edges(Surface& surface) {
-  struct Side {
+  struct TriangleSide {
     Edge ends;
     std::int32_t triangle, corner;
   };
-  std::vector<Side> sides;
+  std::vector<TriangleSide> sides;
   for (std::int32_t t = surface.first_triangle; t < surface.first_triangle + surface.triangles; ++t)
     for (std::int32_t k = 0; k < 3; ++k) {
       const Triangle& n = triangles_[std::size_t(t)].nodes;
       const auto [a, b] = std::minmax(n[std::size_t((k + 1) % 3)], n[std::size_t((k + 2) % 3)]);
       sides.push_back({{a, b}, t, k});
     }
-  std::stable_sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.ends < b.ends; });
+  std::stable_sort(sides.begin(), sides.end(),
+                   [](const TriangleSide& a, const TriangleSide& b) { return a.ends < b.ends; });
   surface.first_edge = std::int32_t(edges_.size());
   for (std::size_t i = 0; i < sides.size(); ++i) {
     if (i == 0 || sides[i].ends != sides[i - 1].ends) {
@@ -317,6 +318,7 @@ Scene Scene::with_corners(const std::function<Triangle(const TriangleRow&)>& cor
             sheet_[std::size_t(triangles_[std::size_t(from.first_triangle) + i].nodes[k])];
   }
   out.interactions_ = interactions_;
+  out.partners_ = partners_;
   return out;
 }
 
@@ -339,20 +341,43 @@ const Interaction* Scene::between(std::int32_t first, std::int32_t second) const
   return number < 0 ? nullptr : &interactions_[std::size_t(number)];
 }
 
-void Scene::meet(int first, int second, const Law& law, double friction, double loss) {
+bool Scene::can_meet(Shape first, Shape second) {
+  const auto is = [&](Shape a, Shape b) {
+    return (first == a && second == b) || (first == b && second == a);
+  };
+  return (first == Shape::ball && second != Shape::cloth) ||
+         (second == Shape::ball && first != Shape::cloth) || is(Shape::rod, Shape::wall);
+}
+
+namespace {
+
+// Of two rigid shapes the first is the one whose points are looked at.
+int points_first(Shape shape) { return shape == Shape::ball ? 0 : shape == Shape::rod ? 1 : 2; }
+
+}  // namespace
+
+void Scene::meet(int first, int second, const Law& law, double friction, double loss,
+                 std::optional<double> sticking) {
   const int count = int(surfaces_.size());
   if (first < 0 || second < 0 || first >= count || second >= count)
     refuse("expected surfaces from 0 to " + std::to_string(count - 1) + ", got " + std::to_string(first) +
            " and " + std::to_string(second));
-  if (surfaces_[std::size_t(first)].shape != Shape::cloth &&
-      surfaces_[std::size_t(second)].shape != Shape::cloth)
-    refuse("at least one of the two surfaces must be cloth");
+  const Shape a = surfaces_[std::size_t(first)].shape, b = surfaces_[std::size_t(second)].shape;
+  const bool rigid = a != Shape::cloth && b != Shape::cloth;
+  if (rigid && (first == second || !can_meet(a, b)))
+    refuse("expected two rigid shapes of which one is a ball, or a rod and a wall");
+  if (rigid && std::max(friction, sticking.value_or(0)) > 0)
+    refuse("friction: expected 0 between two rigid shapes, got " + number(friction));
   if (!(friction >= 0) || !std::isfinite(friction))
     refuse("friction: expected a number from 0 on, got " + number(friction));
   if (!(loss >= 0) || !std::isfinite(loss)) refuse("loss: expected a number from 0 on, got " + number(loss));
   if (between(first, second) != nullptr) refuse("the two surfaces are in contact already");
-  Interaction it{first, second, law, friction, loss};
-  if (surfaces_[std::size_t(first)].shape != Shape::cloth) std::swap(it.first, it.second);  // cloth first
+  Interaction it{first, second, law, friction, sticking.value_or(friction), loss};
+  if (!(it.sticking >= friction) || !std::isfinite(it.sticking))
+    refuse("friction: expected a static one of at least the kinetic one of " + number(friction) + ", got " +
+           number(it.sticking));
+  it.rigid = rigid;
+  if (rigid ? points_first(b) < points_first(a) : a != Shape::cloth) std::swap(it.first, it.second);
   interactions_.push_back(std::move(it));
 }
 

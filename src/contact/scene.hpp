@@ -8,7 +8,10 @@
 //
 // The weights of facets, edges and corners are explained in share/doc/contact.md.
 #pragma once
+#include <algorithm>
+#include <array>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -58,8 +61,10 @@ struct Interaction {
   std::int32_t first = 0, second = 0;  // surfaces; equal for a cloth in contact with itself
   Law law;
   double friction = 0;
-  double loss = 0;  // sqrt(kg)/m: 2 zeta sqrt(areal mass), where zeta is the share of critical damping
-  bool rubs() const { return friction > 0 || loss > 0; }
+  double sticking = 0;  // static friction, at least `friction`, which is that of what slides
+  double loss = 0;      // sqrt(kg)/m: 2 zeta sqrt(areal mass), where zeta is the share of critical damping
+  bool rigid = false;   // neither is cloth
+  bool rubs() const { return sticking > 0 || loss > 0; }
   // Opening of overlaps at the start: for each point the share, 0 to 1, of the law's lengths with which it
   // begins; two edges begin with the smallest share of their ends. Empty: nothing is opened.
   std::vector<double> opening = {};
@@ -81,9 +86,14 @@ class Scene {
   // the rounding, `sides` the number of sides of the polygon that approximates the circle.
   int add_disc(const Vec3& centre, const Vec3& normal, double radius, double edge, int sides = 128);
 
-  // Declares that two surfaces, at least one of them cloth, meet under a law. Errors: unknown
-  // surfaces, two rigid ones, friction or a loss that is negative or not finite, a pair declared already.
-  void meet(int first, int second, const Law& law, double friction, double loss = 0);
+  // Declares that two surfaces meet under a law. Of two rigid ones the law is one of force (N) and not of
+  // pressure: they begin to press where their surfaces touch, and its gap is how deep they come at most.
+  // Errors: unknown surfaces, two rigid ones with friction or of shapes that do not meet (can_meet), friction
+  // or a loss that is negative or not finite, a pair declared already.
+  void meet(int first, int second, const Law& law, double friction, double loss = 0,
+            std::optional<double> sticking = {});
+  // Whether rigid shapes meet each other: a ball anything but cloth, a rod a ball or a wall.
+  static bool can_meet(Shape first, Shape second);
 
   // Another law of the same gap and floor.
   void replace_law(std::size_t interaction, const Law& law) { interactions_[interaction].law = law; }
@@ -107,6 +117,17 @@ class Scene {
   const std::vector<double>& apart() const { return apart_; }
   bool parts() const { return !apart_.empty(); }  // whether there are lips
   double apart(std::int32_t point) const { return apart_.empty() ? -1 : apart_[std::size_t(point)]; }
+
+  // Points that seams hold together: of each point those that it is sewn to, ascending. Pairs of such points
+  // do not touch, wherever they are in the reference, unless both are lips. Empty: there are no seams.
+  void sew(std::vector<std::vector<std::int32_t>> partners) { partners_ = std::move(partners); }
+  bool is_sewn(std::int32_t point) const {
+    return std::size_t(point) < partners_.size() && !partners_[std::size_t(point)].empty();
+  }
+  bool are_sewn(std::int32_t a, std::int32_t b) const {
+    return is_sewn(a) &&
+           std::binary_search(partners_[std::size_t(a)].begin(), partners_[std::size_t(a)].end(), b);
+  }
 
   const std::vector<Vec3>& reference() const { return reference_; }
   std::size_t nodes() const { return nodes_; }  // of the cloth; the rigid vertices follow them
@@ -136,6 +157,7 @@ class Scene {
   std::vector<Vec3> reference_;
   std::vector<double> area_;
   std::vector<double> apart_;
+  std::vector<std::vector<std::int32_t>> partners_;
   std::vector<std::int32_t> sheet_;  // of each point: the first point of its sheet
   std::vector<Surface> surfaces_;
   std::vector<EdgeRow> edges_;

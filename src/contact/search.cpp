@@ -166,6 +166,19 @@ class Search {
   double scale(double reference_distance, const Law& law, bool lips) const {
     return lips && reference_distance < same_place * cell_ ? 1 : scale(reference_distance, law);
   }
+  // Whether a seam holds a point and one of others together; `parted`: it did until it was opened.
+  bool sewn(std::int32_t p, std::span<const std::int32_t> others, bool& parted) const {
+    if (!scene_.is_sewn(p)) return false;
+    bool together = false;
+    for (const std::int32_t q : others) {
+      if (!scene_.are_sewn(p, q)) continue;
+      if (scene_.apart(p) >= 0 && scene_.apart(q) >= 0)
+        parted = true;
+      else
+        together = true;
+    }
+    return together;
+  }
   double facet_scale(std::int32_t p, const Triangle& t, const Law& law, bool& are_lips) const {
     are_lips = false;
     if (p == t[0] || p == t[1] || p == t[2]) return 0;
@@ -200,6 +213,8 @@ class Search {
     const int which = number(owner, row.surface);
     if (which < 0) return;
     if (p == row.nodes[0] || p == row.nodes[1] || p == row.nodes[2]) return;
+    bool parted = false;
+    if (sewn(p, row.nodes, parted)) return;
     const Law& law = scene_.interactions()[std::size_t(which)].law;
     Candidate out;
     out.point = {p, row.nodes[0], row.nodes[1], row.nodes[2]};
@@ -214,6 +229,7 @@ class Search {
       out.pair.scale = facet_scale(p, row.nodes, law, out.lips);
       if (out.pair.scale == 0) return;
     }
+    out.lips = out.lips || parted;
     if (!cloth(row.surface))
       out.pair.area = scene_.area(p);
     else if (cloth(owner))
@@ -221,7 +237,7 @@ class Search {
     else
       out.pair.area = shared * std::min(scene_.area(p), surface(row.surface).mean_area);
     if (!keep(out, law, rows)) return;
-    if (neighbours) uncount_neighbours(rows.back(), row, law);
+    if (neighbours || scene_.is_sewn(p)) uncount_neighbours(rows.back(), row, law);
   }
 
   // Next to a facet that has the point as a neighbour nothing is
@@ -231,6 +247,7 @@ class Search {
       for (const std::int32_t t : triangles) {
         const TriangleRow& other = scene_.triangles()[std::size_t(t)];
         bool lips = false;
+        if (sewn(out.point[0], other.nodes, lips)) return true;
         if (other.surface == row.surface && facet_scale(out.point[0], other.nodes, law, lips) < 1)
           return true;
       }
@@ -249,6 +266,9 @@ class Search {
     const int which = number(a.surface, b.surface);
     if (which < 0) return;
     if (a.a == b.a || a.a == b.b || a.b == b.a || a.b == b.b) return;
+    bool parted = false;
+    const std::array<std::int32_t, 2> ends{b.a, b.b};
+    if (sewn(a.a, ends, parted) || sewn(a.b, ends, parted)) return;
     const Law& law = scene_.interactions()[std::size_t(which)].law;
     Candidate out;
     out.point = {a.a, a.b, b.a, b.b};
@@ -263,6 +283,7 @@ class Search {
       out.pair.scale = scale(apart, law, out.lips);
       if (out.pair.scale == 0) return;
     }
+    out.lips = out.lips || parted;
     const double width = std::min(a.area / a.length, b.area / b.length);
     const double end = law.gap() * out.pair.scale + out.pair.offset;
     out.pair.area = crossing_share * width * width;
@@ -276,6 +297,10 @@ class Search {
       const Interaction& it = scene_.interactions()[i];
       const Surface& shape = surface(it.second);
       const Surface& sheet = surface(it.first);
+      if (it.rigid) {
+        rigid_shapes(it, std::int32_t(i), out);
+        continue;
+      }
       if (shape.shape == Shape::cloth || shape.shape == Shape::solid) continue;
       const std::int32_t v = shape.first_vertex;
       Candidate row;
@@ -286,6 +311,38 @@ class Search {
       if (shape.shape != Shape::wall)
         for (std::int32_t k = 0; k < shape.vertices; ++k) facets(it, sheet, v + k, row, out);
     }
+  }
+
+  // Two rigid shapes press from where their surfaces touch, so that the law's gap is taken off the radii.
+  void rigid_shapes(const Interaction& it, std::int32_t which, Rows& out) const {
+    const Surface &points = surface(it.first), &shape = surface(it.second);
+    Candidate row;
+    row.interaction = which;
+    row.pair.area = 1;
+    row.pair.offset = points.radius + shape.radius - it.law.gap();
+    row.pair.kind = shape.shape == Shape::wall    ? Kind::plane
+                    : shape.shape == Shape::rod   ? Kind::segment
+                    : shape.shape == Shape::solid ? Kind::facet
+                                                  : Kind::centre;
+    for (const std::int32_t p : points.points) {
+      row.point[0] = p;
+      if (shape.shape == Shape::solid) {
+        for (std::int32_t t = shape.first_triangle; t < shape.first_triangle + shape.triangles; ++t)
+          facet_of_rigid(it, row, t, out);
+        continue;
+      }
+      for (std::int32_t k = 0; k < shape.vertices; ++k)
+        row.point[std::size_t(k + 1)] = shape.first_vertex + k;
+      keep(row, it.law, out);
+    }
+  }
+
+  void facet_of_rigid(const Interaction& it, Candidate row, std::int32_t t, Rows& out) const {
+    const TriangleRow& triangle = scene_.triangles()[std::size_t(t)];
+    for (std::size_t k = 0; k < 3; ++k) row.point[k + 1] = triangle.nodes[k];
+    row.pair.edge = triangle.edge;
+    row.pair.corner = triangle.corner;
+    keep(row, it.law, out);
   }
 
   void nodes(const Interaction& it, const Surface& sheet, const Surface& shape, Candidate row,

@@ -59,7 +59,7 @@ bool Contact::Held::beside(const Held& other) const {
 void Contact::Held::keep(Archive& archive) {
   archive(point[0], point[1], point[2], point[3], interaction, kind);
   for (Vec3* v : {&slip, &pull}) archive((*v)[0], (*v)[1], (*v)[2]);
-  archive(gap, damped);
+  archive(gap, damped, slides);
 }
 
 // Balls and rods lie on many facets at once, each with a slip of its own.
@@ -95,11 +95,13 @@ Slip Contact::slip_of(std::size_t i, std::span<const Vec3> x, const Way& way) {
   const Candidate& c = inner_[i];
   const Interaction& it = scene_->interactions()[std::size_t(c.interaction)];
   Slip slip{it.friction, tangential * it.law.stiffest()};
+  slip.sticking = it.sticking;
   slip.turn = of_body(c, way.turn);
   for (std::size_t k = 0; k < 4; ++k)
     if (const auto p = c.point[k]; p >= 0) slip.moved[k] = x[std::size_t(p)] - way.start[std::size_t(p)];
   if (const Held* held = held_by(i)) {
     slip.held = held->slip;
+    slip.slides = held->slides;
     if (held->is(c)) slip.pull = held->pull;
     if (held->is(c)) slip.damped = held->damped;
   }
@@ -123,6 +125,7 @@ void Contact::join(std::span<Held> of_one_point) {
       if (other.gap < least && h.beside(other)) {
         least = other.gap;
         h.slip = other.slip;
+        h.slides = other.slides;
       }
   }
 }
@@ -143,7 +146,8 @@ void Contact::note_slips(std::span<const Vec3> x, const Way& way) {
       const Force& force = slots_[slot];
       const Vec3 slip =
           turned(c, force.slip, corners_of(c, way.start), corners_of(c, x), of_body(c, way.turn));
-      held.push_back({c.point, c.interaction, c.pair.kind, slot, force.gap, slip, force.pull, force.damped});
+      held.push_back({c.point, c.interaction, c.pair.kind, slot, force.gap, slip, force.pull, force.damped,
+                      force.slides});
       passes = passes && (c.pair.kind != Kind::facet || passes_on(c));
     }
     if (passes) join(std::span(held).subspan(first));

@@ -28,13 +28,13 @@ void set_parameter(Touch& touch, int k, int plus, int minus) {
 }
 
 // Where the closest point of a triangle lies: the face, or a border region [ericson2005, sec. 5.1.5].
-struct Region {
+struct TriangleRegion {
   int on = 0;           // 0: the face
   bool corner = false;  // `on` is a corner; otherwise an edge, named by its opposite corner
   double v = 0, w = 0;  // weights of the second and third corner on the face
 };
 
-Region region(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+TriangleRegion region(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
   const double d1 = ab.dot(ap), d2 = ac.dot(ap), d3 = ab.dot(bp), d4 = ac.dot(bp), d5 = ab.dot(cp),
                d6 = ac.dot(cp);
@@ -88,7 +88,7 @@ Touch point_segment(const Corners& x, int p, int a, int b) {
 }
 
 FacetTouch point_triangle(const Corners& x) {
-  const Region at = region(x[0], x[1], x[2], x[3]);
+  const TriangleRegion at = region(x[0], x[1], x[2], x[3]);
   if (at.corner) return {point_point(x, 0, at.on), at.on};
   if (at.on != 0) return {point_segment(x, 0, at.on % 3 + 1, (at.on + 1) % 3 + 1), at.on};
   Touch touch;
@@ -148,7 +148,7 @@ double squared_point_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
 }
 
 double squared_point_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Region at = region(p, a, b, c);
+  const TriangleRegion at = region(p, a, b, c);
   const Vec3* corner[] = {&a, &b, &c};
   if (at.corner) return (p - *corner[at.on - 1]).squaredNorm();
   if (at.on != 0) return squared_point_segment(p, *corner[at.on % 3], *corner[(at.on + 1) % 3]);

@@ -64,17 +64,17 @@ inline const double* columns_at(const section::Section& section, const ShellBatc
 }
 
 // The sum of the resultants over the points, and the conjugates of the edge shears (times t / 4).
-struct Totals {
+struct ResultantSums {
   Resultants r;
   Pack edge[3];
 };
 
-inline void clear(Totals& s) {
+inline void clear(ResultantSums& s) {
   clear(s.r);
   for (Pack& e : s.edge) e = Pack(0.0);
 }
 
-inline void add(const Resultants& r, double thickness, int g, Totals& s) {
+inline void add(const Resultants& r, double thickness, int g, ResultantSums& s) {
   for (int i = 0; i < 3; ++i) {
     s.r.N[i] += r.N[i];
     s.r.M[i] += r.M[i];
@@ -87,7 +87,7 @@ struct Forces3 {
   V3 x[3], d[3];
 };
 
-inline Forces3 forces_of(const Triangle& t, const Totals& s) {
+inline Forces3 forces_of(const Triangle& t, const ResultantSums& s) {
   const Resultants& r = s.r;
   const V3 x1 = r.N[0] * t.a1 + r.N[2] * t.a2 + r.M[0] * t.b1 + r.M[2] * t.b2;
   const V3 x2 = r.N[2] * t.a1 + r.N[1] * t.a2 + r.M[2] * t.b1 + r.M[1] * t.b2;
@@ -118,7 +118,7 @@ inline void store_forces(const Forces3& f, double* out) {
 
 unsigned force(const section::Section& section, const law::Step& step, const ShellBatch& batch, double* f) {
   const Triangle t = load_triangle(section, batch);
-  Totals s;
+  ResultantSums s;
   clear(s);
   unsigned failed = 0;
   for (int g = 0; g < shell3_points; ++g) {
@@ -141,8 +141,8 @@ inline void put(Pack (&column)[kX][kReach], int vector, int place, V3 v) {
   column[3 * vector + 2][place] = v.z;
 }
 
-// The share of edge e along a1 and along a2.
-constexpr double edge_share(int e, int vector) {
+// The coefficients of edge e along a1 and along a2.
+constexpr double edge_coefficient(int e, int vector) {
   return e == 2 ? (vector == 0 ? -1 : 1) : e == vector ? 1 : 0;
 }
 
@@ -170,7 +170,7 @@ inline void fill_shear(const Triangle& t, double thickness, int g, const V3 (&b)
       const int i = kEdge[e][0], j = kEdge[e][1];
       const double w = (s == 0 ? tie1(g, e) : tie2(g, e)) * thickness / 4;
       const V3 director = Pack(w) * (t.d[i] + t.d[j]), chord = Pack(w) * (t.x[j] - t.x[i]);
-      for (int v = 0; v < 2; ++v) on_a[v] += Pack(edge_share(e, v)) * director;
+      for (int v = 0; v < 2; ++v) on_a[v] += Pack(edge_coefficient(e, v)) * director;
       on_d[i] += chord;
       on_d[j] += chord;
     }
@@ -182,7 +182,7 @@ inline void fill_shear(const Triangle& t, double thickness, int g, const V3 (&b)
 
 // Adds the second variation of the strains at fixed resultants.
 template <bool symmetric>
-inline void add_geometric(const Totals& s, const Forces3& f, const Triangle& t, const V3 (&b)[3][2],
+inline void add_geometric(const ResultantSums& s, const Forces3& f, const Triangle& t, const V3 (&b)[3][2],
                           Tangent3<symmetric>& K) {
   const Resultants& r = s.r;
   add_scalar(0, 0, r.N[0], K);
@@ -205,7 +205,7 @@ inline void add_geometric(const Totals& s, const Forces3& f, const Triangle& t, 
     for (const int a : kEdge[e])
       for (int q = 0; q < 2; ++q)
         for (int v = 0; v < 2; ++v)
-          add_vector(v, 2 * a + q, (Pack(edge_share(e, v)) * s.edge[e]) * b[a][q], K);
+          add_vector(v, 2 * a + q, (Pack(edge_coefficient(e, v)) * s.edge[e]) * b[a][q], K);
 }
 
 // Takes from the strains what is quadratic in the step from the nodes before.
@@ -238,12 +238,12 @@ unsigned tangent_of(const section::Section& section, const law::Step& step, cons
   fill(t, b, B);
   Tangent3<symmetric> K;
   clear(K);
-  Totals s;
+  ResultantSums s;
   clear(s);
   unsigned failed = 0;
   for (int g = 0; g < shell3_points; ++g) {
     Resultants r;
-    Stiffness k;
+    ThicknessMoments k;
     failed |= integrate(section, step, batch, columns_at(section, batch, g), strains_at(t, g), g, r, &k);
     add(r, section.thickness, g, s);
     fill_shear(t, section.thickness, g, b, B);
@@ -253,8 +253,8 @@ unsigned tangent_of(const section::Section& section, const law::Step& step, cons
   const Forces3 forces = forces_of(t, s);
   if (!batch.law_only) add_geometric(s, forces, t, b, K);
   store_forces(forces, f);
-  constexpr double share[2][3] = {{-1, 1, 0}, {-1, 0, 1}};
-  store_tangent(K, share, batch.wanted, out);
+  constexpr double coefficient[2][3] = {{-1, 1, 0}, {-1, 0, 1}};
+  store_tangent(K, coefficient, batch.wanted, out);
   return failed;
 }
 

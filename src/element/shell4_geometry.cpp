@@ -161,13 +161,13 @@ Modes enhanced_modes(const Mat3& C, const Eigen::Vector2d& w) {
           0, 0, (1 + r) / 2, (1 - r) / 2, 0, 0, 0, r * r - 1,   //
           r / 2, -r / 2, s / 2, -s / 2, 0, 0, 1, 2 * r * s;
       const double F11 = 1 + s * w[0], F12 = s * w[1], F21 = r * w[0], F22 = 1 + r * w[1];
-      Mat3 carry;  // from the axes in the middle to those at the point
-      carry << F11 * F11, F12 * F12, F11 * F12, F21 * F21, F22 * F22, F21 * F22, 2 * F11 * F21, 2 * F12 * F22,
-          F11 * F22 + F12 * F21;
+      Mat3 to_point;  // from the axes in the middle to those at the point
+      to_point << F11 * F11, F12 * F12, F11 * F12, F21 * F21, F22 * F22, F21 * F22, 2 * F11 * F21,
+          2 * F12 * F22, F11 * F22 + F12 * F21;
       Eigen::Matrix<double, 3, kEnhanced> E;
       E << r, 0, 0, 0, 0, s, 0, 0, 0, 0, r, s;
       own += E.transpose() * C * E / (F11 * F22 - F12 * F21);
-      coupling += E.transpose() * C * carry.inverse() * c;
+      coupling += E.transpose() * C * to_point.inverse() * c;
     }
   return -own.ldlt().solve(coupling);
 }

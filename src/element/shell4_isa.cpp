@@ -30,7 +30,7 @@ unsigned force_of(const section::Section& section, const law::Step& step, const 
     const int first = layout.point(sharing == Sharing::element ? 0 : g, 0);
     failed |= integrate(section, step, batch, batch.geometry + first * lanes, p[g], g, r[g], nullptr);
   }
-  Forces forces;
+  ConjugateForces forces;
   clear(forces);
   _Pragma("GCC unroll 4") for (int g = 0; g < gauss_points; ++g)
       add_force<sharing>(p[g], r[g], section.thickness, g, forces);
@@ -108,7 +108,7 @@ inline SampleColumns sample_columns(const Kinematics& k, const Membrane& m, cons
 
 inline void position_columns(const Kinematics& k, const InPlane& p, const SampleColumns& s, double thickness,
                              int g, Columns4& B) {
-  for (int c = 0; c < kX; ++c) membrane_at(p.carry, g, s.sample[c], s.mode[c], B.x[c] + kEps);
+  for (int c = 0; c < kX; ++c) membrane_at(p.axis_transform, g, s.sample[c], s.mode[c], B.x[c] + kEps);
   const Pack zero(0.0), r(kXi[g]), e(kEta[g]);
   const V3 none{zero, zero, zero};
   V3 shear[2][2] = {{none, none}, {none, none}};  // derivatives of g1, g2 by middle and twist
@@ -174,7 +174,7 @@ inline void add_geometric(const Resultants& r, int g, Geometric& s) {
 }
 
 template <bool symmetric>
-inline void add_membrane_geometric(const Membrane& m, const Forces& f, const SampleColumns& s,
+inline void add_membrane_geometric(const Membrane& m, const ConjugateForces& f, const SampleColumns& s,
                                    Tangent4<symmetric>& K) {
   const Pack* N = f.sample;
   add_scalar(0, 0, N[0] + N[1] + N[4], K);
@@ -248,11 +248,11 @@ template <bool symmetric>
 //   F.d2 beta(u, v) = u.H v,
 //   H = 2 f' (delta F^T + F delta^T + (F.delta) 1) + 4 f'' (F.delta) delta delta^T.
 template <bool symmetric>
-inline void add_edge_geometric(const Kinematics& k, const Geometric& s, const Forces& f, const Rotations& q,
-                               Tangent4<symmetric>& K) {
+inline void add_edge_geometric(const Kinematics& k, const Geometric& s, const ConjugateForces& f,
+                               const Rotations& q, Tangent4<symmetric>& K) {
   const Pack two(2.0), four(4.0);
   for (int e = 0; e < 4; ++e) {
-    const Edge& edge = k.edge[e];
+    const ArcEdge& edge = k.edge[e];
     const Pack work = dot(f.beta[e], edge.delta);
     for (int c = 0; c < 4; ++c) {
       const EdgeColumns& column = q.column[e][c];
@@ -316,7 +316,7 @@ unsigned tangent_of(const section::Section& section, const law::Step& step, cons
   const Kinematics before = extrapolated ? kinematics(before_step(batch)) : k;
   if (extrapolated) linearise(before, k, batch.geometry, section.thickness, m, gamma);
   const SampleColumns samples = sample_columns(k, m, batch.geometry);
-  Forces forces;
+  ConjugateForces forces;
   clear(forces);
   Geometric geometric;
   clear(geometric);
@@ -328,7 +328,7 @@ unsigned tangent_of(const section::Section& section, const law::Step& step, cons
     InPlane p = in_plane(k, batch.geometry + layout.reference(g) * lanes, m, gamma, g);
     if (extrapolated) linearise(before, k, g, p);
     Resultants r;
-    Stiffness stiffness;
+    ThicknessMoments stiffness;
     failed |=
         integrate(section, step, batch, batch.geometry + layout.point(g, 0) * lanes, p, g, r, &stiffness);
     add_force(p, r, section.thickness, g, forces);
@@ -352,9 +352,9 @@ unsigned tangent_of(const section::Section& section, const law::Step& step, cons
     K.dd[2 * a + 1][2 * a + 1] -= along;
   }
   store_forces(nodes, f);
-  constexpr double share[kVectors][4] = {
+  constexpr double coefficient[kVectors][4] = {
       {-.25, .25, .25, -.25}, {-.25, -.25, .25, .25}, {.25, -.25, .25, -.25}};
-  store_tangent(K, share, batch.wanted, out);
+  store_tangent(K, coefficient, batch.wanted, out);
   return failed;
 }
 

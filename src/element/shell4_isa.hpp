@@ -12,11 +12,11 @@ constexpr double kGauss = 0.57735026918962576451;  // 1 / sqrt(3)
 constexpr double kXi[4] = {-kGauss, kGauss, kGauss, -kGauss};
 constexpr double kEta[4] = {-kGauss, -kGauss, kGauss, kGauss};
 // x = centre + xi mid1 + eta mid2 + xi eta twist; four times the nodes' weights in mid1, mid2, twist.
-constexpr double kShare[3][4] = {{-1, 1, 1, -1}, {-1, -1, 1, 1}, {1, -1, 1, -1}};
+constexpr double kNodeSign[3][4] = {{-1, 1, 1, -1}, {-1, -1, 1, 1}, {1, -1, 1, -1}};
 // First and second node of the edges: A (eta = 1) and B (eta
 // = -1) along xi, C (xi = 1) and D (xi = -1) along eta.
 constexpr int kEdge[4][2] = {{3, 2}, {0, 1}, {1, 2}, {0, 3}};
-// The share of the twist in half an edge: A = mid1 + twist, B = mid1 - twist, C and D likewise from mid2.
+// The sign of the twist in half an edge: A = mid1 + twist, B = mid1 - twist, C and D likewise from mid2.
 constexpr double kTwist[4] = {1, -1, 1, -1};
 
 // Weight of an edge at in-plane point g: edges A and B are interpolated along eta, C and D along xi.
@@ -24,20 +24,20 @@ constexpr double tie(int g, int e) { return (1 + kTwist[e] * (e < 2 ? kEta[g] : 
 
 // Half an edge: its chord, half the sum of its directors, and beta, half
 // their difference lengthened from the chord to the arc between them.
-struct Edge {
+struct ArcEdge {
   V3 chord, mean, delta, beta;
   Pack f, slope, bend;  // beta = f(q) delta with q = delta.delta; f' and f''
 };
 
 struct Kinematics {
-  Edge edge[4];
+  ArcEdge edge[4];
   V3 mid1, mid2, twist;
   V3 d[4];
 };
 
 // Directors at an angle a differ by 2 sin(a / 2), hence f = asin(s) / s with s = |delta|, to its third term
 // (error 5e-8 at 20 degrees per edge). Without it the bending resistance would fall off as sin(a) / a.
-inline void lengthen(Edge& e) {
+inline void lengthen(ArcEdge& e) {
   const Pack q = dot(e.delta, e.delta), c1(1.0 / 6), c2(3.0 / 40), two(2.0);
   e.f = Pack(1.0) + q * (c1 + q * c2);
   e.slope = c1 + two * c2 * q;
@@ -55,7 +55,7 @@ inline Kinematics kinematics(const Shell4Batch& batch) {
   const Pack half(0.5);
   for (int e = 0; e < 4; ++e) {
     const int i = kEdge[e][0], j = kEdge[e][1];
-    Edge& edge = k.edge[e];
+    ArcEdge& edge = k.edge[e];
     edge.chord = half * (x[j] - x[i]);
     edge.mean = half * (k.d[i] + k.d[j]);
     edge.delta = half * (k.d[j] - k.d[i]);
@@ -225,11 +225,11 @@ inline Membrane membrane(const Kinematics& k, const double* geometry) {
 
 // Transforms enhanced strains from the middle's axes to point g: the base
 // vectors there are F times those in the middle, and j / j0 = det F.
-struct Carry {
+struct AxisTransform {
   Pack c[3][3];
 };
 
-inline Carry carry(const Membrane& m, int g) {
+inline AxisTransform axis_transform(const Membrane& m, int g) {
   const Pack r(kXi[g]), s(kEta[g]), one(1.0), two(2.0);
   const Pack F11 = one + s * m.c1, F12 = s * m.c2, F21 = r * m.c1, F22 = one + r * m.c2;
   const Pack over = one / (one + s * m.c1 + r * m.c2);
@@ -240,7 +240,7 @@ inline Carry carry(const Membrane& m, int g) {
 
 // (c11, c22, 2 c12) at point g from samples v and modes alpha: strains, or a column of their operator.
 template <Sharing sharing = Sharing::none>
-inline void membrane_at(const Carry& to, int g, const Pack v[kSamples], const Pack alpha[kEnhanced],
+inline void membrane_at(const AxisTransform& to, int g, const Pack v[kSamples], const Pack alpha[kEnhanced],
                         Pack out[3]) {
   const double r = kXi[g], s = kEta[g];
   const Pack e[3] = {Pack(r) * alpha[0], Pack(s) * alpha[1], Pack(r) * alpha[2] + Pack(s) * alpha[3]};
@@ -254,7 +254,7 @@ inline void membrane_at(const Carry& to, int g, const Pack v[kSamples], const Pa
 // All quantities at an in-plane point that do not depend on the thickness coordinate.
 struct InPlane : Strains {
   V3 a1, a2, b1, b2;
-  Carry carry;
+  AxisTransform axis_transform;
 };
 
 // Shears 2 c_i3 at the midpoints of the edges.
@@ -267,13 +267,13 @@ template <Sharing sharing = Sharing::none>
 inline InPlane in_plane(const Kinematics& k, const double* reference, const Membrane& m, const Pack gamma[4],
                         int g) {
   InPlane p;
-  const Edge* e = k.edge;
+  const ArcEdge* e = k.edge;
   p.a1 = k.mid1 + Pack(kEta[g]) * k.twist;
   p.a2 = k.mid2 + Pack(kXi[g]) * k.twist;
   p.b1 = Pack(tie(g, 0)) * e[0].beta + Pack(tie(g, 1)) * e[1].beta;
   p.b2 = Pack(tie(g, 2)) * e[2].beta + Pack(tie(g, 3)) * e[3].beta;
-  if constexpr (sharing != Sharing::element) p.carry = carry(m, g);
-  membrane_at<sharing>(p.carry, g, m.strain, m.alpha, p.eps);
+  if constexpr (sharing != Sharing::element) p.axis_transform = axis_transform(m, g);
+  membrane_at<sharing>(p.axis_transform, g, m.strain, m.alpha, p.eps);
   const Pack half(0.5);
   p.kappa[0] = dot(p.a1, p.b1);
   p.kappa[1] = dot(p.a2, p.b2);
@@ -292,13 +292,13 @@ inline InPlane in_plane(const Kinematics& k, const double* reference, const Memb
 
 // Sums of the resultants over all points, work-conjugate to the samples and enhanced modes, to mid1 mid2
 // twist (without the membrane part), to beta of the edges, and to the shears of the edges (times t / 2).
-struct Forces {
+struct ConjugateForces {
   Pack sample[kSamples], mode[kEnhanced];
   V3 x[3], beta[4];
   Pack shear[4];
 };
 
-inline void clear(Forces& f) {
+inline void clear(ConjugateForces& f) {
   const Pack zero(0.0);
   for (Pack& n : f.sample) n = zero;
   for (Pack& n : f.mode) n = zero;
@@ -308,7 +308,7 @@ inline void clear(Forces& f) {
 
 // The transpose of membrane_at.
 template <Sharing sharing = Sharing::none>
-inline void add_membrane(const InPlane& p, const Resultants& q, int g, Forces& f) {
+inline void add_membrane(const InPlane& p, const Resultants& q, int g, ConjugateForces& f) {
   const double r = kXi[g], s = kEta[g];
   const Pack* N = q.N;
   f.sample[0] += Pack((1 + s) / 2) * N[0] + Pack(r / 2) * N[2];
@@ -319,9 +319,9 @@ inline void add_membrane(const InPlane& p, const Resultants& q, int g, Forces& f
   f.sample[7] += Pack(s * s - 1) * N[0] + Pack(r * r - 1) * N[1] + Pack(2 * r * s) * N[2];
   Pack e[3];
   for (int j = 0; j < 3; ++j)
-    e[j] = sharing == Sharing::element
-               ? N[j]
-               : p.carry.c[0][j] * N[0] + p.carry.c[1][j] * N[1] + p.carry.c[2][j] * N[2];
+    e[j] = sharing == Sharing::element ? N[j]
+                                       : p.axis_transform.c[0][j] * N[0] + p.axis_transform.c[1][j] * N[1] +
+                                             p.axis_transform.c[2][j] * N[2];
   f.mode[0] += Pack(r) * e[0];
   f.mode[1] += Pack(s) * e[1];
   f.mode[2] += Pack(r) * e[2];
@@ -329,7 +329,7 @@ inline void add_membrane(const InPlane& p, const Resultants& q, int g, Forces& f
 }
 
 template <Sharing sharing = Sharing::none>
-inline void add_force(const InPlane& p, const Resultants& r, double thickness, int g, Forces& f) {
+inline void add_force(const InPlane& p, const Resultants& r, double thickness, int g, ConjugateForces& f) {
   add_membrane<sharing>(p, r, g, f);
   const V3 on_a1 = r.M[0] * p.b1 + r.M[2] * p.b2, on_a2 = r.M[2] * p.b1 + r.M[1] * p.b2;
   f.x[0] += on_a1;
@@ -345,7 +345,7 @@ inline void add_force(const InPlane& p, const Resultants& r, double thickness, i
 
 // After all points: adds the forces of the modes to the samples, and those of q to the others.
 template <Sharing sharing = Sharing::none>
-inline void close(const Membrane& m, const double* geometry, Forces& f) {
+inline void close(const Membrane& m, const double* geometry, ConjugateForces& f) {
   for (int i = 0; i < kEnhanced; ++i)
     for (int k = 0; k < (sharing == Sharing::element ? 4 : kSamples); ++k) {
       const int chord =
@@ -357,7 +357,7 @@ inline void close(const Membrane& m, const double* geometry, Forces& f) {
 }
 
 // The force on delta from a force on beta: J^T F with d beta = J d delta; J is symmetric.
-inline V3 through_arc(const Edge& e, V3 F) {
+inline V3 through_arc(const ArcEdge& e, V3 F) {
   return e.f * F + (Pack(2.0) * e.slope * dot(e.delta, F)) * e.delta;
 }
 
@@ -365,14 +365,14 @@ struct NodeForces {
   V3 x[4], d[4];
 };
 
-inline NodeForces on_nodes(const Kinematics& k, const Forces& f) {
+inline NodeForces on_nodes(const Kinematics& k, const ConjugateForces& f) {
   V3 x[3] = {f.x[0] + f.sample[4] * k.mid1 + f.sample[6] * k.mid2,
              f.x[1] + f.sample[5] * k.mid2 + f.sample[6] * k.mid1, f.x[2]};
   NodeForces n;
   const Pack zero(0.0), half(0.5), quarter(0.25);
   for (V3& v : n.d) v = {zero, zero, zero};
   for (int e = 0; e < 4; ++e) {
-    const Edge& edge = k.edge[e];
+    const ArcEdge& edge = k.edge[e];
     const V3 on_chord = f.sample[e] * edge.chord + f.shear[e] * edge.mean;
     x[e / 2] += on_chord;
     x[2] += Pack(kTwist[e]) * on_chord;
@@ -382,7 +382,7 @@ inline NodeForces on_nodes(const Kinematics& k, const Forces& f) {
   }
   for (V3& v : x) v = quarter * v;
   for (int a = 0; a < 4; ++a)
-    n.x[a] = Pack(kShare[0][a]) * x[0] + Pack(kShare[1][a]) * x[1] + Pack(kShare[2][a]) * x[2];
+    n.x[a] = Pack(kNodeSign[0][a]) * x[0] + Pack(kNodeSign[1][a]) * x[1] + Pack(kNodeSign[2][a]) * x[2];
   return n;
 }
 

@@ -78,7 +78,7 @@ struct Resultants {
 
 // Tangent of the eleven resultants: Z[m] is sum w z^m L^T C L over in-plane rows and columns; the shear
 // blocks are separate. For a symmetric section only the upper half of Z is used, and g_in stays zero.
-struct Stiffness {
+struct ThicknessMoments {
   Pack Z[5][3][3];     // z^0 .. z^4
   Pack in_g[3][3][2];  // z^0 .. z^2: rows in-plane, columns shear
   Pack g_in[3][2][3];
@@ -92,9 +92,9 @@ inline void clear(Resultants& r) {
   r.Q[0] = r.Q[1] = Pack(0.0);
 }
 
-inline void clear(Stiffness& s) {
+inline void clear(ThicknessMoments& s) {
   Pack* p = &s.Z[0][0][0];
-  for (unsigned i = 0; i < sizeof(Stiffness) / sizeof(Pack); ++i) p[i] = Pack(0.0);
+  for (unsigned i = 0; i < sizeof(ThicknessMoments) / sizeof(Pack); ++i) p[i] = Pack(0.0);
 }
 
 inline void add_stress(const Transform& t, const double* S, double z, Resultants& r) {
@@ -111,7 +111,8 @@ inline void add_stress(const Transform& t, const double* S, double z, Resultants
   for (int j = 0; j < 2; ++j) r.Q[j] += t.L[2][3 + j] * s[2] + t.L[3][3 + j] * s[3];
 }
 
-inline void add_powers(const Pack (&D)[5][5], double z, bool symmetric, Stiffness& k, bool coupled = true) {
+inline void add_powers(const Pack (&D)[5][5], double z, bool symmetric, ThicknessMoments& k,
+                       bool coupled = true) {
   double power = 1;
   for (int m = 0; m < 5; ++m, power *= z)
     for (int i = 0; i < 3; ++i) {
@@ -134,7 +135,7 @@ inline bool is_level(const Transform& t) {
   return tilted == 0;
 }
 
-inline void add_tangent(const Transform& t, const double* C, double z, Stiffness& k) {
+inline void add_tangent(const Transform& t, const double* C, double z, ThicknessMoments& k) {
   Pack CL[5][5], D[5][5];
   for (int i = 0; i < 5; ++i)
     for (int j = 0; j < 5; ++j) {
@@ -155,7 +156,7 @@ inline void add_tangent(const Transform& t, const double* C, double z, Stiffness
 
 // The same for a symmetric law with elastic uncoupled
 // transverse shear, C13 = C23 = ... = 0. Fills the upper half.
-inline void add_symmetric_tangent(const Transform& t, const double* C, double z, Stiffness& k) {
+inline void add_symmetric_tangent(const Transform& t, const double* C, double z, ThicknessMoments& k) {
   constexpr int in[3] = {0, 1, 4};
   const auto at = [&](int i, int j) { return t.weight * load(C + (5 * i + j) * lanes); };
   Pack D[5][5], CL[3][3], shear[2] = {at(2, 2), at(3, 3)};
@@ -211,7 +212,8 @@ inline void put_states(const ShellBatch& batch, long place, int count, const dou
 // Separate bending: springs on the material curvatures (11, 22, 2 12) at the middle thickness point. Friction
 // states s0, s1: slip, lost and with fading also last, of warp, then of weft; null without friction.
 inline void add_bending(const section::Section& section, const law::Step& step, const Strains& p,
-                        const Transform& t, const double* s0, double* s1, Resultants& r, Stiffness* k) {
+                        const Transform& t, const double* s0, double* s1, Resultants& r,
+                        ThicknessMoments* k) {
   const Pack area = t.weight / Pack(section.thickness);
   constexpr int row[3] = {0, 1, 4};
   for (int m = 0; m < 3; ++m) {
@@ -242,7 +244,7 @@ inline double height(const section::Section& section, int k) {
 
 // Bending at in-plane point g, with the transform of the section's only thickness point.
 inline void add_bending_at(const section::Section& section, const law::Step& step, const ShellBatch& batch,
-                           const Strains& p, const Transform& t, int g, Resultants& r, Stiffness* k) {
+                           const Strains& p, const Transform& t, int g, Resultants& r, ThicknessMoments* k) {
   if (section.bending_state < 0) return add_bending(section, step, p, t, nullptr, nullptr, r, k);
   const long offset = static_cast<long>(g * section.state_size + section.bending_state) * lanes;
   if (batch.changed == nullptr)
@@ -275,7 +277,7 @@ inline void add_tangent(const Response& at_point, Pack weight, Pack z, PlainTang
 }
 
 // Clears what put_tangent() does not write and a symmetric section uses.
-inline void clear_rest(Stiffness& k) {
+inline void clear_rest(ThicknessMoments& k) {
   Pack* in_g = &k.in_g[0][0][0];
   for (unsigned i = 0; i < sizeof k.in_g / sizeof(Pack); ++i) in_g[i] = Pack(0.0);
   Pack* bending = &k.bending[0][0];
@@ -284,7 +286,8 @@ inline void clear_rest(Stiffness& k) {
 
 // The upper half of the tangent of the resultants. shear: the sum of weight times the modulus of transverse
 // shear; volume: the reference volume of a weight of one.
-inline void put_tangent(const PlainTangents& c, Pack shear, Pack volume, const Transform& t, Stiffness& k) {
+inline void put_tangent(const PlainTangents& c, Pack shear, Pack volume, const Transform& t,
+                        ThicknessMoments& k) {
   clear_rest(k);
   for (int j = 0; j < 3; ++j) {
     const Pack L[3] = {volume * t.L[0][j], volume * t.L[1][j], volume * t.L[4][j]};
@@ -306,7 +309,7 @@ inline void put_tangent(const PlainTangents& c, Pack shear, Pack volume, const T
 template <class AtPoint, class AtEnd>
 inline unsigned through_thickness(const section::Section& section, const law::Step& step,
                                   const ShellBatch& batch, const Transform& t, const Strains& p, int g,
-                                  Resultants& r, Stiffness* bending, AtPoint at_point, AtEnd at_end) {
+                                  Resultants& r, ThicknessMoments* bending, AtPoint at_point, AtEnd at_end) {
   constexpr int row[3] = {0, 1, 4}, states = law::potential_state::count;
   Pack e[3], k[3], q[3], E[5], old[states], trial[states];
   for (int i = 0; i < 3; ++i) {
@@ -350,7 +353,7 @@ inline unsigned through_thickness(const section::Section& section, const law::St
 }
 
 // The forces alone, and the forces with the tangent of a symmetric section. They are compiled apart, so that
-// how the compiler fuses the products of one does not touch the bits of the other.
+// how the compiler fuses the products of one does not change the rounding of the other.
 [[gnu::flatten, gnu::noinline]] unsigned integrate_plain(const section::Section& section,
                                                          const law::Step& step, const ShellBatch& batch,
                                                          const Transform& t, const Strains& p, int g,
@@ -363,7 +366,7 @@ inline unsigned through_thickness(const section::Section& section, const law::St
                                                                  const law::Step& step,
                                                                  const ShellBatch& batch, const Transform& t,
                                                                  const Strains& p, int g, Resultants& r,
-                                                                 Stiffness& tangent) {
+                                                                 ThicknessMoments& tangent) {
   PlainTangents c;
   clear(c);
   Pack weights(0.0);
@@ -378,7 +381,8 @@ inline unsigned through_thickness(const section::Section& section, const law::St
 
 // Evaluates the law through the thickness at in-plane point g; columns: its first transform.
 inline unsigned integrate(const section::Section& section, const law::Step& step, const ShellBatch& batch,
-                          const double* columns, const Strains& p, int g, Resultants& r, Stiffness* k) {
+                          const double* columns, const Strains& p, int g, Resultants& r,
+                          ThicknessMoments* k) {
   if (batch.sharing != Sharing::none && section.plain != nullptr) {
     const Transform t = transform(columns);
     if (k == nullptr) return integrate_plain(section, step, batch, t, p, g, r);
@@ -406,7 +410,7 @@ inline unsigned integrate(const section::Section& section, const law::Step& step
   return failed;
 }
 
-// For what Shell4Astray tells. along: the least product of a director with the normal, of any length; bend:
+// For Shell4Astray. along: the least product of a director with the normal, of any length; bend:
 // the largest of an edge's chord with its directors' difference, both whole.
 inline PackMask leans(Pack along, V3 normal, double cosine) {
   return along * abs(along) < Pack(cosine * cosine) * dot(normal, normal);

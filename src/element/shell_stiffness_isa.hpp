@@ -48,7 +48,7 @@ inline void clear(Tangent<nx, nd, symmetric>& K) {
 // where they are. Loops over it are unrolled, so that no index is computed at run time.
 template <bool symmetric>
 struct Resistance {
-  explicit Resistance(const Stiffness& stiffness) : k(stiffness) {
+  explicit Resistance(const ThicknessMoments& stiffness) : k(stiffness) {
     for (int i = 0; i < 3; ++i)
       for (int j = symmetric ? i : 0; j < 3; ++j) M_by_kappa[i][j] = k.Z[2][i][j] + k.bending[i][j];
   }
@@ -60,14 +60,14 @@ struct Resistance {
     const int r = symmetric && i > j ? j : i, c = symmetric && i > j ? i : j;
     return a == 1 && b == 1 ? M_by_kappa[r][c] : k.Z[a + b][r][c];
   }
-  const Stiffness& k;
+  const ThicknessMoments& k;
   Pack M_by_kappa[3][3];
 };
 
 // Whether in-plane strains and transverse shears are coupled in some element. They are not where the
 // directors are normal to the element.
 template <bool symmetric>
-inline bool coupled(const Stiffness& k) {
+inline bool coupled(const ThicknessMoments& k) {
   unsigned some = 0;
   for (int m = 0; m < 3; ++m)
     for (int i = 0; i < 3; ++i)
@@ -141,7 +141,7 @@ inline void add_material_of(const Columns<nx, nd>& B, const Resistance<symmetric
 
 // K += B^T D B; for a symmetric D only the upper half of xx and dd, and xd.
 template <int nx, int nd, bool symmetric>
-inline void add_material(const Columns<nx, nd>& B, const Stiffness& k, Tangent<nx, nd, symmetric>& K) {
+inline void add_material(const Columns<nx, nd>& B, const ThicknessMoments& k, Tangent<nx, nd, symmetric>& K) {
   const Resistance<symmetric> D(k);
   coupled<symmetric>(k) ? add_material_of<true>(B, D, K) : add_material_of<false>(B, D, K);
 }
@@ -175,45 +175,45 @@ inline void add_vector(int p, int column, V3 v, Tangent<nx, nd, symmetric>& K) {
 }
 
 // Writes the blocks of nodes in `wanted` (see ShellBatch) of K, COLUMN-major on (u, q) of each; node a has
-// the weight share[p][a] in vector p.
+// the weight coefficient[p][a] in vector p.
 template <int vectors, int corners, bool symmetric>
 inline void store_tangent(const Tangent<3 * vectors, 2 * corners, symmetric>& K,
-                          const double (&share)[vectors][corners], unsigned wanted, double* out) {
+                          const double (&coefficient)[vectors][corners], unsigned wanted, double* out) {
   constexpr int nx = 3 * vectors, nd = 2 * corners, dofs = 5 * corners;
   const auto at = [&](int r, int c) { return out + (dofs * c + r) * lanes; };
-  const auto wants = [&](int a, int b) { return (wanted >> (4 * a + b) & 1u) != 0; };
+  const auto is_wanted = [&](int a, int b) { return (wanted >> (4 * a + b) & 1u) != 0; };
   for (int a = 0; a < corners; ++a)
     for (int i = 0; i < 3; ++i) {
       Pack row[nx];  // for node a, component i
       for (int c = 0; c < nx; ++c) {
-        row[c] = Pack(share[0][a]) * K.xx[i][c];
-        for (int p = 1; p < vectors; ++p) row[c] += Pack(share[p][a]) * K.xx[3 * p + i][c];
+        row[c] = Pack(coefficient[0][a]) * K.xx[i][c];
+        for (int p = 1; p < vectors; ++p) row[c] += Pack(coefficient[p][a]) * K.xx[3 * p + i][c];
       }
       for (int b = 0; b < corners; ++b) {
-        if (!wants(a, b)) continue;
+        if (!is_wanted(a, b)) continue;
         for (int j = 0; j < 3; ++j) {
-          Pack v = Pack(share[0][b]) * row[j];
-          for (int p = 1; p < vectors; ++p) v += Pack(share[p][b]) * row[3 * p + j];
+          Pack v = Pack(coefficient[0][b]) * row[j];
+          for (int p = 1; p < vectors; ++p) v += Pack(coefficient[p][b]) * row[3 * p + j];
           store(at(5 * a + i, 5 * b + j), v);
         }
       }
       for (int c = 0; c < nd; ++c) {
         const int b = c / 2, of_director = 5 * b + 3 + c % 2;
-        Pack right = Pack(share[0][a]) * K.xd[i][c];
-        for (int p = 1; p < vectors; ++p) right += Pack(share[p][a]) * K.xd[3 * p + i][c];
-        if (wants(a, b)) store(at(5 * a + i, of_director), right);
-        if (!wants(b, a)) continue;
+        Pack right = Pack(coefficient[0][a]) * K.xd[i][c];
+        for (int p = 1; p < vectors; ++p) right += Pack(coefficient[p][a]) * K.xd[3 * p + i][c];
+        if (is_wanted(a, b)) store(at(5 * a + i, of_director), right);
+        if (!is_wanted(b, a)) continue;
         Pack left = right;
         if constexpr (!symmetric) {
-          left = Pack(share[0][a]) * K.dx[c][i];
-          for (int p = 1; p < vectors; ++p) left += Pack(share[p][a]) * K.dx[c][3 * p + i];
+          left = Pack(coefficient[0][a]) * K.dx[c][i];
+          for (int p = 1; p < vectors; ++p) left += Pack(coefficient[p][a]) * K.dx[c][3 * p + i];
         }
         store(at(of_director, 5 * a + i), left);
       }
     }
   for (int r = 0; r < nd; ++r)
     for (int c = 0; c < nd; ++c)
-      if (wants(r / 2, c / 2)) store(at(5 * (r / 2) + 3 + r % 2, 5 * (c / 2) + 3 + c % 2), K.dd[r][c]);
+      if (is_wanted(r / 2, c / 2)) store(at(5 * (r / 2) + 3 + r % 2, 5 * (c / 2) + 3 + c % 2), K.dd[r][c]);
 }
 
 }  // namespace

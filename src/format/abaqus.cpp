@@ -72,13 +72,13 @@ class AbaqusReader {
         (this->*data_)(line);
     }
     if (!waiting_.empty()) source_.fail("the file ends within an element");
-    if (remarks != nullptr) tell(*remarks);
+    if (remarks != nullptr) add_remarks(*remarks);
     return mesh_.finish();
   }
 
  private:
   // No keyword closes a file: only a part, an assembly, an instance and a step have one of their own.
-  void tell(Remarks& remarks) {
+  void add_remarks(Remarks& remarks) {
     if (!within_.empty())
       remarks.push_back(source_.at_place("the file ends without *END " + within_.back() +
                                          "; if it was cut short, part of the mesh is missing"));
@@ -97,7 +97,7 @@ class AbaqusReader {
     }
   }
 
-  // A keyword goes on in the next line where its line ends with a comma.
+  // A keyword continues in the next line if its line ends with a comma.
   Keyword keyword(std::string_view line) {
     Keyword word;
     bool first = true;

@@ -10,10 +10,10 @@ void DeckMesh::fail_at(std::size_t place, const std::string& why) {
 }
 
 void DeckMesh::add_element(std::int64_t number, std::size_t place, const std::vector<std::int64_t>& corners) {
-  Element element{{}, static_cast<int>(corners.size())};
+  DeckElement element{{}, static_cast<int>(corners.size())};
   std::copy(corners.begin(), corners.end(), element.corners.begin());
   if (!elements_.emplace(number, element).second)
-    source_.fail("element " + std::to_string(number) + " is there twice");
+    source_.fail("element " + std::to_string(number) + " is defined twice");
   order_.emplace_back(number, place);
 }
 
@@ -27,9 +27,9 @@ void DeckMesh::add(const std::string& set, Of of, std::size_t place, std::int64_
   members_.back().numbers.push_back(number);
 }
 
-// Of the numbers from first to last those that are there. A range that counts far beyond what the deck can
+// The numbers from first to last that exist. A range that counts far beyond what the deck can
 // hold is looked up the other way round.
-DeckMesh::Numbers DeckMesh::of_range(const Members& members, const Range& range) {
+DeckMesh::Numbers DeckMesh::of_range(const Members& members, const NumberRange& range) {
   const std::int64_t low = std::min(range.first, range.last), high = std::max(range.first, range.last);
   const auto step =
       range.step < 0 ? 0 - static_cast<std::uint64_t>(range.step) : static_cast<std::uint64_t>(range.step);
@@ -59,7 +59,7 @@ void DeckMesh::collect(const Members& members) {
               std::string(of_nodes ? "node " : "element ") + std::to_string(number) + " is not in the file");
     found.push_back(number);
   }
-  for (const Range& range : members.ranges) {
+  for (const NumberRange& range : members.ranges) {
     const Numbers there = of_range(members, range);
     found.insert(found.end(), there.begin(), there.end());
   }
@@ -75,7 +75,7 @@ void DeckMesh::collect(const Members& members) {
     most_ -= numbers.size();
     if (!members.of_elements) found.insert(found.end(), numbers.begin(), numbers.end());
     for (std::size_t i = 0; members.of_elements && i < numbers.size(); ++i) {
-      const Element& e = elements_.at(numbers[i]);
+      const DeckElement& e = elements_.at(numbers[i]);
       found.insert(found.end(), e.corners.begin(), e.corners.begin() + e.size);
     }
   }
@@ -89,7 +89,7 @@ void DeckMesh::add_sets() {
   for (const auto& [key, set] : element_sets_) {
     Numbers nodes;
     for (const std::int64_t number : set.numbers) {
-      const Element& e = elements_.at(number);
+      const DeckElement& e = elements_.at(number);
       nodes.insert(nodes.end(), e.corners.begin(), e.corners.begin() + e.size);
     }
     std::sort(nodes.begin(), nodes.end());
@@ -100,7 +100,7 @@ void DeckMesh::add_sets() {
 
 mesh::Mesh DeckMesh::finish() {
   for (const auto& [number, place] : order_) {
-    const Element& e = elements_.at(number);
+    const DeckElement& e = elements_.at(number);
     source_.move_to(place);
     const std::span<const std::int64_t> corners(e.corners.data(), static_cast<std::size_t>(e.size));
     for (const std::int64_t node : corners)

@@ -20,17 +20,17 @@ class DeckMesh {
       : source_(source), builder_(source, 16 * bytes), most_(16 * bytes) {}
 
   enum class Of { nodes, elements };
-  struct Range {
+  struct NumberRange {
     std::int64_t first, last, step;
   };
-  // A line of a set, found at `place` of the deck. Of a range counts what is there; of numbers and names all
+  // A line of a set, at `place` of the deck. Only existing numbers of a range count; of numbers and names all
   // have to be.
   struct Members {
     std::string set;  // its key
     Of of;
     std::size_t place;
     std::vector<std::int64_t> numbers = {};
-    std::vector<Range> ranges = {};
+    std::vector<NumberRange> ranges = {};
     std::vector<std::string> sets = {};  // keys of other sets of the same kind, or `elements` below
     bool of_elements = false;            // nodes: those of the element sets named
   };
@@ -47,7 +47,7 @@ class DeckMesh {
   mesh::Mesh finish();
 
  private:
-  struct Element {
+  struct DeckElement {
     std::array<std::int64_t, 4> corners;
     int size;
   };
@@ -57,7 +57,7 @@ class DeckMesh {
     Numbers numbers = {};
   };
   [[noreturn]] void fail_at(std::size_t place, const std::string& why);
-  Numbers of_range(const Members& members, const Range& range);
+  Numbers of_range(const Members& members, const NumberRange& range);
   void collect(const Members& members);
   void add_sets();
   std::map<std::string, Set>& sets(Of of) { return of == Of::nodes ? node_sets_ : element_sets_; }
@@ -66,7 +66,7 @@ class DeckMesh {
   MeshBuilder builder_;
   std::size_t most_;  // members that a deck of this size can name, and steps to look for them
   std::vector<std::pair<std::int64_t, std::size_t>> order_;  // numbers of elements, and where they are
-  std::unordered_map<std::int64_t, Element> elements_;
+  std::unordered_map<std::int64_t, DeckElement> elements_;
   std::vector<Members> members_;
   std::map<std::string, Set> node_sets_, element_sets_;
 };

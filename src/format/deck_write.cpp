@@ -13,7 +13,7 @@ namespace {
 using mesh::Index;
 using mesh::Mesh;
 
-// The number with as many digits as so many characters hold: all that it has, where they do.
+// The number with as many digits as fit into so many characters, up to all of them.
 std::string short_number(double x, std::size_t most) {
   std::string text = exact_number(x);
   for (int digits = 17; text.size() > most && digits > 0; --digits) text = number(x, digits);

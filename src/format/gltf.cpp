@@ -179,7 +179,7 @@ Json material_of(const GltfSurface& s) {
   return out.set("name", s.name).set("doubleSided", true).set("pbrMetallicRoughness", std::move(look));
 }
 
-// Of the surface as it is in one frame.
+// Of the surface in one frame.
 GltfSurface still(const GltfSurface& s, std::size_t frame) {
   GltfSurface out{s.name, s.cells, {s.frames[frame]}, {}, s.plain};
   if (!s.colours.empty()) out.colours = {s.colours[frame]};

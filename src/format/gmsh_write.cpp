@@ -49,7 +49,7 @@ std::string entities(const mesh::Mesh& mesh) {
     text += std::to_string(group) + " " + place(mesh.nodes[static_cast<std::size_t>(ids.front())]) + " 1 " +
             std::to_string(group) + "\n";
   }
-  const Box box = box_of(mesh.nodes);
+  const BoundingBox box = box_of(mesh.nodes);
   return text + "1 " + place(box.low) + " " + place(box.high) + " 1 " + std::to_string(group + 1) +
          " 0\n$EndEntities\n";
 }
@@ -62,7 +62,7 @@ std::string nodes(const mesh::Mesh& mesh) {
   return text + "$EndNodes\n";
 }
 
-struct Block {
+struct GmshBlock {
   std::int64_t dimension, entity, type;
   std::string lines = {};
   std::int64_t count = 0;
@@ -74,8 +74,8 @@ struct Block {
 };
 
 // One block for each run of triangles or of quadrilaterals, so that the order of the elements is kept.
-std::vector<Block> blocks(const mesh::Mesh& mesh, std::int64_t& number) {
-  std::vector<Block> all;
+std::vector<GmshBlock> blocks(const mesh::Mesh& mesh, std::int64_t& number) {
+  std::vector<GmshBlock> all;
   for (const auto& ids : mesh.elements) {
     const bool triangle = ids[3] < 0;
     if (all.empty() || all.back().type != (triangle ? 2 : 3)) all.push_back({2, 1, triangle ? 2 : 3});
@@ -98,7 +98,7 @@ std::string gmsh_text(const mesh::Mesh& mesh) {
   const auto all = blocks(mesh, count);
   std::string text = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n" + names(mesh) + entities(mesh) + nodes(mesh);
   text += "$Elements\n" + line({size_of(all.size()), count, 1, count});
-  for (const Block& block : all) text += block.text();
+  for (const GmshBlock& block : all) text += block.text();
   return text + "$EndElements\n";
 }
 

@@ -86,7 +86,7 @@ Image image_of_size(const Encoded& file, std::uint64_t width, std::uint64_t heig
   const std::string size = std::to_string(width) + " x " + std::to_string(height) + " pixels";
   const std::uint64_t most = std::clamp(pixels_per_byte * file.bytes.size(), any_content, most_pixels);
   if (width > most / height)
-    refused(file, "it says to have " + size + ", more than the " + std::to_string(most) +
+    refused(file, "its header declares " + size + ", more than the " + std::to_string(most) +
                       " that are read from a file of " + std::to_string(file.bytes.size()) + " bytes");
   if (width * height * bytes_per_pixel > tightest * file.bytes.size() + small)
     damaged(file, std::to_string(file.bytes.size()) + " bytes can't hold " + size);

@@ -15,13 +15,13 @@ std::int64_t little(const Encoded& file, std::size_t at, int bytes) {
   return bytes == 4 ? static_cast<std::int32_t>(value) : static_cast<std::int64_t>(value);
 }
 
-struct Head {
+struct BmpHeader {
   std::int64_t pixels_at, size, width, height, bits, packing, colours;
 };
 
-Head head_of(const Encoded& file) {
-  Head h{little(file, 10, 4), little(file, 14, 4), little(file, 18, 4), little(file, 22, 4),
-         little(file, 28, 2), little(file, 30, 4), little(file, 46, 4)};
+BmpHeader head_of(const Encoded& file) {
+  BmpHeader h{little(file, 10, 4), little(file, 14, 4), little(file, 18, 4), little(file, 22, 4),
+              little(file, 28, 2), little(file, 30, 4), little(file, 46, 4)};
   if (h.size < 40) refused(file, "its form is not read: the head has " + std::to_string(h.size) + " bytes");
   constexpr int masks = 3;  // with 32 bits; taken in the usual order, as no other is in use
   if (h.packing != 0 && !(h.packing == masks && h.bits == 32))
@@ -35,7 +35,7 @@ Head head_of(const Encoded& file) {
 }  // namespace
 
 Image decode_bmp(const Encoded& file) {
-  const Head h = head_of(file);
+  const BmpHeader h = head_of(file);
   const auto rows = static_cast<std::uint64_t>(h.height < 0 ? -h.height : h.height);
   const auto width = static_cast<std::uint64_t>(h.width), depth = static_cast<std::uint64_t>(h.bits / 8);
   const std::uint64_t line = (width * depth + 3) / 4 * 4;

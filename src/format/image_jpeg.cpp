@@ -17,7 +17,7 @@ namespace {
 constexpr int most_scans = 500;
 constexpr long most_memory = 1L << 30;
 
-struct Job {
+struct JpegReader {
   jpeg_decompress_struct jpeg{};
   jpeg_error_mgr errors{};
   jpeg_progress_mgr progress{};
@@ -25,18 +25,18 @@ struct Job {
   char why[JMSG_LENGTH_MAX] = "";
   std::vector<std::uint8_t> row;
 
-  Job() = default;
-  Job(const Job&) = delete;
-  Job& operator=(const Job&) = delete;
-  ~Job() { jpeg_destroy_decompress(&jpeg); }
+  JpegReader() = default;
+  JpegReader(const JpegReader&) = delete;
+  JpegReader& operator=(const JpegReader&) = delete;
+  ~JpegReader() { jpeg_destroy_decompress(&jpeg); }
 };
 
-Job& job_of(j_common_ptr jpeg) { return *static_cast<Job*>(jpeg->client_data); }
+JpegReader& job_of(j_common_ptr jpeg) { return *static_cast<JpegReader*>(jpeg->client_data); }
 
 extern "C" {
 
-[[noreturn]] void jpeg_trouble(j_common_ptr jpeg) {
-  Job& job = job_of(jpeg);
+[[noreturn]] void jpeg_failed(j_common_ptr jpeg) {
+  JpegReader& job = job_of(jpeg);
   jpeg->err->format_message(jpeg, job.why);
   std::longjmp(job.back, 1);
 }
@@ -50,7 +50,7 @@ bool harmless(const jpeg_error_mgr& said) {
 }
 
 void jpeg_message(j_common_ptr jpeg, int level) {
-  if (level < 0 && !harmless(*jpeg->err)) jpeg_trouble(jpeg);
+  if (level < 0 && !harmless(*jpeg->err)) jpeg_failed(jpeg);
 }
 
 void jpeg_watch(j_common_ptr jpeg) {
@@ -61,9 +61,9 @@ void jpeg_watch(j_common_ptr jpeg) {
 }
 }
 
-bool begin(Job& job, const Encoded& file) {
+bool begin(JpegReader& job, const Encoded& file) {
   job.jpeg.err = jpeg_std_error(&job.errors);
-  job.errors.error_exit = jpeg_trouble;
+  job.errors.error_exit = jpeg_failed;
   job.errors.emit_message = jpeg_message;
   job.jpeg.client_data = &job;
   if (setjmp(job.back) != 0) return false;
@@ -78,7 +78,7 @@ bool begin(Job& job, const Encoded& file) {
 }
 
 // Grey images are decoded as they are, all others as red, green and blue.
-bool start(Job& job) {
+bool start(JpegReader& job) {
   if (setjmp(job.back) != 0) return false;
   const auto space = job.jpeg.jpeg_color_space;
   if (space == JCS_CMYK || space == JCS_YCCK) {
@@ -90,13 +90,13 @@ bool start(Job& job) {
   return true;
 }
 
-bool read_row(Job& job) {
+bool read_row(JpegReader& job) {
   if (setjmp(job.back) != 0) return false;
   JSAMPROW row = job.row.data();
   return jpeg_read_scanlines(&job.jpeg, &row, 1) == 1;
 }
 
-bool finish(Job& job) {
+bool finish(JpegReader& job) {
   if (setjmp(job.back) != 0) return false;
   return jpeg_finish_decompress(&job.jpeg) == TRUE;
 }
@@ -104,7 +104,7 @@ bool finish(Job& job) {
 }  // namespace
 
 Image decode_jpeg(const Encoded& file) {
-  Job job;
+  JpegReader job;
   if (!begin(job, file)) damaged(file, job.why);
   Image image = image_of_size(file, job.jpeg.image_width, job.jpeg.image_height,
                               static_cast<std::uint64_t>(job.jpeg.num_components));

@@ -12,7 +12,7 @@ namespace fabricsh::format {
 
 namespace {
 
-struct Job {
+struct PngReader {
   png_structp png = nullptr;
   png_infop info = nullptr;
   const char* bytes = nullptr;
@@ -24,16 +24,16 @@ struct Job {
   std::vector<std::uint8_t> samples;
   std::vector<png_bytep> rows;
 
-  Job() = default;
-  Job(const Job&) = delete;
-  Job& operator=(const Job&) = delete;
-  ~Job() { png_destroy_read_struct(&png, &info, nullptr); }
+  PngReader() = default;
+  PngReader(const PngReader&) = delete;
+  PngReader& operator=(const PngReader&) = delete;
+  ~PngReader() { png_destroy_read_struct(&png, &info, nullptr); }
 };
 
 extern "C" {
 
-[[noreturn]] void png_trouble(png_structp png, png_const_charp why) {
-  auto& job = *static_cast<Job*>(png_get_error_ptr(png));
+[[noreturn]] void png_failed(png_structp png, png_const_charp why) {
+  auto& job = *static_cast<PngReader*>(png_get_error_ptr(png));
   std::strncpy(job.why, why, sizeof job.why - 1);
   png_longjmp(png, 1);
 }
@@ -41,7 +41,7 @@ extern "C" {
 void png_quiet(png_structp, png_const_charp) {}
 
 void png_take(png_structp png, png_bytep to, std::size_t count) {
-  auto& job = *static_cast<Job*>(png_get_io_ptr(png));
+  auto& job = *static_cast<PngReader*>(png_get_io_ptr(png));
   if (count > job.left) png_error(png, "the file ends within it");
   std::memcpy(to, job.bytes, count);
   job.bytes += count;
@@ -50,7 +50,7 @@ void png_take(png_structp png, png_bytep to, std::size_t count) {
 }
 
 // Reads the size and sets the form of the rows: 8 or 16 bits, no palette. False: see job.why.
-bool read_head(Job& job) {
+bool read_head(PngReader& job) {
   if (setjmp(png_jmpbuf(job.png)) != 0) return false;
   png_set_read_fn(job.png, &job, png_take);
   png_read_info(job.png, job.info);
@@ -66,7 +66,7 @@ bool read_head(Job& job) {
   return true;
 }
 
-bool read_rows(Job& job) {
+bool read_rows(PngReader& job) {
   if (setjmp(png_jmpbuf(job.png)) != 0) return false;
   png_read_image(job.png, job.rows.data());
   png_read_end(job.png, nullptr);
@@ -76,10 +76,10 @@ bool read_rows(Job& job) {
 }  // namespace
 
 Image decode_png(const Encoded& file) {
-  Job job;
+  PngReader job;
   job.bytes = file.bytes.data();
   job.left = file.bytes.size();
-  job.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &job, png_trouble, png_quiet);
+  job.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &job, png_failed, png_quiet);
   if (job.png != nullptr) job.info = png_create_info_struct(job.png);
   if (job.info == nullptr || !read_head(job)) damaged(file, job.why);
   Image image = image_of_size(file, job.width, job.height, job.row_bytes / job.width);

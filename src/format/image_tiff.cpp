@@ -15,18 +15,18 @@ namespace fabricsh::format {
 
 namespace {
 
-struct Memory {
+struct TiffBytes {
   std::string_view bytes;
   std::uint64_t at = 0;
   char why[160] = "";
 };
 
-Memory& memory_of(thandle_t handle) { return *static_cast<Memory*>(handle); }
+TiffBytes& memory_of(thandle_t handle) { return *static_cast<TiffBytes*>(handle); }
 
 extern "C" {
 
 tmsize_t tiff_read(thandle_t handle, void* to, tmsize_t count) {
-  Memory& m = memory_of(handle);
+  TiffBytes& m = memory_of(handle);
   const std::uint64_t left = m.at < m.bytes.size() ? m.bytes.size() - m.at : 0;
   const auto taken = std::min<std::uint64_t>(left, count > 0 ? static_cast<std::uint64_t>(count) : 0);
   std::memcpy(to, m.bytes.data() + std::min<std::uint64_t>(m.at, m.bytes.size()), taken);
@@ -37,7 +37,7 @@ tmsize_t tiff_read(thandle_t handle, void* to, tmsize_t count) {
 tmsize_t tiff_write(thandle_t, void*, tmsize_t) { return 0; }
 
 toff_t tiff_seek(thandle_t handle, toff_t offset, int whence) {
-  Memory& m = memory_of(handle);
+  TiffBytes& m = memory_of(handle);
   const std::uint64_t from = whence == SEEK_CUR ? m.at : whence == SEEK_END ? m.bytes.size() : 0;
   return m.at = from + offset;
 }
@@ -46,9 +46,9 @@ int tiff_close(thandle_t) { return 0; }
 toff_t tiff_size(thandle_t handle) { return memory_of(handle).bytes.size(); }
 
 // libtiff passes the handle with which the file was opened.
-void tiff_trouble(thandle_t handle, const char*, const char* format, va_list values) {
+void tiff_failed(thandle_t handle, const char*, const char* format, va_list values) {
   if (handle == nullptr) return;
-  Memory& m = memory_of(handle);
+  TiffBytes& m = memory_of(handle);
   if (m.why[0] == '\0') std::vsnprintf(m.why, sizeof m.why, format, values);
 }
 }
@@ -58,7 +58,7 @@ struct Closer {
 };
 using Tiff = std::unique_ptr<TIFF, Closer>;
 
-[[noreturn]] void trouble(const Encoded& file, const Memory& m) {
+[[noreturn]] void trouble(const Encoded& file, const TiffBytes& m) {
   damaged(file, m.why[0] != '\0' ? m.why : "libtiff can't read it");
 }
 
@@ -79,19 +79,19 @@ bool known_packing(std::uint32_t packing) {
   return std::find(std::begin(known), std::end(known), packing) != std::end(known);
 }
 
-struct Form {
+struct TiffLayout {
   std::uint32_t width, height, bits, channels, meaning, layout, sample;
 };
 
 // Whether rows can be read as they are stored.
-bool plain(TIFF* tiff, const Form& f) {
+bool plain(TIFF* tiff, const TiffLayout& f) {
   const bool grey = f.meaning == PHOTOMETRIC_MINISBLACK || f.meaning == PHOTOMETRIC_MINISWHITE;
   const bool colours = f.meaning == PHOTOMETRIC_RGB && (f.channels == 3 || f.channels == 4);
   return (f.bits == 8 || f.bits == 16) && f.layout == PLANARCONFIG_CONTIG && f.sample == SAMPLEFORMAT_UINT &&
          ((grey && f.channels <= 2) || colours) && TIFFIsTiled(tiff) == 0;
 }
 
-void read_plain(const Encoded& file, const Memory& m, TIFF* tiff, const Form& f, Image& image) {
+void read_plain(const Encoded& file, const TiffBytes& m, TIFF* tiff, const TiffLayout& f, Image& image) {
   const std::size_t needed = std::size_t{f.width} * f.channels * f.bits / 8;
   const tmsize_t line = TIFFScanlineSize(tiff);
   if (line < 0 || static_cast<std::size_t>(line) < needed) trouble(file, m);
@@ -104,7 +104,7 @@ void read_plain(const Encoded& file, const Memory& m, TIFF* tiff, const Form& f,
     for (float& pixel : image.pixels) pixel = 1 - pixel;
 }
 
-void read_converted(const Encoded& file, Memory& m, TIFF* tiff, Image& image) {
+void read_converted(const Encoded& file, TiffBytes& m, TIFF* tiff, Image& image) {
   char why[1024] = "";
   if (TIFFRGBAImageOK(tiff, why) != 1) refused(file, std::string("its form is not read: ") + why);
   std::vector<std::uint32_t> raster(image.pixels.size());
@@ -129,15 +129,16 @@ void read_converted(const Encoded& file, Memory& m, TIFF* tiff, Image& image) {
 Image decode_tiff(const Encoded& file) {
   TIFFSetErrorHandler(nullptr);  // libtiff must print nothing
   TIFFSetWarningHandler(nullptr);
-  TIFFSetErrorHandlerExt(tiff_trouble);
-  Memory m{file.bytes, 0, ""};
+  TIFFSetErrorHandlerExt(tiff_failed);
+  TiffBytes m{file.bytes, 0, ""};
   const Tiff tiff(TIFFClientOpen(file.name.c_str(), "rm", &m, tiff_read, tiff_write, tiff_seek, tiff_close,
                                  tiff_size, nullptr, nullptr));
   if (!tiff) trouble(file, m);
-  const Form f{tag(tiff.get(), TIFFTAG_IMAGEWIDTH, 0),       tag(tiff.get(), TIFFTAG_IMAGELENGTH, 0),
-               tag(tiff.get(), TIFFTAG_BITSPERSAMPLE, 0),    tag(tiff.get(), TIFFTAG_SAMPLESPERPIXEL, 0),
-               tag(tiff.get(), TIFFTAG_PHOTOMETRIC, 0xffff), tag(tiff.get(), TIFFTAG_PLANARCONFIG, 0),
-               tag(tiff.get(), TIFFTAG_SAMPLEFORMAT, 0)};
+  const TiffLayout f{
+      tag(tiff.get(), TIFFTAG_IMAGEWIDTH, 0),       tag(tiff.get(), TIFFTAG_IMAGELENGTH, 0),
+      tag(tiff.get(), TIFFTAG_BITSPERSAMPLE, 0),    tag(tiff.get(), TIFFTAG_SAMPLESPERPIXEL, 0),
+      tag(tiff.get(), TIFFTAG_PHOTOMETRIC, 0xffff), tag(tiff.get(), TIFFTAG_PLANARCONFIG, 0),
+      tag(tiff.get(), TIFFTAG_SAMPLEFORMAT, 0)};
   if (!known_packing(tag(tiff.get(), TIFFTAG_COMPRESSION, COMPRESSION_NONE)))
     refused(file, "its compression is not read; save it uncompressed, or as PNG");
   const bool rows = plain(tiff.get(), f);

@@ -16,7 +16,7 @@ using mesh::NodeSet;
 void MeshBuilder::add_node(std::int64_t number, const Vec3& position) {
   if (!position.allFinite()) source_.fail("node " + std::to_string(number) + ": a coordinate is not finite");
   if (!places_.emplace(number, static_cast<Index>(mesh_.nodes.size())).second)
-    source_.fail("node " + std::to_string(number) + " is there twice");
+    source_.fail("node " + std::to_string(number) + " is defined twice");
   mesh_.nodes.push_back(position);
 }
 

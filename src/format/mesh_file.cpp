@@ -33,7 +33,7 @@ void write_text(const std::string& path, const mesh::Mesh& mesh) {
 }
 
 void write_vtu_mesh(const std::string& path, const mesh::Mesh& mesh) {
-  Grid grid{mesh.nodes, mesh.elements};
+  VtuGrid grid{mesh.nodes, mesh.elements};
   for (const auto& [name, ids] : mesh.sets) {
     Array array{name, 1, std::vector<double>(mesh.nodes.size(), 0.0)};
     for (const Index id : ids) array.values[static_cast<std::size_t>(id)] = 1;
@@ -55,13 +55,13 @@ std::string radioss_text(const mesh::Mesh& mesh) {
   return "# a mesh of shells, lengths in m\n" + radioss_lines(mesh);
 }
 
-struct Form {
+struct MeshFormat {
   const char* ending;
   mesh::Mesh (*read)(const std::string& name, std::string_view bytes, Remarks* remarks);  // null: not read
   void (*write)(const std::string& path, const mesh::Mesh& mesh) = nullptr;               // null: not written
 };
 
-constexpr Form forms[] = {
+constexpr MeshFormat forms[] = {
     {".msh", complete<read_gmsh>, write_text<gmsh_text>},
     {".vtu", complete<read_vtu>, write_vtu_mesh},
     {".vtk", complete<read_legacy_vtk>},
@@ -76,9 +76,9 @@ constexpr Form forms[] = {
 
 // The endings of the forms that have the function, ".obj, .stl or .ply".
 template <class Function>
-std::string endings(Function Form::*has) {
+std::string endings(Function MeshFormat::*has) {
   std::vector<std::string> all;
-  for (const Form& form : forms)
+  for (const MeshFormat& form : forms)
     if (form.*has != nullptr) all.emplace_back(form.ending);
   std::string text = all.front();
   for (std::size_t i = 1; i < all.size(); ++i) text += (i + 1 < all.size() ? ", " : " or ") + all[i];
@@ -86,9 +86,9 @@ std::string endings(Function Form::*has) {
 }
 
 template <class Function>
-Function function_of(const std::string& path, Function Form::*has, const char* what) {
+Function function_of(const std::string& path, Function MeshFormat::*has, const char* what) {
   const std::string text = ending(path);
-  for (const Form& form : forms)
+  for (const MeshFormat& form : forms)
     if (text == form.ending && form.*has != nullptr) return form.*has;
   throw Error("cannot " + std::string(what) + " '" + path + "': expected a name that ends in " +
               endings(has));
@@ -106,11 +106,11 @@ void ask_about_size(const std::string& path, const mesh::Mesh& mesh, Remarks& re
 
 }  // namespace
 
-std::string read_endings() { return endings(&Form::read); }
-std::string written_endings() { return endings(&Form::write); }
+std::string read_endings() { return endings(&MeshFormat::read); }
+std::string written_endings() { return endings(&MeshFormat::write); }
 
 mesh::Mesh read_mesh(const std::string& path, Remarks* remarks) {
-  const auto read = function_of(path, &Form::read, "read");
+  const auto read = function_of(path, &MeshFormat::read, "read");
   const std::string bytes = read_file(path);
   if (bytes.empty()) throw Error(path + ": the file is empty");
   mesh::Mesh mesh = read(path, bytes, remarks);
@@ -119,7 +119,7 @@ mesh::Mesh read_mesh(const std::string& path, Remarks* remarks) {
 }
 
 void write_mesh(const std::string& path, const mesh::Mesh& mesh) {
-  const auto write = function_of(path, &Form::write, "write");
+  const auto write = function_of(path, &MeshFormat::write, "write");
   if (mesh.elements.empty()) throw Error("cannot write '" + path + "': the mesh has no element");
   write(path, mesh);
 }

@@ -17,18 +17,30 @@ class ObjReader {
   mesh::Mesh read(Remarks* remarks) {
     std::string_view line;
     for (std::size_t place = 0; source_.next_line(line); place = source_.place()) {
-      const std::string_view words = line.substr(0, line.find('#'));
-      statement(Source("", words));
+      statement(Source("", whole(line.substr(0, line.find('#')))));
       if (remarks != nullptr && source_.endless(place) && !trimmed(line).empty())
         remarks->push_back(source_.at_place(no_line_end));
     }
-    tell(remarks);
+    add_remarks(remarks);
     return builder_.finish();
   }
 
  private:
+  // A statement with the lines below on which it goes on, as a backslash at the end of a line says.
+  std::string_view whole(std::string_view words) {
+    if (!trimmed(words).ends_with('\\')) return words;
+    continued_.clear();
+    while (trimmed(words).ends_with('\\')) {
+      continued_ += trimmed(words);
+      continued_.back() = ' ';
+      if (!source_.next_line(words)) words = {};
+      words = words.substr(0, words.find('#'));
+    }
+    return continued_.append(words);
+  }
+
   // What was passed over and what was cut, a line each.
-  void tell(Remarks* remarks) const {
+  void add_remarks(Remarks* remarks) const {
     if (remarks == nullptr) return;
     if (!strange_.empty())
       remarks->push_back(strange_ +
@@ -105,6 +117,7 @@ class ObjReader {
   MeshBuilder builder_;
   std::vector<std::string> groups_;
   std::string object_;
+  std::string continued_;
   std::string strange_;  // the first statement that is not known
   std::size_t strange_lines_ = 0, cut_ = 0;
 };

@@ -35,7 +35,7 @@ struct Property {
   Number count = Number::u8, type = Number::f32;
 };
 
-struct Element {
+struct PlyElement {
   std::string name;
   std::int64_t count = 0;
   std::vector<Property> properties = {};
@@ -48,7 +48,7 @@ class PlyReader {
 
   mesh::Mesh read(Remarks* remarks) {
     read_header();
-    for (const Element& element : elements_) read_element(element);
+    for (const PlyElement& element : elements_) read_element(element);
     if (cut_ > 0 && remarks != nullptr)
       remarks->push_back(source_.name() + ": " + std::to_string(cut_) + (cut_ == 1 ? " face" : " faces") +
                          " with more than four corners cut into triangles from the first corner");
@@ -130,7 +130,7 @@ class PlyReader {
   }
 
   // Each element takes a byte of the file at least.
-  void read_element(const Element& element) {
+  void read_element(const PlyElement& element) {
     if (element.properties.empty()) return;
     source_.checked("a number of elements", element.count, 1);
     for (std::int64_t i = 0; i < element.count; ++i) {
@@ -172,7 +172,7 @@ class PlyReader {
 
   Source source_;
   MeshBuilder builder_;
-  std::vector<Element> elements_;
+  std::vector<PlyElement> elements_;
   bool binary_ = false, swapped_ = false;
   std::size_t cut_ = 0;
 };

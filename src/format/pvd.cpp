@@ -44,7 +44,7 @@ std::vector<std::int64_t> mark_of(const std::string& path) {
   struct stat file {};
   try {
     const system::Gate& gate = system::Gate::of_process();
-    const system::Place place = gate.reading(path);
+    const system::PathInFolder place = gate.reading(path);
     if (fstatat(place.at(), place.name.c_str(), &file, gate.closed() ? AT_SYMLINK_NOFOLLOW : 0) != 0)
       return {};
   } catch (const Error&) {
@@ -74,7 +74,7 @@ PvdSeries::PvdSeries(const std::string& stem, const PvdPlace& place)
 }
 
 void PvdSeries::look_at_frame(std::size_t i) {
-  PvdPlace::Frame& frame = place_.frames[i];
+  PvdPlace::PvdFrame& frame = place_.frames[i];
   if (frame.entry.empty()) return;
   const std::string path = frame_path(i);
   if (!system::Gate::of_process().exists(path)) {
@@ -95,7 +95,7 @@ std::string PvdSeries::frame_path(std::size_t i, const std::string& part) const 
   return stem_ + (part.empty() ? "" : "_") + part + count;
 }
 
-void PvdSeries::frame(double time, const Grid& grid, const std::vector<PvdPart>& parts) {
+void PvdSeries::frame(double time, const VtuGrid& grid, const std::vector<PvdPart>& parts) {
   check_place();
   const std::string path = frame_path(frames());
   const FileSum file = write_vtu(path, grid, system::Sync::no, system::Folder::expect);
@@ -108,7 +108,7 @@ void PvdSeries::frame(double time, const Grid& grid, const std::vector<PvdPart>&
         name.begin(), name.end(), [](char c) { return c == ' ' || c == '/'; }, '-');
     parts_.push_back(name);
     const std::string beside = frame_path(frames(), name);
-    Grid shape{part.points, part.cells};
+    VtuGrid shape{part.points, part.cells};
     shape.time = time;
     write_vtu(beside, shape, system::Sync::no, system::Folder::expect);
     entry +=
@@ -164,7 +164,7 @@ void PvdSeries::write_index(system::Folder folder) {
       "<?xml version=\"1.0\"?>\n"
       "<VTKFile type=\"Collection\" version=\"0.1\">\n"
       "  <Collection>\n";
-  for (const PvdPlace::Frame& frame : place_.frames) text += frame.entry;
+  for (const PvdPlace::PvdFrame& frame : place_.frames) text += frame.entry;
   system::write_file(path_, text + "  </Collection>\n</VTKFile>\n", system::Sync::no, folder);
   mark_ = mark_of(path_);
 }

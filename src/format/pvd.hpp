@@ -11,12 +11,12 @@ namespace fabricsh::format {
 
 // The state of a series, for a program that continues it after a restart.
 struct PvdPlace {
-  struct Frame {
+  struct PvdFrame {
     std::string entry;  // its line in the .pvd; empty: the frame is lost, and the series continues without it
     FileSum file;
     void keep(Archive& archive) { archive(entry, file); }
   };
-  std::vector<Frame> frames;
+  std::vector<PvdFrame> frames;
   void keep(Archive& archive) { archive(frames); }
 };
 
@@ -37,7 +37,7 @@ class PvdSeries {
   PvdSeries(const std::string& stem, const PvdPlace& place);
   // Writes the grid to the next .vtu, then replaces the .pvd that names it, so that the series is valid
   // at any instant. Error: the folder is gone, another series was begun at this path, or a system error.
-  void frame(double time, const Grid& grid, const std::vector<PvdPart>& parts = {});
+  void frame(double time, const VtuGrid& grid, const std::vector<PvdPart>& parts = {});
   void keep(std::size_t n);  // removes all frames but the first n
   void sync();               // forces the frames to the disk
   const PvdPlace& place() const { return place_; }

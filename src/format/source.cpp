@@ -54,20 +54,20 @@ std::string in_quotes(std::string_view word) {
 
 bool parse(std::string_view word, std::int64_t& value) {
   if (word.starts_with('+')) word.remove_prefix(1);
-  const auto [end, trouble] = std::from_chars(word.data(), word.data() + word.size(), value);
-  return trouble == std::errc() && end == word.data() + word.size();
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  return error == std::errc() && end == word.data() + word.size();
 }
 
 // A number below the range of a double is zero; one above the range is an error.
 bool parse(std::string_view word, double& value) {
   if (word.starts_with('+')) word.remove_prefix(1);
-  const auto [end, trouble] = std::from_chars(word.data(), word.data() + word.size(), value);
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (end != word.data() + word.size() || word.empty()) return false;
-  if (trouble == std::errc::result_out_of_range && word.find("e-") != word.npos) {
+  if (error == std::errc::result_out_of_range && word.find("e-") != word.npos) {
     value = 0;
     return true;
   }
-  return trouble == std::errc();
+  return error == std::errc();
 }
 
 bool Source::next_line(std::string_view& line) {

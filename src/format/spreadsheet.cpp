@@ -45,8 +45,8 @@ std::string last_line(const std::string& said) {
   return end == said.npos ? said : said.substr(end + 1);
 }
 
-std::vector<Sheet> split(const std::string& text) {
-  std::vector<Sheet> sheets;
+std::vector<Worksheet> split(const std::string& text) {
+  std::vector<Worksheet> sheets;
   for (std::size_t at = 0; at < text.size();) {
     const auto end = std::min(text.find('\n', at), text.size());
     if (text[at] == '\x01')
@@ -64,7 +64,7 @@ bool is_spreadsheet(std::string_view bytes) {
   return bytes.starts_with("PK\x03\x04") && bytes.find("xl/workbook") != bytes.npos;
 }
 
-std::vector<Sheet> sheets_of(const std::string& name, std::string_view bytes) {
+std::vector<Worksheet> sheets_of(const std::string& name, std::string_view bytes) {
   for (const char* python : {"python3", "/usr/bin/python3"}) {
     const auto result = system::run_child({python, "-I", "-c", script}, std::string(bytes), name);
     if (result.good) return split(result.out);

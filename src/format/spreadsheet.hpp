@@ -7,7 +7,7 @@
 
 namespace fabricsh::format {
 
-struct Sheet {
+struct Worksheet {
   std::string name;
   std::string text;  // a line per row, cells separated by tabs, numbers as they are stored
 };
@@ -15,6 +15,6 @@ struct Sheet {
 // Whether these bytes are an archive with a spreadsheet of this kind.
 bool is_spreadsheet(std::string_view bytes);
 // All sheets, in their order. Error: no Python with openpyxl is installed, or it cannot read the file.
-std::vector<Sheet> sheets_of(const std::string& name, std::string_view bytes);
+std::vector<Worksheet> sheets_of(const std::string& name, std::string_view bytes);
 
 }  // namespace fabricsh::format

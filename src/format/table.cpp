@@ -15,17 +15,17 @@ namespace fabricsh::format {
 
 namespace {
 
-struct Reading {  // one way to read the file, and where its numbers then begin
+struct TableReading {  // one way to read the file, and where its numbers then begin
   TableForm form;
   std::size_t columns = 0;
   std::size_t place = 0;  // byte of the first line of numbers
 };
 
 // The next line with data; empty at the end of the file.
-std::string_view next_data_line(Source& source) {
+std::string_view next_data_line(Source& source, char separator) {
   std::string_view line;
   while (source.next_line(line))
-    if (carries_data(line)) return line;
+    if (carries_data(line) && !is_blank_row(line, separator)) return line;
   return {};
 }
 
@@ -48,7 +48,7 @@ std::size_t columns_from(Source source, const TableForm& form, bool text) {
   std::vector<char> numeric;
   double value = 0;
   for (int i = 0; i < 4; ++i) {
-    const auto line = next_data_line(source);
+    const auto line = next_data_line(source, form.separator);
     if (line.empty()) break;
     split_row(line, form.separator, numeric.size(), cells);
     if (numeric.empty()) numeric.assign(cells.size(), 1);
@@ -62,28 +62,29 @@ std::size_t columns_from(Source source, const TableForm& form, bool text) {
 }
 
 // Finds where the numbers begin in this form; columns is 0 if they do not within the first 200 lines.
-Reading try_form(Source source, const TableForm& form, bool text) {
+TableReading try_form(Source source, const TableForm& form, bool text) {
   for (int i = 0; i < 200 && !source.ended(); ++i) {
-    Reading reading{form, 0, source.place()};
+    TableReading reading{form, 0, source.place()};
     reading.columns = columns_from(source, form, text);
     std::string_view line;
     source.next_line(line);
-    if (reading.columns != 0 && carries_data(line)) return reading;
+    if (reading.columns != 0 && carries_data(line) && !is_blank_row(line, form.separator)) return reading;
   }
   return {};
 }
 
 // Among the forms that fit, those whose numbers begin first and that have the most columns.
 // There are two if the first rows do not determine the decimal sign, and none if no form fits.
-std::vector<Reading> find_readings(const Source& source, const TableForm& given, bool text) {
-  std::vector<Reading> best;
+std::vector<TableReading> find_readings(const Source& source, const TableForm& given, bool text) {
+  std::vector<TableReading> best;
   for (const char separator : {'\t', ';', ',', ' '}) {
     if (given.separator != 0 && given.separator != separator) continue;
     for (const char decimal : {'.', ','}) {
       if (given.decimal != 0 && given.decimal != decimal) continue;
-      const Reading reading = try_form(source, {separator, decimal, given.lenient, given.thousands}, text);
+      const TableReading reading =
+          try_form(source, {separator, decimal, given.lenient, given.thousands}, text);
       if (reading.columns == 0) continue;
-      const auto rank = [](const Reading& r) {
+      const auto rank = [](const TableReading& r) {
         return std::pair(r.place, std::numeric_limits<std::size_t>::max() - r.columns);
       };
       if (!best.empty() && rank(reading) > rank(best[0])) continue;
@@ -97,7 +98,7 @@ std::vector<Reading> find_readings(const Source& source, const TableForm& given,
 }
 
 // A line with as many cells as the table, none with a digit: names or units.
-bool is_heading(std::string_view line, const Reading& reading, Cells& cells) {
+bool is_heading(std::string_view line, const TableReading& reading, Cells& cells) {
   split_line(line, reading.form.separator, cells);
   double value = 0;
   return cells.size() == reading.columns && std::none_of(cells.begin(), cells.end(), [&](auto cell) {
@@ -112,7 +113,7 @@ std::string_view bare(std::string_view cell) {
 }
 
 // The units below a heading: no number, the last ones may be missing.
-bool is_units(std::string_view line, const Reading& reading, Cells& cells) {
+bool is_units(std::string_view line, const TableReading& reading, Cells& cells) {
   split_line(line, reading.form.separator, cells);
   if (cells.size() < 2 || cells.size() > reading.columns) return false;
   double value = 0;
@@ -122,7 +123,7 @@ bool is_units(std::string_view line, const Reading& reading, Cells& cells) {
   return std::any_of(cells.begin(), cells.end(), [](auto cell) { return !cell.empty(); });
 }
 
-void name_columns(Table& table, const std::vector<std::string_view>& above, const Reading& reading) {
+void name_columns(Table& table, const std::vector<std::string_view>& above, const TableReading& reading) {
   table.columns.resize(reading.columns);
   for (std::size_t i = 0; i < reading.columns; ++i) table.columns[i].name = std::to_string(i + 1);
   Cells cells, below;
@@ -146,7 +147,7 @@ void name_columns(Table& table, const std::vector<std::string_view>& above, cons
 // Searches upwards from the first rows of numbers for rows in which some cell is not a number, until
 // a line has no number at all (nor only missing values). Returns the position of the highest row.
 std::size_t first_row(const std::vector<std::string_view>& above, const std::vector<std::size_t>& places,
-                      const Reading& reading) {
+                      const TableReading& reading) {
   Cells cells;
   double value = 0;
   std::size_t first = reading.place;
@@ -155,7 +156,7 @@ std::size_t first_row(const std::vector<std::string_view>& above, const std::vec
     const bool some = std::any_of(cells.begin(), cells.end(),
                                   [&](auto cell) { return parse_cell(cell, reading.form, value); });
     if (!some && !(cells.size() == reading.columns && std::all_of(cells.begin(), cells.end(), is_missing))) {
-      // What stands between the heading and the rows is a row, with too few cells or too many.
+      // Lines between the heading and the rows are rows with too few cells or too many.
       if (cells.size() == reading.columns && i + 1 < above.size()) first = places[i + 1];
       break;
     }
@@ -165,14 +166,14 @@ std::size_t first_row(const std::vector<std::string_view>& above, const std::vec
 }
 
 // Names the columns from the lines above the rows; returns the position of the first row.
-std::size_t read_preamble(Table& table, Source source, const Reading& reading) {
+std::size_t read_preamble(Table& table, Source source, const TableReading& reading) {
   std::vector<std::string_view> above;
   std::vector<std::size_t> places;
   std::string_view line;
   while (source.place() < reading.place) {
     const std::size_t place = source.place();
     source.next_line(line);
-    if (!carries_data(line)) continue;
+    if (!carries_data(line) || is_blank_row(line, reading.form.separator)) continue;
     above.push_back(line);
     places.push_back(place);
   }
@@ -189,13 +190,13 @@ std::size_t read_preamble(Table& table, Source source, const Reading& reading) {
 }
 
 // If the first row ends with a separator and the heading above it has a cell more, the last column is empty.
-void widen(Source source, Reading& reading) {
+void widen(Source source, TableReading& reading) {
   if (reading.form.separator == ' ') return;
   source.move_to(reading.place);
   std::string_view row, line;
   source.next_line(row);
   if (trimmed(row).empty() || !row.ends_with(reading.form.separator)) return;
-  Reading wide = reading;
+  TableReading wide = reading;
   ++wide.columns;
   Cells cells;
   for (source.move_to(0); source.place() < reading.place && source.next_line(line);)
@@ -203,7 +204,8 @@ void widen(Source source, Reading& reading) {
 }
 
 // Reads the tables of a text in one form; bad: number of cells that are not numbers.
-std::vector<Table> read_as(Source source, const Reading& reading, const TableForm& asked, std::size_t& bad) {
+std::vector<Table> read_as(Source source, const TableReading& reading, const TableForm& asked,
+                           std::size_t& bad) {
   std::vector<Table> tables(1);
   tables[0].form = reading.form;
   source.move_to(read_preamble(tables[0], source, reading));
@@ -242,7 +244,7 @@ Vote count_cells(Source source, char separator) {
 }
 
 // Cells in the line above the rows; 0 if there is none.
-std::size_t cells_above(Source source, const Reading& reading, char separator) {
+std::size_t cells_above(Source source, const TableReading& reading, char separator) {
   Cells cells;
   std::string_view line;
   std::size_t count = 0;
@@ -255,28 +257,30 @@ std::size_t cells_above(Source source, const Reading& reading, char separator) {
 }
 
 // A single column of decimals may be two columns whose first rows are cut short: the whole file decides
-// whether a sign stands between cells.
-char outvoted(Source source, const Reading& reading) {
+// whether a separator is between cells.
+char outvoted(Source source, const TableReading& reading) {
   source.move_to(reading.place);
   for (const char separator : {'\t', ';', ','}) {
     const Vote vote = count_cells(source, separator);
     const std::size_t above = cells_above(source, reading, separator);
-    const double share = vote.all > 0 ? static_cast<double>(vote.lines) / static_cast<double>(vote.all) : 0;
-    if (vote.cells >= 2 && (above == vote.cells ? share > 0.3 : above == 0 && share > 0.75)) return separator;
+    const double fraction =
+        vote.all > 0 ? static_cast<double>(vote.lines) / static_cast<double>(vote.all) : 0;
+    if (vote.cells >= 2 && (above == vote.cells ? fraction > 0.3 : above == 0 && fraction > 0.75))
+      return separator;
   }
   return 0;
 }
 
-bool begins_earlier(const Reading& wider, const Reading& reading) {
+bool begins_earlier(const TableReading& wider, const TableReading& reading) {
   return wider.place < reading.place && wider.columns >= reading.columns &&
          wider.form.separator == reading.form.separator;
 }
 
-bool has_gaps(const Reading& wider, const Reading& reading) {
+bool has_gaps(const TableReading& wider, const TableReading& reading) {
   return wider.place <= reading.place && wider.columns > reading.columns && reading.form.separator == ' ';
 }
 
-std::vector<Reading> readings_of(const Source& source, const TableForm& form) {
+std::vector<TableReading> readings_of(const Source& source, const TableForm& form) {
   // Reads rows of numbers only, unless rows with text or gaps of the same form begin earlier, or what was
   // taken for blanks between numbers are tabs beside empty cells.
   auto readings = find_readings(source, form, false);
@@ -300,7 +304,7 @@ std::vector<Table> tables_in(const std::string& name, std::string_view bytes, Ta
     throw Error(source.name() +
                 ":1: expected lines of numbers (columns parted by comma, semicolon, tab or "
                 "blanks; decimal point or comma), found none in the first 200 lines");
-  for (Reading& reading : readings) widen(source, reading);
+  for (TableReading& reading : readings) widen(source, reading);
   std::size_t bad = 0;
   auto tables = read_as(source, readings[0], form, bad);
   if (bad > 0 && readings.size() > 1) {  // later rows determine the decimal sign
@@ -321,7 +325,7 @@ std::vector<Table> tables_in_sheets(const std::string& name, std::string_view by
   std::vector<Table> tables;
   TableForm plain{'\t', '.', form.lenient};
   std::vector<LeftOut> empty;
-  for (const Sheet& sheet : sheets_of(name, bytes)) {
+  for (const Worksheet& sheet : sheets_of(name, bytes)) {
     if (!has_numbers(sheet.text, plain)) {
       empty.push_back({0, "sheet '" + sheet.name + "', which has no rows of numbers", false});
       continue;
@@ -336,7 +340,7 @@ std::vector<Table> tables_in_sheets(const std::string& name, std::string_view by
   return tables;
 }
 
-// Whether a table goes on where the one before it ended, under the same heading.
+// Whether a table continues the one before it, under the same heading.
 bool goes_on(const Table& before, const Table& table) {
   if (before.sheet != table.sheet || before.columns.size() != table.columns.size()) return false;
   for (std::size_t i = 0; i < table.columns.size(); ++i)
@@ -351,9 +355,9 @@ void append(Table& table, const Table& more) {
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     TableColumn& column = table.columns[i];
     const TableColumn& other = more.columns[i];
-    if (column.trouble.empty() && !other.trouble.empty()) {
-      column.trouble = other.trouble;
-      column.trouble_row = column.values.size() + other.trouble_row;
+    if (column.error.empty() && !other.error.empty()) {
+      column.error = other.error;
+      column.error_row = column.values.size() + other.error_row;
     }
     column.text = column.text && other.text;
     if (column.words.empty() != other.words.empty())
@@ -397,9 +401,9 @@ Table parse_table(const std::string& name, std::string_view bytes, const TableFo
 void check(const Table& table) {
   const TableColumn* first = nullptr;
   for (const TableColumn& column : table.columns)
-    if (!column.text && !column.trouble.empty() && (!first || column.trouble_row < first->trouble_row))
+    if (!column.text && !column.error.empty() && (!first || column.error_row < first->error_row))
       first = &column;
-  if (first) throw Error(first->trouble);
+  if (first) throw Error(first->error);
 }
 
 std::vector<Table> read_tables(const std::string& path, const TableForm& form) {

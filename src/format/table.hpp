@@ -19,10 +19,10 @@ struct TableColumn {
   std::string name;  // from the header, without the unit; "1", "2", ... without a header
   // As written: in brackets after the name, or in a line of units; may be empty.
   std::string unit;
-  std::vector<double> values;   // finite, or NaN where the cell is not a number
-  bool text = true;             // no cell is a number (dates, labels)
-  std::string trouble;          // message for the first cell that is not a number; empty: none
-  std::size_t trouble_row = 0;  // the row of that cell
+  std::vector<double> values;  // finite, or NaN where the cell is not a number
+  bool text = true;            // no cell is a number (dates, labels)
+  std::string error;           // message for the first cell that is not a number; empty: none
+  std::size_t error_row = 0;   // the row of that cell
   std::vector<std::string>
       words;  // every cell as written, in a column with a cell that is no number; else empty
 };
@@ -48,7 +48,7 @@ struct Table {
 
 // Reads the whole file. Error: "pull.csv:12: column 'force': expected a number, got 'abc'", a row with
 // another number of cells, or no numbers at all. A column that has only text is no error: its values are NaN.
-// A file in which a heading occurs again holds several tables: each with what stands above it as its
+// A file in which a heading occurs again holds several tables: each with the lines above it as its
 // preamble. A spreadsheet (.xlsx) has one or more on each sheet that has numbers; it is read by openpyxl, a
 // module of Python.
 std::vector<Table> read_tables(const std::string& path, const TableForm& form = {});

@@ -11,6 +11,13 @@ namespace fabricsh::format {
 
 bool carries_data(std::string_view line) { return !trimmed(line).empty() && !is_comment(line); }
 
+bool is_blank_row(std::string_view line, char separator) {
+  if (line.find(separator) == line.npos) return false;
+  return std::all_of(line.begin(), line.end(), [&](char c) {
+    return c == separator || c == ' ' || c == '\t' || c == '\r' || c == '"';
+  });
+}
+
 void split_row(std::string_view line, char separator, std::size_t columns, Cells& cells) {
   split_line(line, separator, cells);
   if (cells.size() + 1 == columns && separator != ' ' && line.find_last_of(separator) != line.npos &&
@@ -18,7 +25,20 @@ void split_row(std::string_view line, char separator, std::size_t columns, Cells
     cells.emplace_back();
 }
 
-std::string trouble_of(const Source& source, const TableForm& form, const std::string& column,
+namespace {
+
+// Advice for a cell that is a number if the sign that is not the decimal one stands between thousands.
+std::string thousands_advice(std::string_view cell, TableForm form) {
+  form.thousands = form.decimal == ',' ? '.' : ',';
+  double value = 0;
+  if (!parse_cell(cell, form, value)) return {};
+  return std::string("; if its ") + (form.thousands == '.' ? "point" : "comma") +
+         " stands between thousands, give thousands='" + form.thousands + "'";
+}
+
+}  // namespace
+
+std::string cell_error(const Source& source, const TableForm& form, const std::string& column,
                        std::string_view cell) {
   const bool unclear = form.separator == ',' && may_be_thousands(cell);
   return source.at_place("column '" + column + "': expected a finite number" +
@@ -26,7 +46,7 @@ std::string trouble_of(const Source& source, const TableForm& form, const std::s
                          in_quotes(cell) +
                          (unclear ? ": its comma may be a decimal sign or stand between thousands; give "
                                     "decimal=',', or write such numbers without it"
-                                  : ""));
+                                  : thousands_advice(cell, form)));
 }
 
 namespace {
@@ -68,8 +88,8 @@ bool next_data(Source& source, std::string_view& line) {
   return false;
 }
 
-// If `line`, behind which the source stands, is a heading above rows: their columns and first byte.
-bool heads_rows(Source source, std::string_view line, const TableForm& form, Head& head) {
+// If `line`, after which the source continues, is a heading above rows: their columns and first byte.
+bool heads_rows(Source source, std::string_view line, const TableForm& form, TableHeading& head) {
   Cells cells;
   split_line(line, form.separator, cells);
   if (!may_be_heading(cells, form)) return false;
@@ -89,9 +109,9 @@ bool heads_rows(Source source, std::string_view line, const TableForm& form, Hea
 }
 
 // The rows of one table being read.
-class Rows {
+class TableRowReader {
  public:
-  Rows(Table& table, Source& source) : table_(table), source_(source) {}
+  TableRowReader(Table& table, Source& source) : table_(table), source_(source) {}
 
   bool any() const { return !table_.columns.front().values.empty(); }
 
@@ -112,15 +132,15 @@ class Rows {
 
   // Whether all lines from `line` to the next heading or to the end of the file are words and totals. Then
   // they are left out, or stand above the heading.
-  bool end_at(std::string_view line, std::optional<Head>& head) {
+  bool end_at(std::string_view line, std::optional<TableHeading>& head) {
     constexpr int most = 60;  // lines between two tables
     Source ahead = source_;
-    Head found;
+    TableHeading found;
     found.text = static_cast<std::size_t>(line.data() - source_.bytes(0, source_.size()).data());
     std::vector<LeftOut> out;
     labels_.clear();
     for (int i = 0; i < most; ++i) {
-      if (carries_data(line)) {
+      if (carries_data(line) && !is_blank_row(line, table_.form.separator)) {
         if (heads_rows(ahead, line, table_.form, found)) {
           keep(out, true);
           head = std::move(found);
@@ -129,7 +149,7 @@ class Rows {
         if (!is_no_row(line)) return false;
         found.above.push_back(line);
         out.push_back({static_cast<std::size_t>(line.data() - whole().data()), std::string(trimmed(line)),
-                       count_numbers(cells_, table_.form) > 0});
+                       has_numbers(line)});
       }
       if (!ahead.next_line(line)) {
         keep(out, false);
@@ -155,7 +175,14 @@ class Rows {
     return has_letter(cells_[0].substr(0, 1)) && labels_.insert(cells_[0]).second;
   }
 
-  // Above the next heading only totals are told: the other lines describe what follows.
+  // Whether the line that was split last has a number, or a total with its number and unit in one cell.
+  bool has_numbers(std::string_view line) const {
+    return count_numbers(cells_, table_.form) > 0 ||
+           (line.find_first_of("0123456789") != line.npos &&
+            std::any_of(cells_.begin(), cells_.end(), [](auto cell) { return is_total(cell); }));
+  }
+
+  // Above the next heading only totals are reported: the other lines describe what follows.
   void keep(std::vector<LeftOut>& out, bool above_heading) {
     for (LeftOut& one : out) {
       if (above_heading &&
@@ -188,7 +215,7 @@ class CommaCells {
     if (decided_) return;
     unclear_.push_back({column, row,
                         unclear_.empty() || unclear_.back().column != column
-                            ? trouble_of(source, form, name, cell)
+                            ? cell_error(source, form, name, cell)
                             : std::string()});
   }
 
@@ -198,10 +225,10 @@ class CommaCells {
     for (const Cell& cell : unclear_) {
       TableColumn& column = table.columns[cell.column];
       column.values[cell.row] = std::numeric_limits<double>::quiet_NaN();
-      if (!column.trouble.empty() && column.trouble_row < cell.row) continue;
-      if (cell.trouble.empty()) continue;
-      column.trouble = cell.trouble;
-      column.trouble_row = cell.row;
+      if (!column.error.empty() && column.error_row < cell.row) continue;
+      if (cell.error.empty()) continue;
+      column.error = cell.error;
+      column.error_row = cell.row;
     }
     return unclear_.size();
   }
@@ -209,7 +236,7 @@ class CommaCells {
  private:
   struct Cell {
     std::size_t column, row;
-    std::string trouble;
+    std::string error;
   };
   bool counts_, decided_ = false;
   std::vector<Cell> unclear_;
@@ -227,9 +254,9 @@ std::size_t append(Table& table, const Cells& cells, const Source& source, Comma
     } else {
       value = std::numeric_limits<double>::quiet_NaN();
       ++bad;
-      if (column.trouble.empty()) {
-        column.trouble = trouble_of(source, table.form, column.name, cells[i]);
-        column.trouble_row = column.values.size();
+      if (column.error.empty()) {
+        column.error = cell_error(source, table.form, column.name, cells[i]);
+        column.error_row = column.values.size();
       }
     }
     column.values.push_back(value);
@@ -241,7 +268,7 @@ std::size_t append(Table& table, const Cells& cells, const Source& source, Comma
 void look_back(Table& table, const Source& source, const std::vector<std::size_t>& places) {
   const std::string_view all = source.bytes(0, source.size());
   const bool words = std::any_of(table.columns.begin(), table.columns.end(),
-                                 [](const TableColumn& column) { return !column.trouble.empty(); });
+                                 [](const TableColumn& column) { return !column.error.empty(); });
   Cells cells;
   std::size_t at = 0, line = 1;
   table.lines.reserve(places.size());
@@ -257,21 +284,22 @@ void look_back(Table& table, const Source& source, const std::vector<std::size_t
     row.next_line(text);
     split_row(text, table.form.separator, table.columns.size(), cells);
     for (std::size_t i = 0; i < cells.size(); ++i)
-      if (!table.columns[i].trouble.empty()) table.columns[i].words.emplace_back(cells[i]);
+      if (!table.columns[i].error.empty()) table.columns[i].words.emplace_back(cells[i]);
   }
 }
 
 }  // namespace
 
-std::optional<Head> read_rows(Table& table, Source& source, const TableForm& asked, std::size_t& bad) {
+std::optional<TableHeading> read_rows(Table& table, Source& source, const TableForm& asked,
+                                      std::size_t& bad) {
   Cells cells;
   std::string_view line;
   std::vector<std::size_t> places;
-  std::optional<Head> head;
-  Rows rows(table, source);
+  std::optional<TableHeading> head;
+  TableRowReader rows(table, source);
   CommaCells commas(table.form);
   for (std::size_t place = source.place(); source.next_line(line); place = source.place()) {
-    if (!carries_data(line)) continue;
+    if (!carries_data(line) || is_blank_row(line, table.form.separator)) continue;
     split_row(line, table.form.separator, table.columns.size(), cells);
     if (rows.any() && rows.stands_out(cells) && rows.end_at(line, head)) break;
     if (cells.size() != table.columns.size())

@@ -70,7 +70,7 @@ void add(vtkDataSetAttributes* data, const Array& array) {
   data->AddArray(copy);
 }
 
-void add_points(vtkUnstructuredGrid* data, const Grid& grid) {
+void add_points(vtkUnstructuredGrid* data, const VtuGrid& grid) {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   points->SetNumberOfPoints(static_cast<vtkIdType>(grid.points.size()));
@@ -79,7 +79,7 @@ void add_points(vtkUnstructuredGrid* data, const Grid& grid) {
   data->SetPoints(points);
 }
 
-void add_cells(vtkUnstructuredGrid* data, const Grid& grid) {
+void add_cells(vtkUnstructuredGrid* data, const VtuGrid& grid) {
   vtkNew<vtkCellArray> cells;
   vtkNew<vtkUnsignedCharArray> types;
   for (const auto& cell : grid.cells) {
@@ -101,7 +101,7 @@ void add_time(vtkUnstructuredGrid* data, double time) {
 
 // The units once more where people look: ParaView shows the names of components of field data. Text would be
 // plainer, but there are readers that refuse a file with text in it.
-void add_units(vtkUnstructuredGrid* data, const Grid& grid) {
+void add_units(vtkUnstructuredGrid* data, const VtuGrid& grid) {
   std::vector<std::string> words;
   for (const auto* arrays : {&grid.point_data, &grid.cell_data})
     for (const Array& array : *arrays) {
@@ -135,7 +135,7 @@ std::string document(vtkUnstructuredGrid* data) {
 
 FileSum sum_of(std::string_view bytes) { return {static_cast<std::int64_t>(bytes.size()), checksum(bytes)}; }
 
-FileSum write_vtu(const std::string& path, const Grid& grid, system::Sync sync, system::Folder folder) {
+FileSum write_vtu(const std::string& path, const VtuGrid& grid, system::Sync sync, system::Folder folder) {
   vtkNew<vtkUnstructuredGrid> data;
   for (const Array& array : grid.point_data) check_length(array, grid.points.size(), "points");
   for (const Array& array : grid.cell_data) check_length(array, grid.cells.size(), "cells");

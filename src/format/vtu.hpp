@@ -25,7 +25,7 @@ struct Array {
   std::string unit = {};                          // kept with the array, for programs that show units
 };
 
-struct Grid {
+struct VtuGrid {
   const std::vector<Vec3>& points;                 // m, global
   const std::vector<std::array<Index, 4>>& cells;  // node ids from 0; a triangle has -1 in the last place
   std::vector<Array> point_data = {}, cell_data = {};
@@ -43,7 +43,7 @@ FileSum sum_of(std::string_view bytes);
 
 // Replaces the file, compressed; returns the size and checksum of its new content. Error: an
 // array whose length is not components times points (or cells), or a file that cannot be written.
-FileSum write_vtu(const std::string& path, const Grid& grid, system::Sync sync = system::Sync::yes,
+FileSum write_vtu(const std::string& path, const VtuGrid& grid, system::Sync sync = system::Sync::yes,
                   system::Folder folder = system::Folder::make);
 
 }  // namespace fabricsh::format

@@ -124,7 +124,7 @@ VtuDecoder::VtuDecoder(const Source& source, VtuEncoding encoding)
   budget_ = ratio_ * source.size();
 }
 
-void VtuDecoder::spend(std::uint64_t bytes) {
+void VtuDecoder::count_bytes(std::uint64_t bytes) {
   if (bytes > budget_) source_.fail("the arrays claim more bytes than a file of this size can hold");
   budget_ -= bytes;
 }
@@ -145,7 +145,7 @@ std::string VtuDecoder::payload(std::string_view stored) {
   if (bytes > stored.size())
     source_.fail("an array claims " + std::to_string(bytes) + " bytes, but only " +
                  std::to_string(stored.size()) + " follow");
-  spend(bytes);
+  count_bytes(bytes);
   return std::string(stored.substr(0, bytes));
 }
 
@@ -164,7 +164,7 @@ std::string VtuDecoder::inflated(std::string_view stored) {
     const std::uint64_t wanted = b + 1 == blocks && last != 0 ? last : size;
     if (sizes[b] > stored.size()) source_.fail("the file ends within a compressed block");
     if (wanted / ratio_ > sizes[b]) source_.fail("a compressed block claims more bytes than it can hold");
-    spend(wanted);
+    count_bytes(wanted);
     const std::size_t before = bytes.size();
     bytes.resize(before + wanted);
     if (wanted > 0 &&
@@ -177,9 +177,9 @@ std::string VtuDecoder::inflated(std::string_view stored) {
 
 template <class T>
 std::vector<T> VtuDecoder::values(const VtuStored& stored) {
-  if (stored.form == VtuStored::Form::ascii) return words<T>(source_, stored.bytes);
+  if (stored.form == VtuStored::Encoding::ascii) return words<T>(source_, stored.bytes);
   const std::string bytes =
-      stored.form == VtuStored::Form::raw ? payload(stored.bytes) : payload(decode_base64(stored.bytes));
+      stored.form == VtuStored::Encoding::raw ? payload(stored.bytes) : payload(decode_base64(stored.bytes));
   if (bytes.size() % size_of(stored.type) != 0)
     source_.fail("an array of " + stored.type + " has " + std::to_string(bytes.size()) + " bytes");
   return converted<T>(stored.type, bytes, encoding_.big_endian);

@@ -15,7 +15,7 @@ struct VtuEncoding {
 
 // The location and type of the values of one array.
 struct VtuStored {
-  enum class Form { ascii, base64, raw } form = Form::ascii;
+  enum class Encoding { ascii, base64, raw } form = Encoding::ascii;
   std::string_view bytes;
   std::string type;  // Int8 ... UInt64, Float32, Float64
 };
@@ -33,7 +33,7 @@ class VtuDecoder {
   std::string payload(std::string_view stored);
   std::string inflated(std::string_view stored);
   std::uint64_t header(std::string_view& stored) const;
-  void spend(std::uint64_t bytes);
+  void count_bytes(std::uint64_t bytes);
 
   const Source& source_;
   VtuEncoding encoding_;

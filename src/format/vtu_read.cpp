@@ -137,9 +137,9 @@ const DataArray& VtuReader::array(const char* parent, const char* name) const {
 
 // Appended base64 ends where the next array begins, so that no array is decoded with those after it.
 VtuStored VtuReader::stored(const DataArray& array) const {
-  using Form = VtuStored::Form;
-  if (array.format == "ascii") return {Form::ascii, source_.bytes(array.begin, array.end), array.type};
-  if (array.format == "binary") return {Form::base64, source_.bytes(array.begin, array.end), array.type};
+  using Encoding = VtuStored::Encoding;
+  if (array.format == "ascii") return {Encoding::ascii, source_.bytes(array.begin, array.end), array.type};
+  if (array.format == "binary") return {Encoding::base64, source_.bytes(array.begin, array.end), array.type};
   if (array.format != "appended")
     source_.fail("array " + in_quotes(array.name) + ": unknown format " + in_quotes(array.format));
   const std::size_t room = appended_ == 0 ? 0 : source_.size() - appended_;
@@ -152,8 +152,8 @@ VtuStored VtuReader::stored(const DataArray& array) const {
     if (other.offset && *other.offset > *array.offset)
       end = std::min(end, static_cast<std::size_t>(*other.offset));
   if (appended_raw_) end = room;
-  return {appended_raw_ ? Form::raw : Form::base64, source_.bytes(appended_ + offset, appended_ + end),
-          array.type};
+  return {appended_raw_ ? Encoding::raw : Encoding::base64,
+          source_.bytes(appended_ + offset, appended_ + end), array.type};
 }
 
 void VtuReader::expect(const std::string& what, std::size_t wanted, std::size_t got) const {
@@ -205,7 +205,7 @@ mesh::Mesh VtuReader::read() {
   return mesh.finish();
 }
 
-// The points and cells as they stand in the file, which a mesh would number anew.
+// The points and cells in the order of the file, which a mesh would number anew.
 FrameFile VtuReader::read_frame(const std::vector<std::string>& wanted) {
   scan();
   if (!head_) source_.fail("expected a .vtu file, which begins with <VTKFile>");

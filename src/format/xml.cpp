@@ -29,7 +29,7 @@ std::size_t end_of_tag(std::string_view text) {
   return std::string_view::npos;
 }
 
-// An & that begins no entity stands for itself, because VTK writes names without escaping.
+// An & that begins no entity is a literal one, because VTK writes names without escaping.
 std::string unescaped(std::string_view text) {
   static const std::map<std::string_view, char> known = {
       {"lt", '<'}, {"gt", '>'}, {"amp", '&'}, {"quot", '"'}, {"apos", '\''}};

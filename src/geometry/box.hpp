@@ -6,15 +6,15 @@
 
 namespace fabricsh {
 
-struct Box {
+struct BoundingBox {
   Vec3 low = Vec3::Zero(), high = Vec3::Zero();  // m
   Vec3 size() const { return high - low; }
   Vec3 middle() const { return (low + high) / 2; }
 };
 
 // Without points both corners are zero.
-inline Box box_of(const std::vector<Vec3>& points) {
-  Box box;
+inline BoundingBox box_of(const std::vector<Vec3>& points) {
+  BoundingBox box;
   if (!points.empty()) box.low = box.high = points.front();
   for (const Vec3& x : points) {
     box.low = box.low.cwiseMin(x);

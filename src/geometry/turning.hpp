@@ -21,10 +21,10 @@ inline Mat3 turning_stiffness(const Vec3& r, const Vec3& f) {
 
 // cos, sin / angle and (cos - 1) / x of the angle whose square is x. Below x =
 // 0.01, the usual case in dynamics, by series truncated below rounding error.
-struct Turn {
+struct TurnFunctions {
   double cosine, sine, versed;
 };
-inline Turn turn_by(double x) {
+inline TurnFunctions turn_by(double x) {
   if (x < 0.01)
     return {1 - x / 2 * (1 - x / 12 * (1 - x / 30 * (1 - x / 56))),
             1 - x / 6 * (1 - x / 20 * (1 - x / 42 * (1 - x / 72))),
@@ -39,7 +39,7 @@ inline void renew(Eigen::Map<Vec3> v) { v *= 1.5 - 0.5 * v.squaredNorm(); }
 // Rotates the director d by the increment q (tangent to the sphere,
 // rad) along a great circle, and parallel-transports its first axis b1.
 inline void turn(Eigen::Map<Vec3> d, Eigen::Map<Vec3> b1, const Vec3& q) {
-  const Turn by = turn_by(q.squaredNorm());
+  const TurnFunctions by = turn_by(q.squaredNorm());
   const Vec3 d0 = d;
   d = by.cosine * d0 + by.sine * q;
   renew(d);

@@ -96,13 +96,13 @@ SpecimenFit fit_weighted(const Tension& t, const Weights& weights, int degree, b
   return find_slack ? fit_with_slack(t, weights, degree) : fit_given(t, weights, degree, 0);
 }
 
-struct Scatter {
+struct FitScatter {
   std::vector<double> squares;   // of the residuals, Pa^2
   std::vector<double> tangents;  // squared, Pa^2
 };
 
-Scatter scatter_about(const SpecimenFit& fit, const Tension& t) {
-  Scatter out;
+FitScatter scatter_about(const SpecimenFit& fit, const Tension& t) {
+  FitScatter out;
   for (std::size_t i = 0; i < t.E.size(); ++i) {
     const auto [E, S] = from_contact(t.E[i], t.S[i], fit.slack);
     const double miss = S - (E > 0 ? backbone_stress(fit.d, E) : 0);
@@ -114,7 +114,7 @@ Scatter scatter_about(const SpecimenFit& fit, const Tension& t) {
 
 // Weights 1/v with v = a (1 + ratio D^2), by maximum likelihood: a follows from the ratio, which is searched
 // on a logarithmic scale.
-Weights likeliest_weights(const Scatter& s) {
+Weights likeliest_weights(const FitScatter& s) {
   const auto n = static_cast<double>(s.squares.size());
   const double largest = *std::max_element(s.tangents.begin(), s.tangents.end());
   double best = std::numeric_limits<double>::infinity();
@@ -141,7 +141,7 @@ Weights weights_of(const Tension& t, int degree, bool find_slack) {
   return weights;
 }
 
-Candidate judged(Candidate c, bool with_slack) {
+DegreeCandidate judged(DegreeCandidate c, bool with_slack) {
   double reach = std::numeric_limits<double>::infinity();
   std::vector<double> mean(static_cast<std::size_t>(c.degree));
   for (const SpecimenFit& s : c.specimens) {
@@ -157,7 +157,8 @@ Candidate judged(Candidate c, bool with_slack) {
 
 }  // namespace
 
-std::vector<Candidate> fit_backbones(const std::vector<Tension>& loading, const BackboneOptions& options) {
+std::vector<DegreeCandidate> fit_backbones(const std::vector<Tension>& loading,
+                                           const BackboneOptions& options) {
   const int richest = *std::max_element(options.degrees.begin(), options.degrees.end());
   std::vector<Weights> weights;
   for (const Tension& t : loading) {
@@ -167,9 +168,9 @@ std::vector<Candidate> fit_backbones(const std::vector<Tension>& loading, const 
                   std::to_string(weights.size() + 1));
     weights.push_back(weights_of(t, richest, options.find_slack));
   }
-  std::vector<Candidate> out;
+  std::vector<DegreeCandidate> out;
   for (const int degree : options.degrees) {
-    Candidate c;
+    DegreeCandidate c;
     c.degree = degree;
     for (std::size_t i = 0; i < loading.size(); ++i) {
       c.specimens.push_back(fit_weighted(loading[i], weights[i], degree, options.find_slack));
@@ -182,7 +183,7 @@ std::vector<Candidate> fit_backbones(const std::vector<Tension>& loading, const 
   return out;
 }
 
-std::optional<std::size_t> choose(const std::vector<Candidate>& candidates) {
+std::optional<std::size_t> choose(const std::vector<DegreeCandidate>& candidates) {
   std::optional<std::size_t> best;
   for (std::size_t i = 0; i < candidates.size(); ++i)
     if (candidates[i].admissible && (!best || candidates[i].criterion < candidates[*best].criterion))
@@ -192,25 +193,25 @@ std::optional<std::size_t> choose(const std::vector<Candidate>& candidates) {
 
 namespace {
 
-struct Block {  // adjacent bins with a common mean
+struct PooledBins {  // adjacent bins with a common mean
   double weight, E, S;
 };
 
-std::vector<Block> binned(const std::vector<Tension>& loading, int bins) {
+std::vector<PooledBins> binned(const std::vector<Tension>& loading, int bins) {
   double reach = std::numeric_limits<double>::infinity();
   for (const Tension& t : loading) reach = std::min(reach, *std::max_element(t.E.begin(), t.E.end()));
-  std::vector<Block> sums(static_cast<std::size_t>(bins), Block{0, 0, 0});
+  std::vector<PooledBins> sums(static_cast<std::size_t>(bins), PooledBins{0, 0, 0});
   for (const Tension& t : loading)
     for (std::size_t i = 0; i < t.E.size(); ++i) {
       if (t.E[i] <= 0 || t.E[i] > reach) continue;
       const int bin = std::min(bins - 1, static_cast<int>(t.E[i] / reach * bins));
-      Block& b = sums[static_cast<std::size_t>(bin)];
+      PooledBins& b = sums[static_cast<std::size_t>(bin)];
       b.weight += 1;
       b.E += t.E[i];
       b.S += t.S[i];
     }
-  std::vector<Block> out;
-  for (const Block& b : sums)
+  std::vector<PooledBins> out;
+  for (const PooledBins& b : sums)
     if (b.weight > 0) out.push_back({b.weight, b.E / b.weight, b.S / b.weight});
   return out;
 }
@@ -218,10 +219,10 @@ std::vector<Block> binned(const std::vector<Tension>& loading, int bins) {
 }  // namespace
 
 std::vector<std::pair<double, double>> monotone_points(const std::vector<Tension>& loading, int bins) {
-  std::vector<Block> pooled;
-  for (Block b : binned(loading, bins)) {
+  std::vector<PooledBins> pooled;
+  for (PooledBins b : binned(loading, bins)) {
     while (!pooled.empty() && pooled.back().S >= b.S) {
-      const Block& a = pooled.back();
+      const PooledBins& a = pooled.back();
       const double w = a.weight + b.weight;
       b = {w, (a.weight * a.E + b.weight * b.E) / w, (a.weight * a.S + b.weight * b.S) / w};
       pooled.pop_back();
@@ -229,7 +230,7 @@ std::vector<std::pair<double, double>> monotone_points(const std::vector<Tension
     pooled.push_back(b);
   }
   std::vector<std::pair<double, double>> points{{0, 0}};
-  for (const Block& b : pooled)
+  for (const PooledBins& b : pooled)
     if (b.S > 0) points.emplace_back(b.E, b.S);
   return points;
 }

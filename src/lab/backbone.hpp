@@ -31,7 +31,7 @@ struct BackboneOptions {
   bool find_slack = false;            // fit the first contact too; the stress is zero before it
 };
 
-struct Candidate {
+struct DegreeCandidate {
   int degree = 0;
   double criterion = 0;     // Schwarz criterion: squares + parameters ln(points), summed over the specimens
   double initial = 0;       // mean D(0), Pa
@@ -44,10 +44,11 @@ struct Candidate {
 // squared tangent times that of the strain (effective variance [orear1982]); both are found by turns, from
 // the scatter about the curve of the highest degree, and serve all degrees. Candidates in the order of
 // degrees.
-std::vector<Candidate> fit_backbones(const std::vector<Tension>& loading, const BackboneOptions& options);
+std::vector<DegreeCandidate> fit_backbones(const std::vector<Tension>& loading,
+                                           const BackboneOptions& options);
 
 // The admissible candidate with the smallest criterion.
-std::optional<std::size_t> choose(const std::vector<Candidate>& candidates);
+std::optional<std::size_t> choose(const std::vector<DegreeCandidate>& candidates);
 
 // Measured points (0, 0), (E, S), ... strictly increasing, one per bin of strain: the means of the bins, made
 // monotone by pooling adjacent bins that decrease [barlow1972].

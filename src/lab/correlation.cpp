@@ -18,7 +18,7 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 constexpr int kIterations = 60;
 constexpr double kConverged = 1e-4;  // pixels, of the subset's corners
 constexpr double kFarthest = 4;      // pixels from the start of an iteration: it has found something else
-// A texture tells a displacement when noise of one grey level of 256 moves it by less than this, pixels.
+// A texture determines a displacement when noise of one grey level of 256 moves it by less than this, pixels.
 constexpr double kBlurred = 0.02;
 constexpr double kLevel = 1.0 / 255;
 
@@ -45,7 +45,7 @@ void set_map(Subset& s, const Eigen::Matrix3d& m) {
 
 }  // namespace
 
-format::Image cropped(const format::Image& image, const Region& r) {
+format::Image cropped(const format::Image& image, const PixelRegion& r) {
   format::Image out{r.right - r.left, r.bottom - r.top, {}};
   for (int row = r.top; row < r.bottom; ++row)
     for (int column = r.left; column < r.right; ++column) out.pixels.push_back(image.at(column, row));
@@ -74,7 +74,7 @@ Correlator::Correlator(const format::Image& first, const CorrelationOptions& opt
       Subset subset;
       subset.x = x;
       subset.y = y;
-      Pattern p;
+      SubsetPattern p;
       Matrix6 sum = Matrix6::Zero();
       double mean = 0;
       for (int j = -half; j <= half; ++j)
@@ -99,16 +99,17 @@ Correlator::Correlator(const format::Image& first, const CorrelationOptions& opt
         std::copy(sum.data(), sum.data() + 36, p.products.begin());
         order_.push_back(subsets_.size());
       } else {
-        subset.state = Subset::State::textureless;
+        subset.state = Subset::SubsetState::textureless;
         p = {};
       }
       patterns_.push_back(std::move(p));
       subsets_.push_back(subset);
     }
   if (order_.empty())
-    throw Error("correlate: none of the " + std::to_string(subsets_.size()) +
-                " subsets on the first photograph has a texture that tells a displacement: larger subsets, "
-                "another region, or speckles");
+    throw Error(
+        "correlate: none of the " + std::to_string(subsets_.size()) +
+        " subsets on the first photograph has a texture that determines a displacement: larger subsets, "
+        "another region, or speckles");
   std::stable_sort(order_.begin(), order_.end(),
                    [&](std::size_t a, std::size_t b) { return blurred[a] < blurred[b]; });
 }
@@ -117,7 +118,7 @@ Correlator::Correlator(const format::Image& first, const CorrelationOptions& opt
 // where the correlation is largest. False: not in the picture.
 bool Correlator::searched(const format::Image& pixels, Subset& s, std::size_t subset) const {
   const int half = options_.half;
-  const Pattern& p = patterns_[subset];
+  const SubsetPattern& p = patterns_[subset];
   std::vector<std::pair<int, int>> places;
   for (int j = -half; j <= half; ++j)
     for (int i = -half; i <= half; ++i)
@@ -151,9 +152,9 @@ bool Correlator::searched(const format::Image& pixels, Subset& s, std::size_t su
 }
 
 // Deviation of a displacement from what is left of the difference (the sum of its squares), which is the
-// noise of both photographs. That of the second is less between pixels, but not at the wavelengths of the
-// speckles, which decide; that of the first is in the descent too, and tells nothing of the way.
-double Correlator::deviation(const Pattern& p, const Subset& s, double rest) const {
+// noise of both images. Interpolation reduces that of the second between pixels, but not at the wavelengths
+// of the speckles, which decide; noise of the first image also enters the gradient, and is ignored there.
+double Correlator::deviation(const SubsetPattern& p, const Subset& s, double rest) const {
   const int half = options_.half;
   const auto n = static_cast<double>(p.values.size());
   double kept = 0, square = 0;
@@ -165,8 +166,8 @@ double Correlator::deviation(const Pattern& p, const Subset& s, double rest) con
     }
   const double noise = rest / (n - 8) / (1 + kept);  // six parameters, brightness and contrast
   Matrix6 clean = matrix(p.products);
-  const double share = noise * Spline::slope_noise();
-  for (int k = 0; k < 6; ++k) clean(k, k) -= share * (k % 3 == 0 ? n : square);
+  const double noise_term = noise * Spline::slope_noise();
+  for (int k = 0; k < 6; ++k) clean(k, k) -= noise_term * (k % 3 == 0 ? n : square);
   const Matrix6 inverse = clean.inverse();
   return std::sqrt(noise * (inverse(0, 0) + inverse(3, 3)));
 }
@@ -175,7 +176,7 @@ double Correlator::deviation(const Pattern& p, const Subset& s, double rest) con
 // and undone on the map [pan2013]. False: lost.
 bool Correlator::refine(const Spline& image, Subset& s, std::size_t subset) const {
   const int half = options_.half;
-  const Pattern& p = patterns_[subset];
+  const SubsetPattern& p = patterns_[subset];
   const Subset start = s;
   std::vector<double> g(p.values.size());
   for (int iteration = 0; iteration < kIterations; ++iteration) {
@@ -237,7 +238,7 @@ void Correlator::spread(const Spline& image, std::vector<std::size_t> found) {
         continue;
       const auto to =
           static_cast<std::size_t>((row + dr) * static_cast<std::ptrdiff_t>(columns_) + column + dc);
-      if (subsets_[to].state != Subset::State::lost) continue;
+      if (subsets_[to].state != Subset::SubsetState::lost) continue;
       const Subset& lead = subsets_[from];
       Subset s = subsets_[to];
       const double dx = s.x - lead.x, dy = s.y - lead.y;
@@ -245,7 +246,7 @@ void Correlator::spread(const Spline& image, std::vector<std::size_t> found) {
       s.u = lead.u + s.G[0] * dx + s.G[1] * dy;
       s.v = lead.v + s.G[2] * dx + s.G[3] * dy;
       if (!refine(image, s, to)) continue;
-      s.state = Subset::State::found;
+      s.state = Subset::SubsetState::found;
       subsets_[to] = s;
       open.push(to);
     }
@@ -253,10 +254,10 @@ void Correlator::spread(const Spline& image, std::vector<std::size_t> found) {
 }
 
 void Correlator::seed(const Spline& image, const format::Image& pixels, std::size_t subset) {
-  if (subsets_[subset].state != Subset::State::lost) return;
+  if (subsets_[subset].state != Subset::SubsetState::lost) return;
   Subset s = subsets_[subset];
   if (!searched(pixels, s, subset) || !refine(image, s, subset)) return;
-  s.state = Subset::State::found;
+  s.state = Subset::SubsetState::found;
   subsets_[subset] = s;
   spread(image, {subset});
 }
@@ -274,7 +275,7 @@ void Correlator::part_strays() {
   const auto rows = static_cast<std::ptrdiff_t>(rows_), columns = static_cast<std::ptrdiff_t>(columns_);
   for (std::size_t i = 0; i < subsets_.size(); ++i) {
     const Subset& here = subsets_[i];
-    if (here.state != Subset::State::found) continue;
+    if (here.state != Subset::SubsetState::found) continue;
     u.clear(), v.clear(), away.clear();
     const auto row = static_cast<std::ptrdiff_t>(i) / columns,
                column = static_cast<std::ptrdiff_t>(i) % columns;
@@ -282,17 +283,17 @@ void Correlator::part_strays() {
       for (std::ptrdiff_t c = std::max<std::ptrdiff_t>(0, column - 1); c <= std::min(columns - 1, column + 1);
            ++c) {
         const Subset& s = subsets_[static_cast<std::size_t>(r * columns + c)];
-        if (&s == &here || s.state != Subset::State::found) continue;
+        if (&s == &here || s.state != Subset::SubsetState::found) continue;
         const double dx = here.x - s.x, dy = here.y - s.y;
         u.push_back(s.u + s.G[0] * dx + s.G[1] * dy);
         v.push_back(s.v + s.G[2] * dx + s.G[3] * dy);
       }
-    if (u.size() < 4) continue;  // too few to tell which of them strays
+    if (u.size() < 4) continue;  // too few to find the outlier
     const double mu = median(u), mv = median(v);
     for (std::size_t k = 0; k < u.size(); ++k) away.push_back(std::hypot(u[k] - mu, v[k] - mv));
     if (std::hypot(here.u - mu, here.v - mv) > kNear + kSpread * median(away)) strays.push_back(i);
   }
-  for (const std::size_t i : strays) subsets_[i].state = Subset::State::lost;
+  for (const std::size_t i : strays) subsets_[i].state = Subset::SubsetState::lost;
 }
 
 // The plane of displacements through the subsets around each, and its Green-Lagrange strain.
@@ -303,12 +304,12 @@ void Correlator::strains() {
         c >= static_cast<std::ptrdiff_t>(columns_))
       return nullptr;
     const Subset& s = subsets_[static_cast<std::size_t>(r) * columns_ + static_cast<std::size_t>(c)];
-    return s.state == Subset::State::found ? &s : nullptr;
+    return s.state == Subset::SubsetState::found ? &s : nullptr;
   };
   for (std::size_t i = 0; i < subsets_.size(); ++i) {
     Subset& here = subsets_[i];
     here.strain = {nan, nan, nan};
-    if (here.state != Subset::State::found) continue;
+    if (here.state != Subset::SubsetState::found) continue;
     Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
     Eigen::Matrix<double, 3, 2> b = Eigen::Matrix<double, 3, 2>::Zero();
     for (int dr = -reach; dr <= reach; ++dr)
@@ -335,8 +336,8 @@ const std::vector<Subset>& Correlator::add(const format::Image& image) {
                 std::to_string(height_) + " pixels as the first, got one of " + std::to_string(image.width) +
                 " x " + std::to_string(image.height));
   const Spline spline(image);
-  // Where each was last seen is where it starts.
-  for (const std::size_t i : order_) subsets_[i].state = Subset::State::lost;
+  // Each starts at its last known position.
+  for (const std::size_t i : order_) subsets_[i].state = Subset::SubsetState::lost;
   for (const std::size_t i : order_) seed(spline, image, i);
   part_strays();
   strains();

@@ -11,14 +11,15 @@
 namespace fabricsh::lab {
 
 // Pixels from `left` to `right` - 1, `top` to `bottom` - 1.
-struct Region {
+struct PixelRegion {
   int left = 0, top = 0, right = 0, bottom = 0;
 };
 // The pixels of a region, which must lie in the picture.
-format::Image cropped(const format::Image& image, const Region& region);
+format::Image cropped(const format::Image& image, const PixelRegion& region);
 
 struct CorrelationOptions {
-  Region region;  // of the first photograph, in which whole subsets lie; four pixels at its rim are left out
+  PixelRegion
+      region;     // of the first photograph, in which whole subsets lie; four pixels at its rim are left out
   int half = 12;  // a subset is 2 half + 1 pixels wide and high
   int step = 12;  // between the middles of neighbours
   int search =
@@ -29,9 +30,9 @@ struct CorrelationOptions {
 
 // Where the subset with its middle at X has gone: x = X + u + G (X' - X) for its places X'.
 struct Subset {
-  enum class State : std::uint8_t { found, textureless, lost };
+  enum class SubsetState : std::uint8_t { found, textureless, lost };
   double x = 0, y = 0;  // middle on the first photograph
-  State state = State::lost;
+  SubsetState state = SubsetState::lost;
   double u = 0, v = 0;             // displacement
   std::array<double, 4> G{};       // du/dx, du/dy, dv/dx, dv/dy
   double correlation = 0;          // zero-mean normalised
@@ -41,7 +42,7 @@ struct Subset {
 
 class Correlator {
  public:
-  // Error: the region holds no subset, or none with a texture that tells a displacement.
+  // Error: the region holds no subset, or none with a texture that determines a displacement.
   Correlator(const format::Image& first, const CorrelationOptions& options);
   std::size_t rows() const { return rows_; }
   std::size_t columns() const { return columns_; }
@@ -52,7 +53,7 @@ class Correlator {
 
  private:
   // The first photograph's part of a subset, without its mean and over its norm, with what moving it changes.
-  struct Pattern {
+  struct SubsetPattern {
     std::vector<double> values;                    // zero mean, length one
     std::vector<std::array<double, 6>> descent;    // by u, G0, G1, v, G2, G3
     std::array<double, 36> products{}, inverse{};  // of the descent: their sum, and its inverse
@@ -60,7 +61,7 @@ class Correlator {
   };
   void seed(const Spline& image, const format::Image& pixels, std::size_t subset);
   bool refine(const Spline& image, Subset& s, std::size_t subset) const;
-  double deviation(const Pattern& p, const Subset& s, double rest) const;
+  double deviation(const SubsetPattern& p, const Subset& s, double rest) const;
   bool searched(const format::Image& pixels, Subset& s, std::size_t subset) const;
   void spread(const Spline& image, std::vector<std::size_t> found);
   void part_strays();
@@ -69,7 +70,7 @@ class Correlator {
   int width_, height_;
   CorrelationOptions options_;
   std::size_t rows_ = 0, columns_ = 0;
-  std::vector<Pattern> patterns_;
+  std::vector<SubsetPattern> patterns_;
   std::vector<std::size_t> order_;  // subsets with texture, the clearest first
   std::vector<Subset> subsets_;
 };

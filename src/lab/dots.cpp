@@ -50,19 +50,19 @@ double threshold(const Image& image) {
   return at;
 }
 
-struct Spot {
+struct DarkSpot {
   int left, right, top, bottom;  // columns and rows, inclusive
   std::size_t area;
 };
 
 // Connected groups of pixels (with four neighbours each) that are inside.
-std::vector<Spot> spots(const std::vector<char>& inside, int width, int height) {
+std::vector<DarkSpot> spots(const std::vector<char>& inside, int width, int height) {
   std::vector<char> seen(inside.size(), 0);
-  std::vector<Spot> out;
+  std::vector<DarkSpot> out;
   std::vector<int> stack;
   for (int start = 0; start < width * height; ++start) {
     if (!inside[static_cast<std::size_t>(start)] || seen[static_cast<std::size_t>(start)]) continue;
-    Spot spot{width, -1, height, -1, 0};
+    DarkSpot spot{width, -1, height, -1, 0};
     stack.assign(1, start);
     seen[static_cast<std::size_t>(start)] = 1;
     while (!stack.empty()) {
@@ -133,13 +133,13 @@ std::pair<Dot, Ellipse> centroid(const Image& image, const Window& w, double sig
 
 // Largest residual of an ellipse fit relative to the contrast. Above it the spot has another shape, and its
 // centroid is used.
-constexpr double kLargestRest = 0.05;
+constexpr double kLargestResidual = 0.05;
 
 // The window is the spot with a margin, which may contain pixels of neighbouring dots.
 Dot measured(const Image& image, const Window& w, double sign, double contrast) {
   auto [dot, start] = centroid(image, w, sign);
   if (dot.contrast < contrast) return dot;
-  if (const auto found = fit_ellipse(image, w, start, kLargestRest)) {
+  if (const auto found = fit_ellipse(image, w, start, kLargestResidual)) {
     dot.x = found->x;
     dot.y = found->y;
   }
@@ -155,7 +155,7 @@ std::vector<Dot> find_dots(const Image& image, const DotOptions& options) {
   std::vector<char> inside(image.pixels.size());
   for (std::size_t i = 0; i < inside.size(); ++i) inside[i] = sign * smooth.pixels[i] < sign * limit;
   std::vector<Dot> out;
-  for (const Spot& s : spots(inside, image.width, image.height)) {
+  for (const DarkSpot& s : spots(inside, image.width, image.height)) {
     const auto area = static_cast<double>(s.area);
     if (area < options.smallest || area > options.largest) continue;
     constexpr int margin = 4;
@@ -169,7 +169,7 @@ std::vector<Dot> find_dots(const Image& image, const DotOptions& options) {
 
 namespace {
 
-std::array<double, 2> reference(const Scene& s, std::size_t dot) {
+std::array<double, 2> reference(const DotGrid& s, std::size_t dot) {
   const double c = static_cast<double>(dot % s.columns) - static_cast<double>(s.columns - 1) / 2;
   const double r = static_cast<double>(dot / s.columns) - static_cast<double>(s.rows - 1) / 2;
   return {c * s.pitch, r * s.pitch};
@@ -190,7 +190,7 @@ std::vector<double> gaussian(double deviation) {
 using Inverse = std::array<double, 4>;
 
 // Distance of a point from the rim of the nearest dot, positive outside, in pixels of the undeformed grid.
-double outside_rim(const Scene& s, const Inverse& inverse, double column, double row) {
+double outside_rim(const DotGrid& s, const Inverse& inverse, double column, double row) {
   const double x = column - (s.width - 1) / 2.0, y = row - (s.height - 1) / 2.0;
   const double X = inverse[0] * x + inverse[1] * y, Y = inverse[2] * x + inverse[3] * y;
   const auto nearest = [&](double along, std::size_t count) {
@@ -205,7 +205,7 @@ double outside_rim(const Scene& s, const Inverse& inverse, double column, double
 }
 
 // The part of a pixel covered by a dot, from side x side samples if the rim passes near.
-double covered(const Scene& s, const Inverse& inverse, int column, int row) {
+double covered(const DotGrid& s, const Inverse& inverse, int column, int row) {
   const double away = outside_rim(s, inverse, column, row);
   const double reach = std::sqrt(inverse[0] * inverse[0] + inverse[1] * inverse[1] + inverse[2] * inverse[2] +
                                  inverse[3] * inverse[3]);
@@ -220,7 +220,7 @@ double covered(const Scene& s, const Inverse& inverse, int column, int row) {
 
 }  // namespace
 
-std::vector<double> true_positions(const Scene& s) {
+std::vector<double> true_positions(const DotGrid& s) {
   std::vector<double> out;
   for (std::size_t dot = 0; dot < s.rows * s.columns; ++dot) {
     const auto X = reference(s, dot);
@@ -230,7 +230,7 @@ std::vector<double> true_positions(const Scene& s) {
   return out;
 }
 
-format::Image photograph(const Scene& s) {
+format::Image photograph(const DotGrid& s) {
   const double det = s.F[0] * s.F[3] - s.F[1] * s.F[2];
   const std::array<double, 4> inverse{s.F[3] / det, -s.F[1] / det, -s.F[2] / det, s.F[0] / det};
   Image image{s.width, s.height,

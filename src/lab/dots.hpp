@@ -28,7 +28,7 @@ struct DotOptions {
 std::vector<Dot> find_dots(const format::Image& image, const DotOptions& options);
 
 // A grid of dots under an affine map, as seen by a camera.
-struct Scene {
+struct DotGrid {
   int width = 0, height = 0;            // pixels
   std::size_t rows = 2, columns = 2;    // of dots
   double pitch = 0, radius = 0;         // of the undeformed grid, pixels
@@ -38,8 +38,8 @@ struct Scene {
   double noise = 0.01;                  // standard deviation per pixel, brightness
   std::uint64_t seed = 1;
 };
-format::Image photograph(const Scene& scene);
+format::Image photograph(const DotGrid& scene);
 // The exact positions of the dots in the scene, row by row: x0, y0, x1, y1, ...
-std::vector<double> true_positions(const Scene& scene);
+std::vector<double> true_positions(const DotGrid& scene);
 
 }  // namespace fabricsh::lab

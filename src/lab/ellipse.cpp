@@ -13,7 +13,8 @@ using Vector = Eigen::VectorXd;
 
 constexpr int kParameters = 8;
 constexpr double kLargestShift = 0.5;  // pixels from the start; beyond it the fit has found another object
-constexpr double kSharpest = 0.3;      // pixels; below it the rim lies between two pixels and says nothing
+constexpr double kSharpest =
+    0.3;  // pixels; below it the rim lies between two pixels: the blur is not observable
 
 Vector vector_of(const Ellipse& e) {
   Vector p(kParameters);
@@ -32,7 +33,7 @@ double brightness(const Ellipse& e, double column, double row) {
   return e.ground + (e.ink - e.ground) * std::erfc(away / (blur * std::sqrt(2.0))) / 2;
 }
 
-struct Picture {
+struct EllipseResiduals {
   using Scalar = double;
   enum { InputsAtCompileTime = Eigen::Dynamic, ValuesAtCompileTime = Eigen::Dynamic };
   using InputType = Vector;
@@ -57,9 +58,9 @@ struct Picture {
 }  // namespace
 
 std::optional<Ellipse> fit_ellipse(const format::Image& image, const Window& window, const Ellipse& start,
-                                   double largest_rest) {
-  Eigen::NumericalDiff<Picture> picture(Picture{image, window});
-  Eigen::LevenbergMarquardt<Eigen::NumericalDiff<Picture>> search(picture);
+                                   double largest_residual) {
+  Eigen::NumericalDiff<EllipseResiduals> picture(EllipseResiduals{image, window});
+  Eigen::LevenbergMarquardt<Eigen::NumericalDiff<EllipseResiduals>> search(picture);
   search.parameters.maxfev = 200;
   search.parameters.ftol = search.parameters.xtol = 1e-7;
   Vector p = vector_of(start);
@@ -67,7 +68,7 @@ std::optional<Ellipse> fit_ellipse(const format::Image& image, const Window& win
   const Ellipse found = ellipse_of(p);
   const double rest = search.fnorm / std::sqrt(static_cast<double>(picture.values()));
   const bool near = std::hypot(found.x - start.x, found.y - start.y) < kLargestShift;
-  if (!near || !(rest < largest_rest * std::abs(found.ground - found.ink))) return std::nullopt;
+  if (!near || !(rest < largest_residual * std::abs(found.ground - found.ink))) return std::nullopt;
   return found;
 }
 

@@ -22,6 +22,6 @@ struct Ellipse {
 // rim contribute, which minimises the effect of noise. Empty: the fit does not converge near `start`, or its
 // root mean square residual exceeds `largest_rest` of the contrast, so that the spot is no ellipse.
 std::optional<Ellipse> fit_ellipse(const format::Image& image, const Window& window, const Ellipse& start,
-                                   double largest_rest);
+                                   double largest_residual);
 
 }  // namespace fabricsh::lab

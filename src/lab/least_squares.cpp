@@ -15,14 +15,14 @@ using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 
 // x = low + (high - low) (1 + sin q) / 2
-struct Problem {
+struct BoundedResiduals {
   using Scalar = double;
   enum { InputsAtCompileTime = Eigen::Dynamic, ValuesAtCompileTime = Eigen::Dynamic };
   using InputType = Vector;
   using ValueType = Vector;
   using JacobianType = Matrix;
 
-  const std::vector<Bounds>& bounds;
+  const std::vector<ParameterBounds>& bounds;
   const std::function<Points(const Points&)>& evaluate;
   double difference;
   int rows = 0;
@@ -73,7 +73,7 @@ struct Problem {
   int df(const Vector& q, Matrix& J) const {
     J = by_x(inside(q));
     for (Eigen::Index i = 0; i < J.cols(); ++i) {
-      const Bounds& b = bounds[static_cast<std::size_t>(i)];
+      const ParameterBounds& b = bounds[static_cast<std::size_t>(i)];
       J.col(i) *= (b.high - b.low) / 2 * std::cos(q(i));
     }
     return 0;
@@ -100,7 +100,7 @@ std::string words(Eigen::LevenbergMarquardtSpace::Status status) {
   }
 }
 
-void check(const std::vector<double>& start, const std::vector<Bounds>& bounds) {
+void check(const std::vector<double>& start, const std::vector<ParameterBounds>& bounds) {
   for (std::size_t i = 0; i < start.size(); ++i)
     if (!(bounds[i].low < bounds[i].high) || start[i] < bounds[i].low || start[i] > bounds[i].high)
       throw Error("least squares: parameter " + std::to_string(i + 1) +
@@ -109,17 +109,17 @@ void check(const std::vector<double>& start, const std::vector<Bounds>& bounds) 
 
 }  // namespace
 
-LeastSquares least_squares(std::vector<double> start, const std::vector<Bounds>& bounds,
+LeastSquares least_squares(std::vector<double> start, const std::vector<ParameterBounds>& bounds,
                            const std::function<Points(const Points&)>& evaluate,
                            const LeastSquaresOptions& options) {
   check(start, bounds);
-  Problem problem{bounds, evaluate, options.difference};
+  BoundedResiduals problem{bounds, evaluate, options.difference};
   problem.rows = static_cast<int>(evaluate({start}).at(0).size());
   if (problem.rows < problem.inputs())
     throw Error("least squares: expected at least as many residuals as parameters (" +
                 std::to_string(problem.inputs()) + "), got " + std::to_string(problem.rows));
   Vector q = problem.outside(start);
-  Eigen::LevenbergMarquardt<Problem> solver(problem);
+  Eigen::LevenbergMarquardt<BoundedResiduals> solver(problem);
   solver.parameters.ftol = solver.parameters.xtol = options.tolerance;
   solver.parameters.maxfev = 100 * options.iterations;
   auto status = solver.minimizeInit(q);

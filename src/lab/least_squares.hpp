@@ -10,7 +10,7 @@ namespace fabricsh::lab {
 
 using Points = std::vector<std::vector<double>>;
 
-struct Bounds {
+struct ParameterBounds {
   double low, high;  // low < high
 };
 
@@ -30,7 +30,7 @@ struct LeastSquares {
 };
 
 // evaluate: one list of residuals per point, all of the same length, at least the number of parameters.
-LeastSquares least_squares(std::vector<double> start, const std::vector<Bounds>& bounds,
+LeastSquares least_squares(std::vector<double> start, const std::vector<ParameterBounds>& bounds,
                            const std::function<Points(const Points&)>& evaluate,
                            const LeastSquaresOptions& options = {});
 

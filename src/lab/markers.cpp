@@ -248,8 +248,8 @@ YarnShear yarn_shear(const std::array<double, 4>& F, double angle) {
   return {l1 * l2 * cosine / 2, l1, l2};
 }
 
-std::vector<double> shear_shares(const std::vector<double>& E12, std::size_t boxes) {
-  std::vector<double> xy(boxes, 0), xx(boxes, 0), share(boxes, std::numeric_limits<double>::quiet_NaN());
+std::vector<double> shear_ratios(const std::vector<double>& E12, std::size_t boxes) {
+  std::vector<double> xy(boxes, 0), xx(boxes, 0), fraction(boxes, std::numeric_limits<double>::quiet_NaN());
   for (std::size_t at = 0; at + boxes <= E12.size(); at += boxes) {
     double sum = 0, n = 0;
     for (std::size_t b = 0; b < boxes; ++b)
@@ -261,8 +261,8 @@ std::vector<double> shear_shares(const std::vector<double>& E12, std::size_t box
       }
   }
   for (std::size_t b = 0; b < boxes; ++b)
-    if (xx[b] > 0) share[b] = xy[b] / xx[b];
-  return share;
+    if (xx[b] > 0) fraction[b] = xy[b] / xx[b];
+  return fraction;
 }
 
 std::vector<int> bias_zones(const std::vector<double>& E12) {

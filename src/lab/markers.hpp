@@ -59,7 +59,7 @@ YarnShear yarn_shear(const std::array<double, 4>& F, double angle);
 // The shear of each box relative to the mean over the boxes: slope of a line through the origin over all
 // frames (E12: frames x boxes), so that noise and lost markers in single frames have little effect, and also
 // the end of a cyclic test. NaN for a box that is never visible.
-std::vector<double> shear_shares(const std::vector<double>& E12, std::size_t boxes);
+std::vector<double> shear_ratios(const std::vector<double>& E12, std::size_t boxes);
 
 // Zones of a bias specimen by shear relative to the largest: 1 undeformed, 2 mixed (half), 3 sheared.
 std::vector<int> bias_zones(const std::vector<double>& E12);

@@ -35,25 +35,25 @@ struct Worker {
   int status = 0;  // its exit status
 };
 
-Answer answer_of(const Work& work, std::size_t i, bool forked) {
+WorkerResult answer_of(const Work& work, std::size_t i, bool forked) {
   try {
     return {work(i), "", false};
   } catch (const std::exception& error) {
-    return {{}, *error.what() == 0 ? "unknown trouble" : error.what(), false};
+    return {{}, *error.what() == 0 ? "unknown error" : error.what(), false};
   } catch (...) {  // a Lua error has no C++ type known here; it must not let the copy continue
     if (!forked) throw;
-    return {{}, "unknown trouble", false};
+    return {{}, "unknown error", false};
   }
 }
 
 // The first byte: a for an answer, x for a process that called exit(), which its words follow.
-std::string encoded(Answer answer) {
+std::string encoded(WorkerResult answer) {
   Archive archive;
-  archive(answer.values, answer.trouble, answer.attached);
+  archive(answer.values, answer.error, answer.attached);
   return "a" + archive.bytes();
 }
 
-Answer decoded(const std::string& bytes, int status) {
+WorkerResult decoded(const std::string& bytes, int status) {
   if (WIFSIGNALED(status))
     return {{},
             "the process was ended by signal " + std::to_string(WTERMSIG(status)) + " (" +
@@ -63,8 +63,8 @@ Answer decoded(const std::string& bytes, int status) {
   if (bytes[0] == 'x') return {{}, bytes.substr(1), true};
   try {
     Archive archive(bytes.substr(1));
-    Answer answer;
-    archive(answer.values, answer.trouble, answer.attached);
+    WorkerResult answer;
+    archive(answer.values, answer.error, answer.attached);
     return answer;
   } catch (const Error&) {
     return {{}, "the process ended within its answer", true};
@@ -120,7 +120,7 @@ class HeldSignals {
   omp_set_num_threads(1);  // a forked copy has none of the other threads
   answers_to = pipe;
   std::atexit(say_that_it_left);
-  Answer answer = answer_of(work, i, true);
+  WorkerResult answer = answer_of(work, i, true);
   if (attach) answer.attached = attach();
   write_all(pipe, encoded(std::move(answer)));
   std::fflush(nullptr);
@@ -193,8 +193,8 @@ class Crew {
 
 }  // namespace
 
-std::vector<Answer> in_processes(std::size_t count, const Work& work, const Processes& how) {
-  std::vector<Answer> answers(count, Answer{{}, "stopped", true});
+std::vector<WorkerResult> in_processes(std::size_t count, const Work& work, const Processes& how) {
+  std::vector<WorkerResult> answers(count, WorkerResult{{}, "stopped", true});
   const bool forks = how.always || (how.at_a_time > 1 && count > 1);
   Crew crew;
   for (std::size_t next = 0, finished = 0; finished < count; ++finished) {

@@ -7,10 +7,10 @@
 
 namespace fabricsh::lab {
 
-struct Answer {
+struct WorkerResult {
   std::vector<double> values;
-  std::string trouble;        // not empty: the error of the work
-  bool died = false;          // ended without an answer (trouble describes how); the item has no result
+  std::string error;          // not empty: the error of the work
+  bool died = false;          // ended without an answer (error describes how); the item has no result
   std::string attached = {};  // see Processes
 };
 
@@ -18,10 +18,10 @@ struct Processes {
   int at_a_time = 2;
   bool always = false;  // use a separate process for each item even if only one runs at a time
   // Called in this process after each item.
-  std::function<void(std::size_t, const Answer&)> done = {};
+  std::function<void(std::size_t, const WorkerResult&)> done = {};
   // Called after a signal; true: the workers are ended, and the missing items get an error.
   std::function<bool()> stop = {};
-  // Called in the copy after its work, with or without trouble: what comes along with the answer.
+  // Called in the copy after its work, successful or not: returns what is attached to the answer.
   std::function<std::string()> attach = {};
 };
 
@@ -29,8 +29,8 @@ struct Processes {
 // this process. Returns the answers in order. A copy that is killed or calls exit() gives an error that says
 // so. With one process at a time nothing is forked unless `always`. A limit of computing time
 // (system/computing_time.hpp) applies to all of them together. Error: no computing time is left.
-std::vector<Answer> in_processes(std::size_t count,
-                                 const std::function<std::vector<double>(std::size_t)>& work,
-                                 const Processes& how);
+std::vector<WorkerResult> in_processes(std::size_t count,
+                                       const std::function<std::vector<double>(std::size_t)>& work,
+                                       const Processes& how);
 
 }  // namespace fabricsh::lab

@@ -90,7 +90,7 @@ std::pair<std::size_t, std::size_t> hold_at(std::span<const double> u, std::size
 }
 
 // Adds an increase that may exceed the largest displacement so far: reloading below it, loading above.
-void add_way_up(std::vector<Branch>& out, std::span<const double> u, std::size_t begin, std::size_t end,
+void add_way_up(std::vector<PullBranch>& out, std::span<const double> u, std::size_t begin, std::size_t end,
                 double largest) {
   std::size_t middle = begin;
   while (middle < end && u[middle] < largest) ++middle;
@@ -100,8 +100,8 @@ void add_way_up(std::vector<Branch>& out, std::span<const double> u, std::size_t
 
 }  // namespace
 
-std::vector<Branch> branches(std::span<const double> u, double tolerance) {
-  std::vector<Branch> out;
+std::vector<PullBranch> branches(std::span<const double> u, double tolerance) {
+  std::vector<PullBranch> out;
   if (u.empty()) return out;
   const double width = std::min(hold_width(u), tolerance);
   auto turns = reversals(u, tolerance);

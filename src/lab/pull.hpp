@@ -38,7 +38,7 @@ std::optional<double> first_contact(std::span<const double> displacement, std::s
                                     double threshold);
 
 enum class BranchKind { loading, unloading, reloading, hold };
-struct Branch {
+struct PullBranch {
   BranchKind kind;
   std::size_t begin, end;  // rows [begin, end); the row of a reversal belongs to the earlier branch
 };
@@ -47,7 +47,7 @@ struct Branch {
 // where the largest displacement so far is reached again. Five or more rows at an extreme (within half a
 // usual step, or eight standard deviations of the displacement's noise) are a hold, during which cloth
 // relaxes; they belong to no branch.
-std::vector<Branch> branches(std::span<const double> displacement, double tolerance);
+std::vector<PullBranch> branches(std::span<const double> displacement, double tolerance);
 
 struct Marks {
   std::optional<std::size_t> yield, failure;  // rows

@@ -24,7 +24,7 @@ std::vector<double> list_of(const Vector& v) { return {v.data(), v.data() + v.si
 
 class Settler {
  public:
-  Settler(LeastSquares found, const std::vector<Bounds>& bounds,
+  Settler(LeastSquares found, const std::vector<ParameterBounds>& bounds,
           const std::function<Points(const Points&)>& evaluate)
       : found_(std::move(found)), evaluate_(evaluate), low_(bounds.size()), high_(bounds.size()) {
     for (std::size_t i = 0; i < bounds.size(); ++i) {
@@ -60,7 +60,7 @@ class Settler {
     columns_ = J * axes_;
   }
 
-  // The share of a direction, at most 1, by which x can move within the bounds.
+  // The fraction of a direction, at most 1, by which x can move within the bounds.
   double reach(const Vector& x, const Vector& direction) const {
     double most = 1;
     for (Eigen::Index i = 0; i < x.size(); ++i) {
@@ -135,7 +135,7 @@ class Settler {
 
 }  // namespace
 
-LeastSquares settle(LeastSquares found, const std::vector<Bounds>& bounds,
+LeastSquares settle(LeastSquares found, const std::vector<ParameterBounds>& bounds,
                     const std::function<Points(const Points&)>& evaluate, int rounds) {
   return Settler(std::move(found), bounds, evaluate).run(rounds);
 }

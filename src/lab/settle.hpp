@@ -10,7 +10,7 @@ namespace fabricsh::lab {
 
 // found: a minimum with its Jacobian. Makes Gauss-Newton steps until one is shorter than a tenth of a
 // standard deviation or none is better; at most `rounds` of 2 n + 1 evaluations and three trials.
-LeastSquares settle(LeastSquares found, const std::vector<Bounds>& bounds,
+LeastSquares settle(LeastSquares found, const std::vector<ParameterBounds>& bounds,
                     const std::function<Points(const Points&)>& evaluate, int rounds);
 
 }  // namespace fabricsh::lab

@@ -62,10 +62,10 @@ std::vector<double> as_list(const Vector& v) { return {v.data(), v.data() + v.si
 
 }  // namespace
 
-Estimate band_of(const std::vector<std::vector<double>>& specimens, const BandOptions& options) {
+MeanWithBand band_of(const std::vector<std::vector<double>>& specimens, const BandOptions& options) {
   const Matrix data = as_matrix(specimens);
   const Vector mean = data.rowwise().mean();
-  Estimate out{as_list(mean), {}, {}, {}};
+  MeanWithBand out{as_list(mean), {}, {}, {}};
   const auto n = static_cast<double>(data.cols());
   if (n < 2) return out;
   Matrix means = drawn_means(data, options.draws, options.seed);

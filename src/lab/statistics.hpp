@@ -9,7 +9,7 @@ namespace fabricsh::lab {
 // Quantile of Student's t: P(t <= x) = p, p in (0, 1), degrees of freedom > 0.
 double student_quantile(double p, double freedom);
 
-struct Estimate {
+struct MeanWithBand {
   std::vector<double> value;       // mean over the specimens
   std::vector<double> low, high;   // limits of the band; empty for one specimen
   std::vector<double> covariance;  // of value, n x n, row by row; empty for one specimen
@@ -28,7 +28,7 @@ struct BandOptions {
 // specimens the normal quantile is too small. So the covariance of the draws is multiplied by n/(n-1),
 // common^2 value^2 is added, and the band is t(level, n-1) standard deviations wide on each side
 // [hesterberg2015, section 4.3; gum2008, section 5].
-Estimate band_of(const std::vector<std::vector<double>>& specimens, const BandOptions& options);
+MeanWithBand band_of(const std::vector<std::vector<double>>& specimens, const BandOptions& options);
 
 // Draws parameters from a joint normal distribution about value, with the correlation of `covariance` (n x
 // n); each lies within `half` of its value with the probability `level`.

@@ -19,7 +19,7 @@ std::pair<double, double> moved(const Map& m, double x, double y) {
   return {m[0] * x + m[1] * y + m[2], m[3] * x + m[4] * y + m[5]};
 }
 
-struct Step {
+struct DotStep {
   double x, y;
   double length() const { return std::hypot(x, y); }
 };
@@ -32,12 +32,12 @@ double median(std::vector<double> values) {
 
 // The vector from a dot to its nearest neighbour within 45 degrees of a direction (of length one): the median
 // over all dots that have such a neighbour; empty if none has.
-std::optional<Step> step_along(const std::vector<Dot>& dots, const Step& direction) {
+std::optional<DotStep> step_along(const std::vector<Dot>& dots, const DotStep& direction) {
   std::vector<double> x, y;
   for (const Dot& from : dots) {
-    std::optional<Step> nearest;
+    std::optional<DotStep> nearest;
     for (const Dot& to : dots) {
-      const Step d{to.x - from.x, to.y - from.y};
+      const DotStep d{to.x - from.x, to.y - from.y};
       const double along = d.x * direction.x + d.y * direction.y;
       const double across = std::abs(d.x * direction.y - d.y * direction.x);
       if (along > across && (!nearest || d.length() < nearest->length())) nearest = d;
@@ -47,13 +47,13 @@ std::optional<Step> step_along(const std::vector<Dot>& dots, const Step& directi
     y.push_back(nearest->y);
   }
   if (x.empty()) return std::nullopt;
-  return Step{median(x), median(y)};
+  return DotStep{median(x), median(y)};
 }
 
 using Label = std::pair<int, int>;  // row, column, relative to any dot
 
 // Walks from dot to dot by the vectors of the lattice, with a tolerance of 0.3 of the shorter one.
-std::map<Label, std::size_t> labelled(const std::vector<Dot>& dots, const Step& right, const Step& up) {
+std::map<Label, std::size_t> labelled(const std::vector<Dot>& dots, const DotStep& right, const DotStep& up) {
   const double gate = 0.3 * std::min(right.length(), up.length());
   std::map<Label, std::size_t> place{{{0, 0}, 0}};
   std::vector<char> taken(dots.size(), 0);
@@ -114,8 +114,8 @@ Tracker::Tracker(std::size_t rows, std::size_t columns, const std::vector<Dot>& 
   record(last_);
 }
 
-void Tracker::record(const std::vector<Place>& places) {
-  for (const Place& p : places) {
+void Tracker::record(const std::vector<DotPosition>& places) {
+  for (const DotPosition& p : places) {
     tracks_.x.push_back(p.x);
     tracks_.y.push_back(-p.y);
   }
@@ -176,7 +176,7 @@ void Tracker::add(const std::vector<Dot>& dots) {
   for (const auto& m : matches)
     if (m) ++claims[*m];
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  std::vector<Place> seen;
+  std::vector<DotPosition> seen;
   for (std::size_t m = 0; m < last_.size(); ++m) {
     const auto [x, y] = moved(step_, last_[m].x, last_[m].y);
     if (!matches[m] || claims[*matches[m]] > 1) {

@@ -7,7 +7,7 @@
 
 namespace fabricsh::lab {
 
-struct Doubt {
+struct DoubtfulMarker {
   std::size_t frame, marker;
   bool lost;  // not found (its position is then NaN); otherwise found, but changed
 };
@@ -23,19 +23,19 @@ class Tracker {
   void add(const std::vector<Dot>& dots);
   // Positions in pixels, y upwards from the first row of pixels in the first photograph.
   const Tracks& tracks() const { return tracks_; }
-  const std::vector<Doubt>& doubts() const { return doubts_; }
+  const std::vector<DoubtfulMarker>& doubts() const { return doubts_; }
 
  private:
-  struct Place {
+  struct DotPosition {
     double x, y, area;
   };
-  void record(const std::vector<Place>& places);
+  void record(const std::vector<DotPosition>& places);
   double spacing() const;
 
   Tracks tracks_;
-  std::vector<Place> last_;                       // last or predicted position of each marker
+  std::vector<DotPosition> last_;                 // last or predicted position of each marker
   std::array<double, 6> step_{1, 0, 0, 0, 1, 0};  // x' = s0 x + s1 y + s2, y' = s3 x + s4 y + s5
-  std::vector<Doubt> doubts_;
+  std::vector<DoubtfulMarker> doubts_;
 };
 
 }  // namespace fabricsh::lab

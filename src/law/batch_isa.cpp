@@ -68,7 +68,7 @@ unsigned elastic_part(const Law& law, const Step&, const double* E, const double
 // Selects the kernel of law "potential" by the features that the card uses, so that unused ones cost nothing.
 template <bool curved>
 BatchFunction woven_part_for(const WovenData& w) {
-  if (rheology::any(w.beside))
+  if (rheology::any(w.parallel))
     return w.friction.on ? parallel_part<true, curved> : parallel_part<false, curved>;
   return w.friction.on ? potential_part<true, curved> : potential_part<false, curved>;
 }
@@ -80,11 +80,11 @@ BatchFunction potential_part_for(const Law& law) {
 
 BatchFunction part_for(const Law& law) {
   switch (law.kind) {
-    case Kind::potential:
+    case CompiledKind::potential:
       return potential_part_for(law);
-    case Kind::incremental:
+    case CompiledKind::incremental:
       return rate_part<true>;
-    case Kind::thesis:
+    case CompiledKind::thesis:
       return rate_part<false>;
     default:
       return elastic_part;

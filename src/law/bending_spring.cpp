@@ -13,10 +13,11 @@ namespace fabricsh::law {
 namespace {
 
 constexpr double usual_range = 100;  // 1/m, used as the tested range if the card states none
-constexpr double least_share = 0.1;  // share of B(0) that a curve keeps at least beyond its tested range
+constexpr double least_fraction =
+    0.1;  // fraction of B(0) that a curve keeps at least beyond its tested range
 constexpr int samples = 2000;
 
-struct Side {
+struct BendingDirection {
   const card::Card& card;
   const char* field;  // "bending.warp"
 };
@@ -24,14 +25,14 @@ struct Side {
 std::string micro(double rigidity) { return number(1e6 * rigidity) + " uN.m"; }
 
 // The curvature (1/m) up to which the pieces are used; beyond it B is constant.
-double range_of(const Side& side, const card::Curve& curve, const std::vector<Piece>& pieces) {
+double range_of(const BendingDirection& side, const card::Curve& curve, const std::vector<Piece>& pieces) {
   const double stated = side.card.bending->tested;
   const double last = curve.points.empty() ? usual_range : curve.points.back().first;
   const double end = stated > 0 ? (curve.points.empty() ? stated : std::min(stated, last)) : last;
   const double initial = raw_curve(pieces, 0).D;
   for (int i = 0; i <= samples; ++i) {
     const double kappa = end * i / samples, B = raw_curve(pieces, kappa).D;
-    if (B > 0 && (stated > 0 || !curve.points.empty() || B >= least_share * initial)) continue;
+    if (B > 0 && (stated > 0 || !curve.points.empty() || B >= least_fraction * initial)) continue;
     if (B > 0 || (stated <= 0 && i > 0 && curve.points.empty())) return end * std::max(i - 1, 0) / samples;
     throw Error(card::at_field(side.card, side.field) + "expected a positive rigidity up to the tested " +
                 number(end) + " 1/m, got " + micro(B) + " at " + number(kappa) + " 1/m");
@@ -39,7 +40,7 @@ double range_of(const Side& side, const card::Curve& curve, const std::vector<Pi
   return end;
 }
 
-void require_curve(const Side& side, const card::Curve& curve) {
+void require_curve(const BendingDirection& side, const card::Curve& curve) {
   const auto wrong = [&](const std::string& words) {
     return Error(card::at_field(side.card, side.field) + words);
   };
@@ -59,7 +60,7 @@ void require_curve(const Side& side, const card::Curve& curve) {
   }
 }
 
-std::shared_ptr<const BendingCurve> compiled(const Side& side, const card::Curve& curve) {
+std::shared_ptr<const BendingCurve> compiled(const BendingDirection& side, const card::Curve& curve) {
   require_curve(side, curve);
   auto out = std::make_shared<BendingCurve>();
   out->pieces =
@@ -76,7 +77,7 @@ std::shared_ptr<const BendingCurve> compiled(const Side& side, const card::Curve
   return out;
 }
 
-BendingSpring spring_of(const Side& side, double rigidity, const card::Curve& curve,
+BendingSpring spring_of(const BendingDirection& side, double rigidity, const card::Curve& curve,
                         const std::optional<card::BendingFriction>& friction) {
   BendingSpring spring{rigidity};
   if (!curve.coefficients.empty() || !curve.points.empty()) {

@@ -11,12 +11,8 @@
 
 namespace fabricsh::law {
 
-const char* name(Severity severity) {
-  return severity == Severity::error ? "error" : severity == Severity::warning ? "warning" : "note";
-}
-
-const char* name(Branch branch) {
-  return branch == Branch::virgin ? "virgin" : branch == Branch::unloading ? "unloading" : "slack";
+const char* name(LoadBranch branch) {
+  return branch == LoadBranch::virgin ? "virgin" : branch == LoadBranch::unloading ? "unloading" : "slack";
 }
 
 bool CheckReport::ok() const {

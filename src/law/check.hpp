@@ -5,13 +5,11 @@
 #include <utility>
 #include <vector>
 
+#include "base/severity.hpp"
 #include "card/card.hpp"
 #include "law/law.hpp"
 
 namespace fabricsh::law {
-
-enum class Severity { note, warning, error };
-const char* name(Severity severity);
 
 // One finding. Its numbers are named and in SI units, for the table form of the report.
 struct CheckItem {
@@ -37,12 +35,12 @@ CheckReport check(const card::Card& card, double element_size = 0.1);
 // Where the unsymmetric law of the thesis loses positive definiteness along a path, 4 D1 D2 < (nu21 D1
 // + nu12 D2)^2, for a pair of branches. Moduli of the branches: virgin D(E), unloading Du, slack D(0).
 struct CriterionRow {
-  std::string path;   // "warp", "weft" (uniaxial stress), "biaxial" (E11 = E22)
-  Branch warp, weft;  // the branch pair
-  double first;       // strain along the pull at the first violation; NaN: none in the tested range
-  double last;        // end of the scan, the tested strain
+  std::string path;       // "warp", "weft" (uniaxial stress), "biaxial" (E11 = E22)
+  LoadBranch warp, weft;  // the branch pair
+  double first;           // strain along the pull at the first violation; NaN: none in the tested range
+  double last;            // end of the scan, the tested strain
 };
 std::vector<CriterionRow> criterion_table(const card::Woven& woven, const Law& law);
-const char* name(Branch branch);
+const char* name(LoadBranch branch);
 
 }  // namespace fabricsh::law

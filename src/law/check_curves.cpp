@@ -10,7 +10,7 @@ namespace fabricsh::law {
 
 namespace {
 
-struct Spring {
+struct SpringCurve {
   const char* name;
   const char* strain;
   const Backbone* curve;
@@ -36,7 +36,7 @@ Extremes extremes(const Backbone& curve, double end) {
   return out;
 }
 
-void modulus_item(const Spring& s, CheckReport& report) {
+void modulus_item(const SpringCurve& s, CheckReport& report) {
   const auto e = extremes(*s.curve, s.curve->tested);
   const auto shown = [&](double x) { return std::string(s.strain) + " = " + number(x / s.scale); };
   report.items.push_back({std::string("modulus.") + s.name,
@@ -52,7 +52,7 @@ void modulus_item(const Spring& s, CheckReport& report) {
                            {"tested", s.curve->tested / s.scale}}});
 }
 
-void guard_item(const Spring& s, CheckReport& report) {
+void guard_item(const SpringCurve& s, CheckReport& report) {
   const double at = s.curve->limit / s.scale, tested = s.curve->tested / s.scale;
   const bool inside = s.curve->limit < s.curve->tested * (1 - 1e-12);
   std::string text = std::string("range guard from ") + s.strain + " = " + number(at) + " on: D stays " +
@@ -66,7 +66,7 @@ void guard_item(const Spring& s, CheckReport& report) {
                           {{"strain", at}, {"tested", tested}, {"modulus", s.curve->D_limit * s.scale}}});
 }
 
-void jump_item(const Spring& s, CheckReport& report) {
+void jump_item(const SpringCurve& s, CheckReport& report) {
   const double D = backbone_slope(*s.curve, s.curve->tested).D;
   const double ratio = s.unloading / D, first = s.unloading / s.curve->initial;
   report.items.push_back({std::string("jump.") + s.name,
@@ -77,7 +77,7 @@ void jump_item(const Spring& s, CheckReport& report) {
 }
 
 // The slopes of a curved loop, and what a whole one (to zero stress and back) loses of the way down.
-void loop_item(const Spring& s, const LoopData& loop, CheckReport& report) {
+void loop_item(const SpringCurve& s, const LoopData& loop, CheckReport& report) {
   double lost = 0;
   for (int j = 0; j < loop_strands; ++j) lost += loop.stiffness[j] * loop.reach[j] * (1 - loop.reach[j]);
   report.items.push_back(
@@ -97,7 +97,7 @@ double stress_jump(const Law& law, const double* state, int component, double x)
   low[component] = x - gap;
   high[component] = x + gap;
   std::copy(state, state + law.state_size, here);
-  if (law.kind != Kind::potential) evaluate(law, Step{}, at, state, here, Sl, nullptr);
+  if (law.kind != CompiledKind::potential) evaluate(law, Step{}, at, state, here, Sl, nullptr);
   evaluate(law, Step{}, low, here, scratch, Sl, nullptr);
   evaluate(law, Step{}, high, here, scratch, Sh, nullptr);
   return std::fabs(Sh[component] - Sl[component]);
@@ -107,13 +107,13 @@ double stress_jump(const Law& law, const double* state, int component, double x)
 
 void check_curves(const card::Woven& woven, const Law& law, CheckReport& report) {
   const WovenData& w = law.woven;
-  const bool tensor = woven.shear.measure == card::Measure::tensor;
-  const Spring springs[] = {{"warp", "E11", &w.axis[0].curve, w.axis[0].unloading * w.loop[0].steepest,
-                             w.axis[0].unloading, 1, woven.tested.warp},
-                            {"weft", "E22", &w.axis[1].curve, w.axis[1].unloading * w.loop[1].steepest,
-                             w.axis[1].unloading, 1, woven.tested.weft},
-                            {"shear", tensor ? "E12" : "2E12", &w.shear.curve, w.shear.unloading,
-                             w.shear.unloading, tensor ? 2.0 : 1.0, woven.tested.shear}};
+  const bool tensor = woven.shear.measure == card::StrainMeasure::tensor;
+  const SpringCurve springs[] = {{"warp", "E11", &w.axis[0].curve, w.axis[0].unloading * w.loop[0].steepest,
+                                  w.axis[0].unloading, 1, woven.tested.warp},
+                                 {"weft", "E22", &w.axis[1].curve, w.axis[1].unloading * w.loop[1].steepest,
+                                  w.axis[1].unloading, 1, woven.tested.weft},
+                                 {"shear", tensor ? "E12" : "2E12", &w.shear.curve, w.shear.unloading,
+                                  w.shear.unloading, tensor ? 2.0 : 1.0, woven.tested.shear}};
   for (const auto& s : springs) modulus_item(s, report);
   for (const auto& s : springs) guard_item(s, report);
   for (const auto& s : springs) jump_item(s, report);
@@ -127,9 +127,9 @@ void check_continuity(const Law& law, CheckReport& report) {
     const int component = axis == 2 ? 4 : axis;
     const Backbone& curve = axis == 2 ? law.woven.shear.curve : law.woven.axis[axis].curve;
     const double Du = axis == 2 ? law.woven.shear.unloading : law.woven.axis[axis].unloading;
-    for (const double share : {0.1, 0.5, 1.0, 2.0}) {
+    for (const double fraction : {0.1, 0.5, 1.0, 2.0}) {
       double E[5] = {}, virgin[most_states] = {}, state[most_states] = {}, S[5];
-      E[component] = share * curve.tested;
+      E[component] = fraction * curve.tested;
       evaluate(law, Step{}, E, virgin, state, S, nullptr);
       const double residual = E[component] - backbone_at(curve, E[component]).P / Du;
       for (const double x : {E[component], residual, 0.0})

@@ -60,7 +60,7 @@ void definite_item(const Law& law, const Least& least, CheckReport& report) {
                             number(least.m1) + ", " + number(least.m2);
   const std::string value = "least eigenvalue of the symmetric part " + percent(least.ratio) +
                             " of the larger diagonal entry, at " + where;
-  const Severity bad = law.kind == Kind::potential ? Severity::error : Severity::warning;
+  const Severity bad = law.kind == CompiledKind::potential ? Severity::error : Severity::warning;
   report.items.push_back(
       {"definite",
        fine ? Severity::note : bad,
@@ -70,15 +70,15 @@ void definite_item(const Law& law, const Least& least, CheckReport& report) {
        {{"least", least.ratio}, {"E11", least.E11}, {"E22", least.E22}, {"m1", least.m1}, {"m2", least.m2}}});
 }
 
-double branch_modulus(const AxisData& axis, Branch branch, double E) {
-  if (branch == Branch::slack) return axis.curve.initial;
-  return branch == Branch::unloading ? axis.unloading : backbone_slope(axis.curve, E).D;
+double branch_modulus(const AxisData& axis, LoadBranch branch, double E) {
+  if (branch == LoadBranch::slack) return axis.curve.initial;
+  return branch == LoadBranch::unloading ? axis.unloading : backbone_slope(axis.curve, E).D;
 }
 
 // One path and pair of branches: strain along warp and weft as functions of the strain along the pull.
 struct Scan {
   std::string path;
-  Branch warp, weft;
+  LoadBranch warp, weft;
   double along_warp, along_weft, end;
 };
 
@@ -110,7 +110,7 @@ std::string pair_name(const CriterionRow& row) {
 std::vector<CriterionRow> criterion_table(const card::Woven&, const Law& law) {
   const WovenData& w = law.woven;
   const double e1 = w.axis[0].curve.tested, e2 = w.axis[1].curve.tested, both = std::min(e1, e2);
-  using B = Branch;
+  using B = LoadBranch;
   const Scan scans[] = {
       {"warp", B::virgin, B::slack, 1, 0, e1},          {"warp", B::unloading, B::slack, 1, 0, e1},
       {"weft", B::slack, B::virgin, 0, 1, e2},          {"weft", B::slack, B::unloading, 0, 1, e2},
@@ -131,7 +131,7 @@ void check_criterion(const card::Woven& woven, const Law& law, CheckReport& repo
     broken += (broken.empty() ? "" : "; ") + pair_name(row) +
               (row.first == 0 ? " from the start" : " from " + number(row.first));
   }
-  const bool concerned = law.kind != Kind::potential;
+  const bool concerned = law.kind != CompiledKind::potential;
   item.text =
       broken.empty()
           ? "the printed law keeps 4 D1 D2 >= (nu21 D1 + nu12 D2)^2 on every branch pair"
@@ -142,7 +142,7 @@ void check_criterion(const card::Woven& woven, const Law& law, CheckReport& repo
 }
 
 void check_definite(const Law& law, CheckReport& report) {
-  if (law.kind == Kind::elastic) {
+  if (law.kind == CompiledKind::elastic) {
     const auto& e = law.elastic;
     const double ratio = least_eigenvalue(e.C11, e.C12, e.C12, e.C22) / std::max(e.C11, e.C22);
     report.items.push_back(
@@ -165,10 +165,10 @@ void check_bending(const card::Card& card, const Law& law, CheckReport& report) 
     const bool own = card.bending.has_value();
     const double B =
         own ? (i == 0 ? card.bending->warp : card.bending->weft) : backbone_modulus(law, i + 1, 0.0) * third;
-    const double stiff = law.kind == Kind::elastic ? B : law.woven.axis[i].unloading * third;
+    const double stiff = law.kind == CompiledKind::elastic ? B : law.woven.axis[i].unloading * third;
     std::string text = std::string(own ? "the card's own rigidity " : "thickness integration implies ") +
                        number(B * 1e6) + " uN.m";
-    if (!own && law.kind != Kind::elastic)
+    if (!own && law.kind != CompiledKind::elastic)
       text += " near zero strain and " + number(stiff * 1e6) + " on unloading";
     text += "; nine measured cloths in ten have " + number(usual_low * 1e6) + " to " +
             number(usual_high * 1e6) + " uN.m";

@@ -39,7 +39,7 @@ void compile_axis(const card::Card& card, const std::string& side, const std::st
 
 void compile_shear(const card::Card& card, const card::Shear& shear, double tested, ShearData& out,
                    std::vector<Piece>& pieces) {
-  const bool tensor = shear.measure == card::Measure::tensor;
+  const bool tensor = shear.measure == card::StrainMeasure::tensor;
   CurveSpec spec;
   spec.card = card.name;
   spec.field = "shear.loading";
@@ -73,7 +73,7 @@ void compile_friction(const card::Card& card, const card::Woven& woven, WovenDat
   };
   if (woven.shear.memory == card::ShearMemory::fading)
     refuse("expected shear.memory = \"printed\": friction has a memory of its own");
-  const double scale = woven.shear.measure == card::Measure::tensor ? 2 : 1;
+  const double scale = woven.shear.measure == card::StrainMeasure::tensor ? 2 : 1;
   const auto& shear = w.shear;
   FrictionData& f = w.friction;
   f = {true, woven.shear.friction->stress, woven.shear.friction->growth / scale,
@@ -95,9 +95,9 @@ void compile_friction(const card::Card& card, const card::Woven& woven, WovenDat
 }
 
 void compile_elements(const card::Woven& woven, rheology::Compiled& out) {
-  const double measure = woven.shear.measure == card::Measure::tensor ? 0.5 : 1;
+  const double measure = woven.shear.measure == card::StrainMeasure::tensor ? 0.5 : 1;
   rheology::for_each([&](auto element, auto given, auto compiled) {
-    if (const auto& parameters = woven.beside.*given) out.*compiled = element.compile(*parameters, measure);
+    if (const auto& parameters = woven.parallel.*given) out.*compiled = element.compile(*parameters, measure);
   });
 }
 
@@ -148,7 +148,7 @@ void compile_coupling(WovenData& w) {
 }
 
 int woven_state(const Law& law) {
-  if (law.kind != Kind::potential) return rate_state::count;
+  if (law.kind != CompiledKind::potential) return rate_state::count;
   return loop_slot(law.woven, 1) + (law.woven.loop[1].on ? loop_state::count : 0);
 }
 
@@ -166,8 +166,8 @@ std::optional<CubicBackbone> cubic(const Backbone& curve) {
 void compile_plain(Law& law) {
   const WovenData& w = law.woven;
   const auto warp = cubic(w.axis[0].curve), weft = cubic(w.axis[1].curve), shear = cubic(w.shear.curve);
-  law.is_plain = law.kind == Kind::potential && warp && weft && shear && !w.shear.fading && !w.biaxial.on &&
-                 !rheology::any(w.beside) && !w.friction.on && !is_curved(w);
+  law.is_plain = law.kind == CompiledKind::potential && warp && weft && shear && !w.shear.fading &&
+                 !w.biaxial.on && !rheology::any(w.parallel) && !w.friction.on && !is_curved(w);
   if (!law.is_plain) return;
   const auto axis = [&](int i, const CubicBackbone& curve) {
     const AxisData& a = w.axis[i];
@@ -187,23 +187,23 @@ void compile_woven(const card::Card& card, const card::Woven& woven, Law& law) {
   compile_shear(card, woven.shear, woven.tested.shear, w.shear, law.shear_pieces);
   compile_coupling(w);
   w.transverse = 5.0 / 6.0 * w.shear.curve.initial;
-  law.kind = woven.law == card::LawKind::potential     ? Kind::potential
-             : woven.law == card::LawKind::incremental ? Kind::incremental
-                                                       : Kind::thesis;
-  if (law.kind != Kind::potential) {
+  law.kind = woven.law == card::LawKind::potential     ? CompiledKind::potential
+             : woven.law == card::LawKind::incremental ? CompiledKind::incremental
+                                                       : CompiledKind::thesis;
+  if (law.kind != CompiledKind::potential) {
     w.follow = woven.transverse == card::Transverse::follow;
     w.shear.hysteresis = woven.shear_hysteresis;
     w.shear.fading = false;
   }
-  if (law.kind == Kind::potential && woven.biaxial)
+  if (law.kind == CompiledKind::potential && woven.biaxial)
     compile_biaxial(*woven.biaxial, w.biaxial, law.biaxial_pieces);
   if (woven.shear.friction) compile_friction(card, woven, w);
-  compile_elements(woven, w.beside);
+  compile_elements(woven, w.parallel);
   for (int i = 0; i < 2; ++i) compile_loop(card, woven, i, w);
   w.axis[0].softness = 1 / w.axis[0].unloading;
   w.axis[1].softness = 1 / w.axis[1].unloading;
   w.shear.softness = 1 / w.shear.unloading;
-  law.symmetric = law.kind == Kind::potential;
+  law.symmetric = law.kind == CompiledKind::potential;
   law.state_size = woven_state(law);
   compile_plain(law);
 }
@@ -226,7 +226,7 @@ void compile_svk(const card::Card& card, const card::Svk& svk, ElasticData& e) {
 }
 
 // [williams2010, eq. 4.2] with nu12 / E1 = nu21 / E2; otherwise the law would have no energy.
-void compile_linear(const card::Card& card, const card::Linear& linear, ElasticData& e) {
+void compile_linear(const card::Card& card, const card::LinearElastic& linear, ElasticData& e) {
   const double a = linear.nu12 * linear.weft, b = linear.nu21 * linear.warp;
   if (std::fabs(a - b) > 1e-6 * std::fmax(std::fabs(a), std::fabs(b)))
     throw Error(card::at_field(card, "poisson") +
@@ -238,13 +238,13 @@ void compile_linear(const card::Card& card, const card::Linear& linear, ElasticD
 }
 
 void compile_elastic(const card::Card& card, Law& law) {
-  law.kind = Kind::elastic;
+  law.kind = CompiledKind::elastic;
   law.symmetric = true;
   law.state_size = 0;
   if (const auto* svk = std::get_if<card::Svk>(&card.law))
     compile_svk(card, *svk, law.elastic);
   else
-    compile_linear(card, std::get<card::Linear>(card.law), law.elastic);
+    compile_linear(card, std::get<card::LinearElastic>(card.law), law.elastic);
 }
 
 // The density of the fibres, the cloth and its compression must be consistent.
@@ -267,9 +267,14 @@ void require_compression(const card::Card& card) {
                 number(curve.back().first) + " m");
 }
 
+void drop_transverse_shear(Law& law) {
+  law.woven.transverse = law.plain.transverse = law.elastic.G13 = law.elastic.G23 = 0;
+  law.woven.follow = false;
+}
+
 }  // namespace
 
-std::shared_ptr<const Law> compile(const card::Card& card) {
+std::shared_ptr<const Law> compile(const card::Card& card, bool transverse_shear) {
   card::require(card);
   require_compression(card);
   auto law = std::make_shared<Law>();
@@ -277,6 +282,7 @@ std::shared_ptr<const Law> compile(const card::Card& card) {
     compile_woven(card, *woven, *law);
   else
     compile_elastic(card, *law);
+  if (!transverse_shear) drop_transverse_shear(*law);
   return law;
 }
 

@@ -8,15 +8,15 @@ namespace fabricsh::law {
 
 using Points = std::vector<std::pair<double, double>>;
 
-// A part of what is pressed: `share` of a sheet, which is `thickness` at any pressure where nobody measured
-// it.
-struct Pressed {
+// A part of what is pressed: `fraction` of a sheet, which is `thickness` at any pressure if that was not
+// measured.
+struct CompressionCurve {
   Points compression;
   double thickness = 0;  // m
-  double share = 1;
+  double fraction = 1;
 };
 // All of them one on the other: at every pressure that was measured the sum of their thicknesses. Between
 // points thickness is straight over the pressure's logarithm; beyond them it stays. Empty: none was measured.
-Points pressed_together(const std::vector<Pressed>& parts);
+Points pressed_together(const std::vector<CompressionCurve>& parts);
 
 }  // namespace fabricsh::law

@@ -72,7 +72,7 @@ struct FrictionData {
   double limit = 0;
 };
 
-// Unloading of a yarn along curves (yarn_loop.hpp), in shares of the peak stress and of the way to it.
+// Unloading of a yarn along curves (yarn_loop.hpp), in fractions of the peak stress and of the strain to it.
 inline constexpr int loop_strands = 6;
 struct LoopData {
   bool on = false;
@@ -89,7 +89,7 @@ struct WovenData {
   ShearData shear;
   FrictionData friction;
   BiaxialData biaxial;
-  rheology::Compiled beside;
+  rheology::Compiled parallel;
   double coupling = 0;    // c, Pa
   double transverse = 0;  // G_t, Pa
   bool follow = false;    // transverse shear uses the in-plane branch [williams2010, eq. 6.30]
@@ -110,7 +110,7 @@ struct ElasticData {  // constant symmetric tangent, Pa
   double young1 = 0, young2 = 0;  // uniaxial moduli
 };
 
-enum class Kind { potential, incremental, thesis, elastic };
+enum class CompiledKind { potential, incremental, thesis, elastic };
 
 class Law {
  public:
@@ -118,7 +118,7 @@ class Law {
   Law(const Law&) = delete;
   Law& operator=(const Law&) = delete;
 
-  Kind kind = Kind::elastic;
+  CompiledKind kind = CompiledKind::elastic;
   int state_size = 0;
   bool symmetric = true;
   WovenData woven;
@@ -141,7 +141,7 @@ inline constexpr int lost = 5;        // J/m^3, dissipated on earlier branches
 inline constexpr int count = 6;
 }  // namespace potential_state
 
-// Of a yarn's loop: where on the way each strand is slack (p_j), and the energy lost in loops, J/m^3.
+// A yarn's loop: normalised strain at which strand j carries no stress (p_j), and energy lost, J/m^3.
 namespace loop_state {
 inline constexpr int slack = 0, lost = loop_strands, count = loop_strands + 1;
 }

@@ -9,7 +9,7 @@ namespace {
 Internal rate_internal(const WovenData& w, const double E[5], const double* s) {
   using namespace rate_state;
   const auto yarn = [](double x, double m) {
-    return x >= m - switch_width ? Branch::virgin : x < 0 ? Branch::slack : Branch::unloading;
+    return x >= m - switch_width ? LoadBranch::virgin : x < 0 ? LoadBranch::slack : LoadBranch::unloading;
   };
   Internal out;
   out.residual1 = s[m1] - backbone_at(w.axis[0].curve, s[m1]).P * w.axis[0].softness;
@@ -19,27 +19,27 @@ Internal rate_internal(const WovenData& w, const double E[5], const double* s) {
   out.warp = yarn(E[0], s[m1]);
   out.weft = yarn(E[1], s[m2]);
   const bool virgin = !w.shear.hysteresis || abs(E[4] - s[g0]) >= s[gp] - switch_width;
-  out.shear = virgin ? Branch::virgin : Branch::unloading;
+  out.shear = virgin ? LoadBranch::virgin : LoadBranch::unloading;
   return out;
 }
 
-Branch yarn_branch(double E, double m, double zero) {
-  if (E >= m - switch_width) return Branch::virgin;
-  return E < zero ? Branch::slack : Branch::unloading;
+LoadBranch yarn_branch(double E, double m, double zero) {
+  if (E >= m - switch_width) return LoadBranch::virgin;
+  return E < zero ? LoadBranch::slack : LoadBranch::unloading;
 }
 
 }  // namespace
 
-Energy energy(const Law& law, const double E[5], const double* s) {
+EnergyDensity energy(const Law& law, const double E[5], const double* s) {
   const auto e = energy_at(law, E, s);
   return {e.stored, e.warp, e.weft, e.shear, e.created};
 }
 
 Internal internal(const Law& law, const double E[5], const double* s) {
   Internal out;
-  if (law.kind == Kind::elastic) return out;
+  if (law.kind == CompiledKind::elastic) return out;
   const WovenData& w = law.woven;
-  if (law.kind != Kind::potential) return rate_internal(w, E, s);
+  if (law.kind != CompiledKind::potential) return rate_internal(w, E, s);
   const auto warp = yarn_point(w.axis[0], w.coupling, E[0], s[0]);
   const auto weft = yarn_point(w.axis[1], w.coupling, E[1], s[1]);
   out.residual1 = warp.residual;
@@ -50,14 +50,15 @@ Internal internal(const Law& law, const double E[5], const double* s) {
   out.weft = yarn_branch(E[1], s[1], weft.residual);
   if (w.friction.on) {
     const bool farthest = abs(E[4]) >= s[potential_state::gp] - switch_width;
-    out.shear = farthest ? Branch::virgin : Branch::unloading;
+    out.shear = farthest ? LoadBranch::virgin : LoadBranch::unloading;
     return out;
   }
   auto branch = load_shear(w.shear, s);
   const double before = branch.peak;
   shear_spring(w.shear, AtSwitch::loading, E[4], branch);
   const double r = branch.sign * (E[4] - branch.origin);
-  out.shear = r >= before - switch_width || branch.peak <= switch_width ? Branch::virgin : Branch::unloading;
+  out.shear =
+      r >= before - switch_width || branch.peak <= switch_width ? LoadBranch::virgin : LoadBranch::unloading;
   return out;
 }
 

@@ -103,7 +103,7 @@ EnergyOf<T> potential_energy(const WovenData& w, const T E[5], const T* s) {
   const auto shear = w.friction.on ? rubbing_point(w, E[4], s) : hysteretic_point(w, E[4], s);
   auto out = sum_of_parts(w, E, yarn_point(w, m1, E[0], s), yarn_point(w, m2, E[1], s), shear);
   if (w.biaxial.on) add_biaxial_energy(w, E, s, out);
-  rheology::add_energies(w.beside, s + beside_slot(w), out);
+  rheology::add_energies(w.parallel, s + parallel_slot(w), out);
   return out;
 }
 
@@ -133,8 +133,8 @@ EnergyOf<T> rate_energy(const WovenData& w, const T* s) {
 
 template <class T>
 EnergyOf<T> energy_at(const Law& law, const T E[5], const T* s) {
-  if (law.kind == Kind::elastic) return elastic_energy(law.elastic, E);
-  if (law.kind != Kind::potential) return rate_energy(law.woven, s);
+  if (law.kind == CompiledKind::elastic) return elastic_energy(law.elastic, E);
+  if (law.kind != CompiledKind::potential) return rate_energy(law.woven, s);
   return potential_energy(law.woven, E, s);
 }
 

@@ -25,8 +25,8 @@ void energies(const Law&, const double*, const double*, double*);
 
 int state_size(const Law& law) { return law.state_size; }
 bool symmetric(const Law& law) { return law.symmetric; }
-bool linear(const Law& law) { return law.kind == Kind::elastic; }
-bool hangs_on_time(const Law& law) { return rheology::hangs_on_time(law.woven.beside); }
+bool linear(const Law& law) { return law.kind == CompiledKind::elastic; }
+bool is_rate_dependent(const Law& law) { return rheology::is_rate_dependent(law.woven.parallel); }
 
 BatchEnergy batch_energy(Isa isa) {
   switch (isa) {
@@ -50,20 +50,20 @@ BatchFunction batch_function(Isa isa) {
   }
 }
 
-Outcome evaluate(const Law& law, const Step& step, const double E[5], const double* s0, double* s1,
-                 double S[5], double* C) {
+Evaluation evaluate(const Law& law, const Step& step, const double E[5], const double* s0, double* s1,
+                    double S[5], double* C) {
   const auto out = update(law, step, E, s0, s1);
   for (int i = 0; i < 5; ++i) S[i] = out.S[i];
   if (C != nullptr) put_tangent(out, [C](int entry, double value) { C[entry] = value; });
-  if (healthy(E, out)) return Outcome::ok;
-  const bool sound = std::all_of(s0, s0 + law.state_size, [](double s) { return std::isfinite(s); });
-  return sound ? Outcome::cut : Outcome::broken;
+  if (healthy(E, out)) return Evaluation::ok;
+  const bool is_finite = std::all_of(s0, s0 + law.state_size, [](double s) { return std::isfinite(s); });
+  return is_finite ? Evaluation::cut : Evaluation::broken;
 }
 
 static_assert(most_states >= rate_state::count);
 
 void stress(const Law& law, const double E[5], const double* s, double S[5]) {
-  if (law.kind == Kind::incremental || law.kind == Kind::thesis) {
+  if (law.kind == CompiledKind::incremental || law.kind == CompiledKind::thesis) {
     std::copy_n(s + rate_state::S, 5, S);
     return;
   }
@@ -100,19 +100,20 @@ double stiffest_rate(const WovenData& w) {
 }  // namespace
 
 double transverse_modulus(const Law& law) {
-  if (law.kind == Kind::elastic) return std::max(law.elastic.G13, law.elastic.G23);
+  if (law.kind == CompiledKind::elastic) return std::max(law.elastic.G13, law.elastic.G23);
   return law.woven.follow ? 5.0 / 6.0 * law.woven.shear.unloading : law.woven.transverse;
 }
 
 Bound bound(const Law& law) {
   const double transverse = transverse_modulus(law);
-  if (law.kind == Kind::elastic) {
+  if (law.kind == CompiledKind::elastic) {
     const auto& e = law.elastic;
     return {larger_eigenvalue(e.C11, e.C12, e.C12, e.C22), e.G12, transverse};
   }
-  const double axial = law.kind == Kind::potential ? stiffest_potential(law.woven) : stiffest_rate(law.woven);
-  const rheology::Stiffest beside = rheology::stiffest(law.woven.beside);
-  return {axial + beside.axial, law.woven.shear.unloading + law.woven.friction.stiffness + beside.shear,
+  const double axial =
+      law.kind == CompiledKind::potential ? stiffest_potential(law.woven) : stiffest_rate(law.woven);
+  const rheology::Stiffest parallel = rheology::stiffest(law.woven.parallel);
+  return {axial + parallel.axial, law.woven.shear.unloading + law.woven.friction.stiffness + parallel.shear,
           transverse};
 }
 
@@ -134,13 +135,13 @@ const Backbone& curve_of(const Law& law, int axis) {
 }  // namespace
 
 double backbone(const Law& law, int axis, double x) {
-  if (law.kind == Kind::elastic) return elastic_modulus(law.elastic, axis) * x;
+  if (law.kind == CompiledKind::elastic) return elastic_modulus(law.elastic, axis) * x;
   const double P = backbone_at(curve_of(law, axis), std::fabs(x)).P;
   return x < 0 ? (axis == 3 ? -P : curve_of(law, axis).initial * x) : P;
 }
 
 double backbone_modulus(const Law& law, int axis, double x) {
-  if (law.kind == Kind::elastic) return elastic_modulus(law.elastic, axis);
+  if (law.kind == CompiledKind::elastic) return elastic_modulus(law.elastic, axis);
   return x < 0 && axis != 3 ? curve_of(law, axis).initial : backbone_at(curve_of(law, axis), std::fabs(x)).D;
 }
 

@@ -20,13 +20,14 @@ namespace fabricsh::law {
 class Law;  // compiled parameters of one card; immutable, shared, thread-safe
 
 // Compiles a card. Errors: a card that is refused (share/doc/theory.md,
-// 4), with the reason, the strain and the numbers.
-std::shared_ptr<const Law> compile(const card::Card& card);
+// 4), with the reason, the strain and the numbers. Without transverse shear S13 and S23 are zero, as in a
+// membrane.
+std::shared_ptr<const Law> compile(const card::Card& card, bool transverse_shear = true);
 
 int state_size(const Law& law);
-bool symmetric(const Law& law);      // whether the consistent tangent is symmetric in every state
-bool linear(const Law& law);         // whether the tangent is constant
-bool hangs_on_time(const Law& law);  // whether the stress changes at constant strain
+bool symmetric(const Law& law);          // whether the consistent tangent is symmetric in every state
+bool linear(const Law& law);             // whether the tangent is constant
+bool is_rate_dependent(const Law& law);  // whether the stress changes at constant strain
 
 // The tangent to use where loading and unloading meet (E = m exactly): the
 // virgin one, or the unloading one for the first iteration after a reversal.
@@ -41,7 +42,7 @@ struct Step {
 
 // The outcome of an evaluation. cut: impossible with this step, a shorter one may
 // succeed. broken: impossible with any step, because the committed state is not finite.
-enum class Outcome { ok, cut, broken };
+enum class Evaluation { ok, cut, broken };
 
 // Evaluates a batch of `lanes` points in structure-of-arrays order: entry i of lane l at [i * lanes
 // + l]. C may be null (stress only) and is row-major: entry (i, j) of lane l at [(5 * i + j) * lanes
@@ -51,8 +52,8 @@ using BatchFunction = unsigned (*)(const Law& law, const Step& step, const doubl
 BatchFunction batch_function(Isa isa);
 
 // Evaluates one point; plain arrays.
-Outcome evaluate(const Law& law, const Step& step, const double E[5], const double* s0, double* s1,
-                 double S[5], double* C);
+Evaluation evaluate(const Law& law, const Step& step, const double E[5], const double* s0, double* s1,
+                    double S[5], double* C);
 
 // The stress at the end of an evaluation, from its strain and trial state, Pa. Whatever reads a
 // stress must use this function. A state stores every part of the stress that is not a function of
@@ -60,14 +61,14 @@ Outcome evaluate(const Law& law, const Step& step, const double E[5], const doub
 void stress(const Law& law, const double E[5], const double* s, double S[5]);
 
 // Energies per reference volume, J/m^3, from strain and committed state alone (share/doc/theory.md, 4).
-struct Energy {
+struct EnergyDensity {
   double stored = 0;
   double dissipated_warp = 0, dissipated_weft = 0,
          dissipated_shear = 0;  // the biaxial spring is divided by its weights
   double created = 0;           // comparison laws: sum of all decreases of the dissipation
   double dissipated() const { return dissipated_warp + dissipated_weft + dissipated_shear; }
 };
-Energy energy(const Law& law, const double E[5], const double* s);
+EnergyDensity energy(const Law& law, const double E[5], const double* s);
 // The same for a batch of `lanes` points: stored, dissipated in warp,
 // weft and shear, created; entry i of lane l at [i * lanes + l].
 inline constexpr int energy_values = 5;
@@ -76,11 +77,11 @@ BatchEnergy batch_energy(Isa isa);
 
 // Outputs of a point: for each axis the residual strain E_r, the
 // amount by which the strain is below E_r (slack), and the branch.
-enum class Branch { virgin, unloading, slack };
+enum class LoadBranch { virgin, unloading, slack };
 struct Internal {
   double residual1 = 0, residual2 = 0;  // E_r
   double slack1 = 0, slack2 = 0;        // max(E_r - E, 0)
-  Branch warp = Branch::virgin, weft = Branch::virgin, shear = Branch::virgin;
+  LoadBranch warp = LoadBranch::virgin, weft = LoadBranch::virgin, shear = LoadBranch::virgin;
 };
 Internal internal(const Law& law, const double E[5], const double* s);
 

@@ -15,11 +15,11 @@ std::array<double, 3> tested_strains(const card::Card& card);
 // and "thesis" the strains themselves). Zeros for a law without state. Entry i of the state is s[i * stride].
 std::array<double, 3> peak_strains(const Law& law, const double* s, int stride);
 
-// For a batch of `lanes` elements: the largest share, of all lanes, of the three strains at `count` points of
-// one law, whose states are `stride` numbers apart. inverse: 1 over the tested strains, 0 where they are not
-// known.
-using ShareFunction = double (*)(const Law& law, const double inverse[3], const double* s, long stride,
-                                 int count);
-ShareFunction share_function(Isa isa);
+// For a batch of `lanes` elements: the largest ratio, of all lanes, of the three strains to the tested ones
+// at `count` points of one law, whose states are `stride` numbers apart. inverse: 1 over the tested strains,
+// 0 where they are not known.
+using StrainRatioFunction = double (*)(const Law& law, const double inverse[3], const double* s, long stride,
+                                       int count);
+StrainRatioFunction strain_ratio_function(Isa isa);
 
 }  // namespace fabricsh::law

@@ -1,5 +1,5 @@
 // Relative peak strains for a whole batch: compiled once per
-// instruction set, selected at run time by share_function().
+// instruction set, selected at run time by strain_ratio_function().
 #include "law/data.hpp"
 #include "simd/pack.hpp"
 
@@ -10,7 +10,7 @@ namespace {
 
 // For law "potential": the state has the largest strains of the yarns and the origin
 // and peak of the present shear branch, which together give its largest shear strain.
-Pack potential_share(const Pack inverse[3], const double* s) {
+Pack potential_ratio(const Pack inverse[3], const double* s) {
   namespace at = potential_state;
   const auto entry = [s](int i) { return load(s + i * lanes); };
   const Pack sign = select(entry(at::sg) < Pack(0.0), Pack(-1.0), Pack(1.0));
@@ -18,29 +18,30 @@ Pack potential_share(const Pack inverse[3], const double* s) {
   return max(max(inverse[0] * entry(at::m1), inverse[1] * entry(at::m2)), inverse[2] * gamma);
 }
 
-Pack rate_share(const Pack inverse[3], const double* s) {
+Pack rate_ratio(const Pack inverse[3], const double* s) {
   const double* E = s + rate_state::E * lanes;
   return max(max(inverse[0] * load(E), inverse[1] * load(E + lanes)), inverse[2] * abs(load(E + 4 * lanes)));
 }
 
 // The result stays in registers: an array of a caller that has just been cleared in small pieces would be
 // waited for until all stores before it are done.
-template <class Share>
-double largest(const double inverse[3], const double* s, long stride, int count, Share of) {
+template <class Ratio>
+double largest(const double inverse[3], const double* s, long stride, int count, Ratio of) {
   const Pack scale[3] = {Pack(inverse[0]), Pack(inverse[1]), Pack(0.5 * inverse[2])};  // shear is in 2 E12
   Pack most(0.0);
   for (int first = 0; first < lanes; first += pack_width)
     for (int i = 0; i < count; ++i) most = max(of(scale, s + i * stride + first), most);
-  double share = most[0];
-  for (int lane = 1; lane < pack_width; ++lane) share = max(share, most[lane]);
-  return share;
+  double strain_ratio = most[0];
+  for (int lane = 1; lane < pack_width; ++lane) strain_ratio = max(strain_ratio, most[lane]);
+  return strain_ratio;
 }
 
 }  // namespace
 
-double largest_share(const Law& law, const double inverse[3], const double* s, long stride, int count) {
-  if (law.kind == Kind::potential) return largest(inverse, s, stride, count, potential_share);
-  return law.kind == Kind::elastic ? 0 : largest(inverse, s, stride, count, rate_share);
+double largest_strain_ratio(const Law& law, const double inverse[3], const double* s, long stride,
+                            int count) {
+  if (law.kind == CompiledKind::potential) return largest(inverse, s, stride, count, potential_ratio);
+  return law.kind == CompiledKind::elastic ? 0 : largest(inverse, s, stride, count, rate_ratio);
 }
 
 }  // namespace FABRICSH_ISA

@@ -32,7 +32,7 @@ law::Internal PointDriver::internal() const {
 bool PointDriver::update(const std::array<double, 3>& e) {
   const auto E = voigt(e);
   return law::evaluate(*law_, step_, E.data(), committed_.data(), trial_.data(), stress_.data(),
-                       tangent_.data()) == law::Outcome::ok;
+                       tangent_.data()) == law::Evaluation::ok;
 }
 
 void PointDriver::commit(const std::array<double, 3>& e) {
@@ -55,8 +55,8 @@ void PointDriver::commit(const std::array<double, 3>& e) {
   sample_.created = energy.created;
 }
 
-Sample PointDriver::strain(std::optional<double> E11, std::optional<double> E22, std::optional<double> E12,
-                           double over) {
+StressPoint PointDriver::strain(std::optional<double> E11, std::optional<double> E22,
+                                std::optional<double> E12, double over) {
   begin(over);
   const std::array<double, 3> e{E11.value_or(strain_[0]), E22.value_or(strain_[1]),
                                 E12.value_or(0.5 * strain_[4])};
@@ -65,7 +65,7 @@ Sample PointDriver::strain(std::optional<double> E11, std::optional<double> E22,
   return sample_;
 }
 
-Sample PointDriver::uniaxial(double angle, double E, double over) {
+StressPoint PointDriver::uniaxial(double angle, double E, double over) {
   begin(over);
   const auto e = solve_uniaxial(angle, E);
   commit(e);
@@ -76,22 +76,23 @@ Sample PointDriver::uniaxial(double angle, double E, double over) {
   return sample_;
 }
 
-std::vector<Sample> PointDriver::path(const std::vector<std::array<double, 4>>& rows) {
-  std::vector<Sample> out;
+std::vector<StressPoint> PointDriver::path(const std::vector<std::array<double, 4>>& rows) {
+  std::vector<StressPoint> out;
   out.reserve(rows.size());
   for (const auto& e : rows) out.push_back(strain(e[0], e[1], e[2], e[3]));
   return out;
 }
 
-std::vector<Sample> PointDriver::biaxial(double ratio, const std::vector<double>& strains) {
-  std::vector<Sample> out;
+std::vector<StressPoint> PointDriver::biaxial(double ratio, const std::vector<double>& strains) {
+  std::vector<StressPoint> out;
   out.reserve(strains.size());
   for (const double E : strains) out.push_back(strain(E, ratio * E, {}));
   return out;
 }
 
-std::vector<Sample> PointDriver::uniaxial(double angle, const std::vector<double>& strains, double over) {
-  std::vector<Sample> out;
+std::vector<StressPoint> PointDriver::uniaxial(double angle, const std::vector<double>& strains,
+                                               double over) {
+  std::vector<StressPoint> out;
   out.reserve(strains.size());
   for (const double E : strains) out.push_back(uniaxial(angle, E, over));
   return out;

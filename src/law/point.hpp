@@ -11,7 +11,7 @@
 namespace fabricsh::law {
 
 // One committed point of a curve.
-struct Sample {
+struct StressPoint {
   double time = 0;                    // s
   double S11 = 0, S22 = 0, S12 = 0;   // Pa
   double E11 = 0, E22 = 0, E12 = 0;   // tensor
@@ -26,22 +26,22 @@ class PointDriver {
 
   // Reaches the given total strain in one straight increment of the given duration (s) and commits;
   // components without a value are kept. Throws NumericalFailure if the law fails (strain not finite).
-  Sample strain(std::optional<double> E11, std::optional<double> E22, std::optional<double> E12,
-                double over = 0);
+  StressPoint strain(std::optional<double> E11, std::optional<double> E22, std::optional<double> E12,
+                     double over = 0);
 
   // Applies the strain E along the direction `angle` (rad, counter-clockwise
   // from the warp), with zero lateral stress and zero shear stress in that
   // frame, and commits. Throws NumericalFailure if no such state is found.
-  Sample uniaxial(double angle, double E, double over = 0);
+  StressPoint uniaxial(double angle, double E, double over = 0);
 
   // Many straight increments in one call; each row has E11 E22 E12 and the duration of the increment (s).
-  std::vector<Sample> path(const std::vector<std::array<double, 4>>& rows);
+  std::vector<StressPoint> path(const std::vector<std::array<double, 4>>& rows);
   // For each E: E11 = E, E22 = ratio E, E12 unchanged.
-  std::vector<Sample> biaxial(double ratio, const std::vector<double>& strains);
+  std::vector<StressPoint> biaxial(double ratio, const std::vector<double>& strains);
   // A whole curve of uniaxial() in one call; each increment takes `over` seconds.
-  std::vector<Sample> uniaxial(double angle, const std::vector<double>& strains, double over = 0);
+  std::vector<StressPoint> uniaxial(double angle, const std::vector<double>& strains, double over = 0);
 
-  Sample now() const { return sample_; }
+  StressPoint now() const { return sample_; }
   law::Internal internal() const;
   const std::vector<double>& state() const { return committed_; }
   void reset();  // virgin cloth at zero strain and time 0
@@ -57,7 +57,7 @@ class PointDriver {
   std::array<double, 5> strain_{}, stress_{};  // order of law.hpp; of the last commit, last update
   std::array<double, 25> tangent_{};           // of the last update, Pa
   law::Step step_;                             // of the present increment
-  Sample sample_;
+  StressPoint sample_;
 };
 
 }  // namespace fabricsh::law

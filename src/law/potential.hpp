@@ -30,11 +30,11 @@ inline int biaxial_slot(const WovenData& law) {
 }
 
 // Index at which the states of the rheological elements begin, if there are any.
-inline int beside_slot(const WovenData& law) { return biaxial_slot(law) + (law.biaxial.on ? 1 : 0); }
+inline int parallel_slot(const WovenData& law) { return biaxial_slot(law) + (law.biaxial.on ? 1 : 0); }
 
 // Index at which the state of a yarn's loop begins, if it has one.
 inline int loop_slot(const WovenData& law, int axis) {
-  return beside_slot(law) + rheology::numbers(law.beside) +
+  return parallel_slot(law) + rheology::numbers(law.parallel) +
          (axis == 1 && law.loop[0].on ? loop_state::count : 0);
 }
 

@@ -43,7 +43,7 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-std::optional<std::pair<std::string, std::string>> told(const std::string& line) {
+std::optional<std::pair<std::string, std::string>> origin_of_line(const std::string& line) {
   const auto colon = line.find(": ");
   if (colon == std::string::npos) return {};
   const auto& fields = provenance_fields();
@@ -57,7 +57,7 @@ std::optional<std::pair<std::string, std::string>> told(const std::string& line)
 Provenance provenance_of(const std::string& source) {
   Provenance out;
   for (const std::string& line : lines_of(source))
-    if (auto pair = told(line)) out.push_back(std::move(*pair));
+    if (auto pair = origin_of_line(line)) out.push_back(std::move(*pair));
   std::sort(out.begin(), out.end());
   return out;
 }
@@ -66,7 +66,7 @@ std::string without_provenance(const std::string& source) {
   std::string out;
   bool first = true;
   for (const std::string& line : lines_of(source)) {
-    if (told(line)) continue;
+    if (origin_of_line(line)) continue;
     out += (first ? "" : "\n") + line;
     first = false;
   }

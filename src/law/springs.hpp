@@ -42,7 +42,7 @@ SpringValue<T> yarn_spring(const AxisOf<Curve>& axis, double coupling, AtSwitch 
   return {select(is_slack, slack, yarn), select(slack_slope, h, slope)};
 }
 
-// Whether the shear spring remembers the previous branch; a plain law never does.
+// Whether the shear spring keeps the previous branch; a plain law never does.
 inline bool fades(const ShearData& shear) { return shear.fading; }
 constexpr bool fades(const ShearOf<CubicBackbone>&) { return false; }
 

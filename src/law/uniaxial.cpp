@@ -14,13 +14,13 @@ constexpr double small = 1e-6;      // strain: rounding is compared with at leas
 constexpr double rounding = 1e-12;  // relative size at which a residual may stagnate
 
 // The two unknowns in the load frame: lateral strain a and shear strain b (tensor).
-struct Pair {
+struct LateralStrains {
   double a = 0, b = 0;
 };
 
 // Residual (lateral stress, shear stress) and its derivative by (a, b), Pa.
 struct System {
-  Pair residual;
+  LateralStrains residual;
   double aa, ab, ba, bb;
   double scale;  // Pa, with which rounding is compared
 
@@ -39,13 +39,13 @@ struct System {
     scale = stiff * std::max({std::fabs(E[0]), std::fabs(E[1]), std::fabs(E[2]), small});
   }
   double size() const { return std::max(std::fabs(residual.a), std::fabs(residual.b)); }
-  Pair newton() const {
+  LateralStrains newton() const {
     const double det = aa * bb - ab * ba;
     return {-(bb * residual.a - ab * residual.b) / det, -(aa * residual.b - ba * residual.a) / det};
   }
   // Derivative of the potential along a step; the shear strain b counts twice.
-  double slope(const Pair& step) const { return step.a * residual.a + 2 * step.b * residual.b; }
-  bool searching(const Pair& step, double target) const {
+  double slope(const LateralStrains& step) const { return step.a * residual.a + 2 * step.b * residual.b; }
+  bool searching(const LateralStrains& step, double target) const {
     return std::fabs(slope(step)) > target && size() > rounding * scale;
   }
 };
@@ -55,9 +55,9 @@ struct System {
 std::array<double, 3> PointDriver::solve_uniaxial(double angle, double E) {
   const LoadFrame frame(angle);
   const auto start = frame.strain_in({strain_[0], strain_[1], 0.5 * strain_[4]});
-  Pair x{start[1], start[2]}, best;
-  const auto strain_at = [&](const Pair& p) { return frame.strain({E, p.a, p.b}); };
-  const auto system_at = [&](const Pair& p) {
+  LateralStrains x{start[1], start[2]}, best;
+  const auto strain_at = [&](const LateralStrains& p) { return frame.strain({E, p.a, p.b}); };
+  const auto system_at = [&](const LateralStrains& p) {
     const auto e = strain_at(p);
     if (!update(e)) throw NumericalFailure("the law failed: strain or stress is not a finite number", 0);
     return System(frame, e, stress_, tangent_);
@@ -66,7 +66,7 @@ std::array<double, 3> PointDriver::solve_uniaxial(double angle, double E) {
   double least = now.size(), scale = now.scale;
   best = x;
   for (int iteration = 0; iteration < 100 && now.size() > 1e-16 * now.scale; ++iteration) {
-    const Pair step = now.newton();
+    const LateralStrains step = now.newton();
     // The potential is convex along a step: bracket the zero of its slope.
     // The search becomes more exact if Newton steps alternate between kinks.
     const double g0 = now.slope(step), sharp = iteration < 5 ? 0.5 : 1e-2;

@@ -11,16 +11,16 @@ inline namespace FABRICSH_ISA {
 template <bool rubs, bool curved, class T>
 Response<T> parallel_update(const WovenData& law, const Step& step, const T E[5], const T* s0, T* s1) {
   Response<T> out = potential_update<rubs, curved>(law, step.at, E, s0, s1);
-  const int slot = beside_slot(law);
-  rheology::add_stresses(law.beside, step.dt, E, s0 + slot, s1 + slot, out);
+  const int slot = parallel_slot(law);
+  rheology::add_stresses(law.parallel, step.dt, E, s0 + slot, s1 + slot, out);
   return out;
 }
 
 // Selects the kernel of law "potential" by the features used.
 template <bool rubs, bool curved, class T>
 Response<T> woven_update(const WovenData& law, const Step& step, const T E[5], const T* s0, T* s1) {
-  return rheology::any(law.beside) ? parallel_update<rubs, curved>(law, step, E, s0, s1)
-                                   : potential_update<rubs, curved>(law, step.at, E, s0, s1);
+  return rheology::any(law.parallel) ? parallel_update<rubs, curved>(law, step, E, s0, s1)
+                                     : potential_update<rubs, curved>(law, step.at, E, s0, s1);
 }
 
 template <bool curved, class T>
@@ -33,12 +33,12 @@ template <class T>
 Response<T> update(const Law& law, const Step& step, const T E[5], const T* s0, T* s1) {
   const AtSwitch at = step.at;
   switch (law.kind) {
-    case Kind::potential:
+    case CompiledKind::potential:
       return is_curved(law.woven) ? woven_update<true>(law.woven, step, E, s0, s1)
                                   : woven_update<false>(law.woven, step, E, s0, s1);
-    case Kind::incremental:
+    case CompiledKind::incremental:
       return rate_update<true>(law.woven, at, E, s0, s1);
-    case Kind::thesis:
+    case CompiledKind::thesis:
       return rate_update<false>(law.woven, at, E, s0, s1);
     default:
       return elastic_update(law.elastic, E);

@@ -7,7 +7,7 @@
 
 namespace fabricsh::linear {
 
-// The kernels that OpenBLAS chose for this machine, as "SkylakeX"; the bits of a solution depend on them.
+// The kernels that OpenBLAS chose for this machine, as "SkylakeX"; rounding in a solution depends on them.
 std::string blas_kernels();
 
 std::vector<Library> libraries();  // Eigen, UMFPACK, CHOLMOD, OpenBLAS with its kernels

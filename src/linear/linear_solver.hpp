@@ -32,7 +32,7 @@ class LinearSolver {
   virtual bool solve(const Matrix& A, std::span<const double> b, std::span<double> x) = 0;
   virtual LinearReport report() const = 0;
   // Whether the factorisation of the next matrix depends on the outcome of the last
-  // one. A checkpoint stores this flag, so that a restarted run computes the same bits.
+  // one. A checkpoint stores this flag, so that a restarted run computes the same results bit for bit.
   virtual bool doubtful() const { return false; }
   virtual void set_doubtful(bool) {}
   std::int64_t analyses() const { return analyses_; }  // symbolic phases so far
@@ -50,8 +50,8 @@ class LinearSolver {
 // for large ones, as measured with tests/bench/bench_solver.cpp.
 enum class Ordering { automatic, amd, metis };
 
-// UMFPACK with the symmetric-pattern strategy, for matrices with unsymmetric values (of a pattern that keeps
-// the upper triangle it makes both). BLAS uses one thread.
+// UMFPACK with the symmetric-pattern strategy, for matrices with unsymmetric values (an upper
+// triangle is mirrored first). BLAS uses one thread.
 std::unique_ptr<LinearSolver> make_unsymmetric_solver(Ordering ordering = Ordering::automatic);
 
 // Supernodal Cholesky (CHOLMOD), which reads the upper triangle only. A matrix that

@@ -72,15 +72,15 @@ void Matrix::follow(const std::shared_ptr<const Pattern>& p) {
   value.assign(static_cast<std::size_t>(pattern->entries()), 0.0);
 }
 
-void Matrix::carry(const std::shared_ptr<const Pattern>& p) {
+void Matrix::change_pattern(const std::shared_ptr<const Pattern>& p) {
   if (p->version == pattern->version) return;
-  std::vector<double> carried(static_cast<std::size_t>(p->entries()), 0.0);
+  std::vector<double> moved(static_cast<std::size_t>(p->entries()), 0.0);
   for (Index c = 0; c < size(); ++c)
     for (Index k = pattern->column[c]; k < pattern->column[c + 1]; ++k)
       if (const double v = value[static_cast<std::size_t>(k)]; v != 0)
-        carried[static_cast<std::size_t>(p->slot(pattern->row[k], c))] = v;
+        moved[static_cast<std::size_t>(p->slot(pattern->row[k], c))] = v;
   pattern = p;
-  value = std::move(carried);
+  value = std::move(moved);
 }
 
 namespace {

@@ -13,7 +13,7 @@ namespace fabricsh::linear {
 using Index = std::int64_t;
 
 // The positions of the possible entries of a matrix. A pattern never changes: where other
-// unknowns couple, a new pattern is made, and its version tells the solver to analyse again.
+// unknowns couple, a new pattern is made, and its version makes the solver analyse again.
 class Pattern {
  public:
   Pattern() : Pattern(std::vector<std::vector<Index>>{}) {}
@@ -54,7 +54,7 @@ struct Matrix {
   // Takes over another pattern if its version differs; the values are then zero.
   void follow(const std::shared_ptr<const Pattern>& p);
   // Takes over another pattern with all values. A nonzero one outside of it is a bug, as in add().
-  void carry(const std::shared_ptr<const Pattern>& p);
+  void change_pattern(const std::shared_ptr<const Pattern>& p);
 };
 
 // For each column the sum of its entries' absolute values, those below the diagonal included also where A

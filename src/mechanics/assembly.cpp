@@ -4,9 +4,11 @@
 
 #include "base/error.hpp"
 #include "geometry/node_view.hpp"
+#include "mechanics/terms/bands.hpp"
 #include "mechanics/terms/contact.hpp"
 #include "mechanics/terms/directors.hpp"
 #include "mechanics/terms/loads.hpp"
+#include "mechanics/terms/seams.hpp"
 #include "mechanics/terms/tears.hpp"
 
 namespace fabricsh::mechanics {
@@ -21,6 +23,7 @@ Assembly::Assembly(const model::Model& model)
   cloth_ = make<Cloth>(model, configuration_, dofs_.reference_directors());
   // The second term, which sees the forces of the cloth alone.
   if (Tears::possible(model)) tears_ = make<Tears>(model, std::as_const(configuration_), *cloth_, dofs_);
+  if (!model.seams().empty()) seams_ = make<Seams>(model, std::as_const(configuration_), *cloth_, dofs_);
   directors_ = make<Directors>(model, *cloth_, dofs_);
   if (std::any_of(model.gravity().begin(), model.gravity().end(), [](const auto& g) { return bool(g); }))
     make<Gravity>(model, cloth_->mass(), cloth_->mass_moment());
@@ -28,6 +31,7 @@ Assembly::Assembly(const model::Model& model)
   if (!model.pressures().empty()) make<Pressure>(model);
   if (!model.moments().empty()) moments_ = make<Moments>(model)->moments();
   if (!model.springs().empty()) make<Springs>(model);
+  if (!model.bands().empty()) make<Bands>(model);
   if (model.interactions().any())
     contact_ = make<Contacts>(model, std::as_const(configuration_), *cloth_, dofs_);
   force_x_.assign(3 * configuration_.nodes(), 0);
@@ -41,48 +45,48 @@ void Assembly::begin_iterate() {
   for (auto& term : terms_) term->begin_iterate();
 }
 
-void Assembly::retract(std::span<const double> delta, double scale, std::span<const double> targets) {
-  dofs_.retract(delta, scale, targets);
+void Assembly::apply_increment(std::span<const double> delta, double scale, std::span<const double> targets) {
+  dofs_.apply_increment(delta, scale, targets);
   for (auto& term : terms_) term->move(scale);
 }
 
-void Assembly::carry(std::span<const double> rates, double time, std::span<const double> targets) {
-  dofs_.retract(rates, time, targets);
+void Assembly::advance_explicit(std::span<const double> rates, double time, std::span<const double> targets) {
+  dofs_.apply_increment(rates, time, targets);
   for (auto& term : terms_) term->move(1);
 }
 
-// Supports go to their targets whatever the share is; if that is not safe either, the result is 0.
+// Supports go to their targets whatever the fraction is; if that is not safe either, the result is 0.
 double Assembly::limit(std::span<const double> delta, std::span<const double> targets) {
   constexpr int tries = 5;
-  double share = limit_of_terms(delta, targets);
-  if (contact_ == nullptr || !(share > 0)) return share;
+  double fraction = limit_of_terms(delta, targets);
+  if (contact_ == nullptr || !(fraction > 0)) return fraction;
   contact_->mark(trial());
-  retract(delta, 1, targets);
+  apply_increment(delta, 1, targets);
   // A step across many elements would have to be checked against everything; only its beginning is checked.
   const double near = contact_->near_share(trial());
   if (near < 1) {
-    share = std::min(share, near);
-    retract(delta, share, targets);
-    share *= contact_->safe_share(trial());
+    fraction = std::min(fraction, near);
+    apply_increment(delta, fraction, targets);
+    fraction *= contact_->safe_share(trial());
   } else {
-    share = std::min(share, contact_->safe_share(trial()));
+    fraction = std::min(fraction, contact_->safe_share(trial()));
   }
-  for (int i = 0; share < 1 && share > 0; ++i) {
-    retract(delta, share, targets);
+  for (int i = 0; fraction < 1 && fraction > 0; ++i) {
+    apply_increment(delta, fraction, targets);
     const double again = contact_->safe_share(trial());
-    if (again >= 1) return share;
-    share = i == tries ? 0 : share * again;
+    if (again >= 1) return fraction;
+    fraction = i == tries ? 0 : fraction * again;
   }
-  if (share > 0) return share;
+  if (fraction > 0) return fraction;
   // The forces of the whole step say why there is none, for a run that ends here.
-  retract(delta, 1, targets);
+  apply_increment(delta, 1, targets);
   Forces sums = this->sums();
   take(contact_->add_forces({}, trial(), sums));
   return 0;
 }
 
-bool Assembly::arrived() const {
-  return std::all_of(terms_.begin(), terms_.end(), [](const auto& term) { return term->arrived(); });
+bool Assembly::at_target() const {
+  return std::all_of(terms_.begin(), terms_.end(), [](const auto& term) { return term->at_target(); });
 }
 
 // The forces w on free bodies are unknowns beside those of the matrix: K delta = r - B w, w = R + C delta + D
@@ -90,7 +94,7 @@ bool Assembly::arrived() const {
 bool Assembly::finish_direction(const Solve& solve, double weight, std::span<double> delta) {
   const std::size_t m = contact_ == nullptr ? 0 : contact_->body_unknowns();
   if (m == 0) return true;
-  const std::vector<double> zero(3 * reference().size(), 0), still(dofs_.targets(aimed_).size(), 0);
+  const std::vector<double> zero(3 * reference().size(), 0), still(dofs_.targets(trial_time_).size(), 0);
   const auto answer = [&](std::span<const double> move) {
     NodalRates nodal;
     dofs_.spread_rates(move, still, nodal);
@@ -131,9 +135,9 @@ void Assembly::rollback() {
   if (coupled_ != committed_coupled_) couple(committed_coupled_);
 }
 
-void Assembly::aim(double time) {
-  aimed_ = time;
-  for (auto& term : terms_) term->aim(time);
+void Assembly::set_time(double time) {
+  trial_time_ = time;
+  for (auto& term : terms_) term->set_time(time);
 }
 
 // Adds the forces of all terms but the cloth; returns the worst of all outcomes.
@@ -162,15 +166,15 @@ bool Assembly::limits() const {
 // If a term limits steps, the trial configuration is reset to the iterate.
 double Assembly::limit_of_terms(std::span<const double> delta, std::span<const double> targets) {
   if (!limits()) return 1;
-  dofs_.retract(delta, 1, targets);
+  dofs_.apply_increment(delta, 1, targets);
   const auto end = std::as_const(configuration_).x();
   std::vector<double> way(end.begin(), end.end());
   dofs_.return_to_iterate();
   const auto from = std::as_const(configuration_).x();
   for (std::size_t i = 0; i < way.size(); ++i) way[i] -= from[i];
-  double share = 1;
-  for (const auto& term : terms_) share = std::min(share, term->limit(trial(), way));
-  return share;
+  double fraction = 1;
+  for (const auto& term : terms_) fraction = std::min(fraction, term->limit(trial(), way));
+  return fraction;
 }
 
 void Assembly::couple(std::vector<NodePair> pairs) {
@@ -216,7 +220,7 @@ bool Assembly::tangent(const law::Step& step, linear::Matrix& K, std::span<const
   for (const auto& term : terms_) term->add_tangent(trial(), sink);
   if (!freedoms().bodies.empty()) {
     std::vector<double> dead;
-    external(aimed_, dead);
+    external(trial_time_, dead);
     stiffness_->add_body_stiffness(configuration_, force_x_, force_d_, dead, moments_, to);
   }
   return outcome_.ok();
@@ -276,14 +280,14 @@ void Assembly::working_forces(std::span<const double> dead, WorkingForces& out) 
     out.on_d.assign(3 * configuration_.nodes(), 0);
   else
     out.on_d.clear();
-  for (const auto& term : terms_) term->add_follower(aimed_, trial(), out.on_x, out.on_d);
+  for (const auto& term : terms_) term->add_follower(trial_time_, trial(), out.on_x, out.on_d);
   for (const Index n : dofs_.driven_nodes()) {
     at(out.on_x, n) += support_force(n, dead);
     if (freedoms().nodes[n].turn_axis) at(out.on_d, n) += at(force_d_, n);
   }
 }
 
-Assembly::Shape Assembly::shape() const {
+Assembly::OverturnedParts Assembly::shape() const {
   const std::vector<Index> turned = directors_->turned_over(configuration_);
   return {cloth_->inverted_element(turned), turned.empty() ? -1 : turned.front()};
 }
@@ -301,7 +305,7 @@ double Assembly::step_work() const {
 std::vector<Energy> Assembly::energies() const {
   std::vector<Energy> all;
   for (const auto& term : terms_) term->add_energies(trial(), all);
-  if (joints().any()) all.push_back({"joints", Account::dissipated, lost_});
+  if (joints().any() || seams_ != nullptr) all.push_back({"joints", Account::dissipated, lost_});
   return all;
 }
 
@@ -348,12 +352,26 @@ std::optional<Transfer> Assembly::open(std::vector<Joints::Edge> edges, double w
   auto transfer = dofs_.open(std::move(edges), cloth_->mass(), cloth_->rotary_inertia(false), within);
   if (!transfer) return {};
   renumbered();
-  if (configuration_.version() == before) return transfer;
-  const double now = configuration_.time();
-  aim(now);
-  if (!forces({now, 0})) throw Error("join: the law failed where the nodes of a joint meet");
-  commit(now);
+  if (configuration_.version() != before) balance("join");
   return transfer;
+}
+
+// Where stitches close, their threads no longer act.
+std::optional<Transfer> Assembly::sew(Sewn next, double within) {
+  const std::uint64_t before = configuration_.version();
+  auto transfer = dofs_.sew(std::move(next), cloth_->mass(), cloth_->rotary_inertia(false), within);
+  if (!transfer) return {};
+  renumbered();
+  if (configuration_.version() != before) balance("seam");
+  return transfer;
+}
+
+// Computes the forces at the committed time where nodes have been moved.
+void Assembly::balance(const char* call) {
+  const double now = configuration_.time();
+  set_time(now);
+  if (!forces({now, 0})) throw Error(std::string(call) + ": the law failed where the nodes of a joint meet");
+  commit(now);
 }
 
 void Assembly::renumbered() {
@@ -373,15 +391,22 @@ void Assembly::keep_joints(Archive& archive) {
   if (dofs_.reopen(std::move(edges))) renumbered();
 }
 
+void Assembly::keep_seams(Archive& archive) {
+  Sewn sewn = dofs_.sewn();
+  archive.section("sewn", [&] { archive(sewn, lost_); });
+  if (archive.reading() && dofs_.resew(std::move(sewn))) renumbered();
+}
+
 void Assembly::keep(Archive& archive) {
   if (joints().any()) keep_joints(archive);
+  if (seams_ != nullptr) keep_seams(archive);
   archive.section("configuration", [&] { configuration_.keep(archive); });
   for (auto& term : terms_) archive.section(term->name(), [&] { term->keep(archive); });
   archive.section("forces", [&] {
     archive.filled(force_x_);
     archive.filled(force_d_);
   });
-  std::vector<Index> pairs;  // the pairs of the pattern, on which the bits of a solution depend
+  std::vector<Index> pairs;  // the pairs of the pattern, on which the rounding of a solution depends
   for (const auto& [a, b] : coupled_) pairs.insert(pairs.end(), {a, b});
   archive.section("couplings", [&] { archive(pairs); });
   if (!archive.reading()) return;

@@ -1,8 +1,8 @@
 // A compiled model: its configuration, its degrees of freedom and the sum of its terms. It computes forces
-// and tangents for the trial configuration, with the same bits for any number of threads.
+// and tangents for the trial configuration, equal bit for bit for any number of threads. No matrix or pattern
+// is made unless a tangent is computed.
 //
-// An explicit step: begin_iterate(), retract(), aim(time), forces(), residual(), commit(time). No matrix or
-// pattern is made unless a tangent is computed.
+// An explicit step: begin_iterate(), apply_increment(), set_time(time), forces(), residual(), commit(time).
 #pragma once
 #include <functional>
 #include <memory>
@@ -23,6 +23,7 @@ namespace fabricsh::mechanics {
 
 class Contacts;
 class Directors;
+class Seams;
 class Tears;
 
 // The external forces that do work on the cloth; 3 per node, global.
@@ -46,6 +47,8 @@ class Assembly {
   const Contacts* contact() const { return contact_; }
   Tears* tears() { return tears_; }  // null: no yarns of the model can break
   const Tears* tears() const { return tears_; }
+  Seams* seams() { return seams_; }  // null: the model has no seams
+  const Seams* seams() const { return seams_; }
   const std::vector<Vec3>& reference() const { return dofs_.reference(); }
   Configuration& state() { return configuration_; }
   const Configuration& state() const { return configuration_; }
@@ -66,23 +69,24 @@ class Assembly {
 
   // --- configurations: see Dofs
   void begin_iterate();
-  void retract(std::span<const double> delta, double scale, std::span<const double> targets);
+  void apply_increment(std::span<const double> delta, double scale, std::span<const double> targets);
   // The whole way of a step that does not iterate: the unknowns move by their rates times the time, s.
-  void carry(std::span<const double> rates, double time, std::span<const double> targets);
+  void advance_explicit(std::span<const double> rates, double time, std::span<const double> targets);
   // Whether everything that the step moves besides the supports has reached its final position.
-  bool arrived() const;
+  bool at_target() const;
   std::vector<double> targets(double time) const { return dofs_.targets(time); }
   void commit(double time);
   void rollback();
-  void aim(double time);  // sets the time of the loads for the next forces and tangents
+  void set_time(double time);  // sets the time of the loads for the next forces and tangents
 
   // The solver's direction, delta = K^-1 r at the trial configuration, with what free bodies do beside it,
-  // which go the same shares of it. solve: K x = b; weight: of the forces' tangent in K. False: no solution.
+  // which move by the same fractions. solve: K x = b; weight: of the forces' tangent in K. False: no
+  // solution.
   using Solve = std::function<bool(std::span<const double> b, std::span<double> x)>;
   bool finish_direction(const Solve& solve, double weight, std::span<double> delta);
   double largest_body_residual() const;  // N, of free bodies: as largest_residual()
-  // The share, 0 to 1, of a step from the iterate along delta, with the supports at their targets, that all
-  // terms consider safe. The trial configuration is left somewhere along the step. limit_of_terms omits
+  // The fraction, 0 to 1, of a step from the iterate along delta, with the supports at their targets, that
+  // all terms consider safe. The trial configuration is left somewhere along the step. limit_of_terms omits
   // contact, since explicit steps have their own check for contact.
   double limit(std::span<const double> delta, std::span<const double> targets);
   double limit_of_terms(std::span<const double> delta, std::span<const double> targets);
@@ -110,14 +114,14 @@ class Assembly {
   bool symmetric() const;  // whether the tangents of all terms are symmetric
 
   // What the terms read of the present.
-  Trial trial() const { return {configuration_, dofs_.reference(), aimed_, motion_}; }
+  Trial trial() const { return {configuration_, dofs_.reference(), trial_time_, motion_}; }
   // Dead loads at the given time, 3 per node, N, global.
   void external(double time, std::vector<double>& out) const;
   // Loads that follow the configuration, at a time and the trial configuration, 3 per node, N, global.
   void follower(double time, std::vector<double>& on_x) const;
   bool constant_loads() const;  // whether the dead loads are constant in time
   bool symmetric_loads() const;
-  bool hangs_on_time() const { return cloth_->hangs_on_time(); }  // whether stresses change at rest
+  bool is_rate_dependent() const { return cloth_->is_rate_dependent(); }  // whether stresses change at rest
   // r = f_ext - f_int on the unknowns, in the nodes' frames. on_d: additional forces on directors, N m.
   void residual(std::span<const double> external, std::span<double> r,
                 std::span<const double> on_d = {}) const {
@@ -136,7 +140,7 @@ class Assembly {
     return dofs_.support_force(node, force_x_, external);
   }
   // Dead loads, follower loads and the forces of moving supports at the trial configuration, whose forces
-  // must have been computed after aim() at its time.
+  // must have been computed after set_time() at its time.
   void working_forces(std::span<const double> dead, WorkingForces& out);
   // Whether the working forces are only dead loads that are constant in time.
   bool constant_work() const;
@@ -146,9 +150,9 @@ class Assembly {
   // Energies of all terms by name, at the trial configuration.
   std::vector<Energy> energies() const;
 
-  double largest_share() const { return cloth_->largest_share(); }
+  double largest_strain_ratio() const { return cloth_->largest_strain_ratio(); }
   Strained most_strained() const { return cloth_->most_strained(); }
-  double share(Index element) const { return cloth_->share(element); }
+  double strain_ratio(Index element) const { return cloth_->strain_ratio(element); }
 
   // --- motion
   // Sets the motion of a run's steps, by reference; null: none. The run adds the terms that depend on it.
@@ -185,12 +189,12 @@ class Assembly {
   Vec3 centre(Index element) const { return cloth_->centre(element); }
   // The first element whose directors are on the wrong side of it at one of its points; -1: none.
   Index inverted_element() const { return cloth_->inverted_element({}); }
-  // The same told apart: the first element that is turned inside out, and the first node whose director is
+  // The two separately: the first element that is turned inside out, and the first node whose director is
   // turned over, more than 90 degrees from the normal of sound elements. -1: none.
-  struct Shape {
+  struct OverturnedParts {
     Index inverted = -1, turned = -1;
   };
-  Shape shape() const;
+  OverturnedParts shape() const;
   Index elements() const { return cloth_->elements(); }
   bool turns(Index unknown) const { return dofs_.turns(unknown); }
   Index node_of_unknown(Index unknown) const { return dofs_.node_of(unknown); }
@@ -199,6 +203,7 @@ class Assembly {
   // --- joints (see Dofs). To be called at the committed state. Empty: nothing changes.
   const Joints& joints() const { return dofs_.joints(); }
   std::optional<Transfer> open(std::vector<Joints::Edge> edges, double within);
+  std::optional<Transfer> sew(Sewn next, double within);
   // J, kinetic energy lost as joints closed.
   void lose(double energy) { lost_ += energy; }
   // Changes whenever the unknowns are numbered anew.
@@ -217,6 +222,8 @@ class Assembly {
   void couple(std::vector<NodePair> pairs);
   void renumbered();
   void keep_joints(Archive& archive);
+  void keep_seams(Archive& archive);
+  void balance(const char* call);
 
   Configuration configuration_;
   Dofs dofs_;
@@ -225,14 +232,15 @@ class Assembly {
   Directors* directors_ = nullptr;
   Contacts* contact_ = nullptr;
   Tears* tears_ = nullptr;
+  Seams* seams_ = nullptr;
   const std::vector<Vec3>* moments_ = nullptr;  // those of the term that has moments
   bool upper_ = false;
   std::unique_ptr<Stiffness> stiffness_;
   std::vector<NodePair> coupled_, committed_coupled_;  // pairs in the pattern, ascending; at the last commit
   std::vector<double> force_x_, force_d_;              // internal, 3 per node
   std::uint64_t numbering_ = 0;
-  double lost_ = 0;   // J, in joints
-  double aimed_ = 0;  // s
+  double lost_ = 0;        // J, in joints
+  double trial_time_ = 0;  // s
   const Motion* motion_ = nullptr;
   Outcome outcome_;
 };

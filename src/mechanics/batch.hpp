@@ -13,13 +13,13 @@ namespace fabricsh::mechanics {
 inline constexpr Index few_batches = 16;
 
 // The position of an element in the batches.
-struct Place {
+struct BatchLane {
   Index batch;
   int lane;
 };
 
 // Properties of a kind of element with a given number of thickness points.
-struct Kind {
+struct BatchKind {
   element::Shell4Kernels kernels;
   int corners, in_plane, dofs;
   int first_point;    // where in the geometry column the points' transforms begin, eight numbers each
@@ -31,7 +31,7 @@ struct Batch {
   std::array<Index, lanes> element{};  // the last element is repeated in lanes from `used` on
   std::array<std::array<Index, 4>, lanes> nodes{};
   int used = 0;
-  const Kind* kind = nullptr;
+  const BatchKind* kind = nullptr;
   const section::Section* section = nullptr;
   const double* geometry = nullptr;  // batches with the same numbers share them
   std::size_t law = 0, force = 0;    // indices at which its data begin

@@ -12,7 +12,7 @@
 namespace fabricsh::mechanics {
 
 namespace {
-constexpr Index kShare = 2048;  // number of nodes from which loops use several threads
+constexpr Index kParallelFrom = 2048;  // number of nodes from which loops use several threads
 }
 
 Dofs::Dofs(const model::Model& model, Configuration& configuration)
@@ -22,6 +22,7 @@ Dofs::Dofs(const model::Model& model, Configuration& configuration)
       directors_(mechanics::reference_directors(model.mesh())) {
   lay_into_planes(model, directors_);
   freedoms_ = number_freedoms(model, directors_, joints_);
+  begin_seams(model);
   meet_directors();
   find_plain_nodes();
   first_axes_.reserve(X_.size());
@@ -32,7 +33,7 @@ Dofs::Dofs(const model::Model& model, Configuration& configuration)
     first_axes_.push_back(at(configuration_.b1(), n));
     realign(n);
   }
-  retract_ties({}, 0);
+  apply_ties({}, 0);
   configuration_.commit(0);
   begin_iterate();
   for (const auto& motion : freedoms_.motions) driven_nodes_.push_back(motion.node);
@@ -66,17 +67,26 @@ void Dofs::measure(const model::Model& model) {
     count += sides;
   }
   length_ = edges / count;
-  if (!has_ties()) return;
-  led_.resize(X_.size());
-  for (std::size_t f = 0; f < freedoms_.followers.size(); ++f)
-    for (std::size_t k = 0; k < freedoms_.followers[f].leads.size(); ++k)
-      led_[freedoms_.followers[f].leads[k].node].emplace_back(static_cast<Index>(f), static_cast<int>(k));
-  for (const Body& body : freedoms_.bodies) {
+  list_led();
+  for (const RigidBody& body : freedoms_.bodies) {
     const auto x = std::as_const(configuration_).x();
     double radius = 0;
     for (const Index i : body.nodes) radius = std::max(radius, (at(x, i) - centroid(body, x)).norm());
     radius_.push_back(radius);
   }
+}
+
+// Which followers each node leads.
+void Dofs::list_led() {
+  led_.clear();
+  tied_nodes_.clear();
+  if (!has_ties()) return;
+  led_.resize(X_.size());
+  for (std::size_t f = 0; f < freedoms_.followers.size(); ++f)
+    for (std::size_t k = 0; k < freedoms_.followers[f].leads.size(); ++k)
+      led_[freedoms_.followers[f].leads[k].node].emplace_back(static_cast<Index>(f), static_cast<int>(k));
+  for (Index n = 0; n < static_cast<Index>(X_.size()); ++n)
+    if (freedoms_.ties(n)) tied_nodes_.push_back(n);
 }
 
 // Finds for each unknown its node and whether it is a rotation.
@@ -89,7 +99,7 @@ void Dofs::list_unknowns() {
         unknown_node_[eq] = static_cast<std::int32_t>(i);
         turns_[eq] = c >= 3;
       }
-  for (const Body& body : freedoms_.bodies)
+  for (const RigidBody& body : freedoms_.bodies)
     for (Index i = 0; i < 6; ++i) {
       unknown_node_[body.equation + i] = static_cast<std::int32_t>(body.nodes.front());
       turns_[body.equation + i] = i >= 3;
@@ -143,7 +153,7 @@ std::vector<double> Dofs::targets(double time) const {
   return values;
 }
 
-void Dofs::retract(std::span<const double> delta, double scale, std::span<const double> targets) {
+void Dofs::apply_increment(std::span<const double> delta, double scale, std::span<const double> targets) {
   const std::size_t n = X_.size();
   const std::span<const double> base = iterate();
   configuration_.overwrite();
@@ -189,7 +199,7 @@ void Dofs::retract(std::span<const double> delta, double scale, std::span<const 
     turn_director(i, q1, q2);
     realign(i);
   }
-  retract_ties(delta, scale);
+  apply_ties(delta, scale);
   configuration_.touch();
 }
 
@@ -208,7 +218,7 @@ void Dofs::residual(std::span<const double> external, std::span<const double> in
                     const std::vector<Vec3>* moments, std::span<double> r) const {
   const auto d = std::as_const(configuration_).d(), first = std::as_const(configuration_).b1();
   const auto count = static_cast<Index>(X_.size());
-#pragma omp parallel for schedule(static) if (count >= kShare)
+#pragma omp parallel for schedule(static) if (count >= kParallelFrom)
   for (Index i = 0; i < count; ++i) {
     if (!joints_.leads(i)) continue;
     const Vec3 out = at(external, i) - at(internal_x, i);
@@ -294,7 +304,7 @@ std::vector<double> Dofs::collect_rates(const NodalRates& nodal) const {
     for (int c = 0; c < 5; ++c)
       if (free.equation[c] >= 0) rates[free.equation[c]] = value[c];
   }
-  for (const Body& body : freedoms_.bodies) {
+  for (const RigidBody& body : freedoms_.bodies) {
     const Vec3 middle = centroid(body, s.x());
     Vec3 mean = Vec3::Zero(), spin = Vec3::Zero();
     Mat3 J = Mat3::Zero();

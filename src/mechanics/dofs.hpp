@@ -13,6 +13,7 @@
 #include "mechanics/freedoms.hpp"
 #include "mechanics/joints.hpp"
 #include "mechanics/motion.hpp"
+#include "mechanics/sewing.hpp"
 #include "model/model.hpp"
 
 namespace fabricsh::mechanics {
@@ -34,6 +35,23 @@ class Dofs {
                                std::span<const double> rotary, double within);
   // The same when a state is restored: the configuration has it already.
   bool reopen(std::vector<Joints::Edge> edges);
+
+  // --- seams. To be called at the committed state.
+  const std::vector<model::Stitch>& stitches() const { return stitches_; }
+  const std::vector<model::Seam>& seams() const { return seams_; }
+  const Sewn& sewn() const { return sewn_; }
+  // Whether a seam at the node has been opened or has burst.
+  bool has_parted(Index node) const;
+  // Sets which stitches are closed and numbers the unknowns anew; empty: nothing changes. Where stitches
+  // close, the edges meet so that the centre of mass stays, in the trial configuration. Errors: an edge is
+  // farther than `within`, m, from the other where it closes; those of sewn_followers. Nothing is changed
+  // then.
+  std::optional<Transfer> sew(Sewn next, std::span<const double> mass, std::span<const double> rotary,
+                              double within);
+  bool resew(Sewn sewn);  // the same when a state is restored: the configuration has it already
+  // m, from the place on the other edge to the node.
+  static Vec3 gap(const model::Stitch& stitch, std::span<const double> x);
+
   const Freedoms& freedoms() const { return freedoms_; }
   const std::vector<Vec3>& reference() const { return X_; }
   const std::vector<Vec3>& reference_directors() const { return directors_; }
@@ -49,7 +67,7 @@ class Dofs {
   // --- moving the nodes. Trial = iterate moved by scale * delta, with the driven degrees of freedom at
   // `targets` (m along the frames, rad).
   void begin_iterate();  // iterate = trial
-  void retract(std::span<const double> delta, double scale, std::span<const double> targets);
+  void apply_increment(std::span<const double> delta, double scale, std::span<const double> targets);
   void return_to_iterate();                        // trial = iterate
   std::vector<double> targets(double time) const;  // of the driven freedoms; Error if not finite
 
@@ -74,7 +92,7 @@ class Dofs {
   // --- ties and frames
   // The unknowns that move a node's five degrees of freedom (in its frame), at the trial configuration.
   void links(Index node, std::vector<Link>& out) const;
-  Vec3 centroid(const Body& body, std::span<const double> x) const;
+  Vec3 centroid(const RigidBody& body, std::span<const double> x) const;
   // Increment of a driven degree of freedom: a displacement; or for a rotated director its angle times the
   // rate of q1 or q2.
   double lead_of(Index motion, std::span<const double> lead) const;
@@ -107,9 +125,24 @@ class Dofs {
   Transfer transfer(const std::vector<std::array<Index, 5>>& before, Index bodies_before,
                     const std::vector<Axes>& axes_before, std::span<const double> mass,
                     std::span<const double> rotary) const;
+  void list_led();
+  void mixed_links(const model::Follower& f, const model::Lead& lead, std::vector<Link>& out) const;
+  void begin_seams(const model::Model& model);
+  void follow_seams();
+  void follow();
+  void check_gaps(const Sewn& before, double within) const;
+  void meet_seams(std::span<const double> mass, std::span<const double> rotary);
+  struct Row {  // what an unknown does to a node and to its director, global
+    Index equation;
+    Vec3 x, d;
+  };
+  std::vector<Row> row_of(Index node) const;
+  Transfer transfer_seams(const std::vector<std::array<Index, 5>>& before, Index bodies_before,
+                          const std::vector<std::vector<Row>>& rows, std::span<const double> mass,
+                          std::span<const double> rotary) const;
   double lever(Index unknown) const;  // m, by which its moments are divided; 1 for a displacement
   void realign(Index node);
-  void retract_ties(std::span<const double> delta, double scale);
+  void apply_ties(std::span<const double> delta, double scale);
   void add_tied_residual(std::span<const double> external, std::span<const double> internal_x,
                          std::span<const double> internal_d, std::span<const double> on_d,
                          const std::vector<Vec3>* moments, std::span<double> r) const;
@@ -126,6 +159,12 @@ class Dofs {
   std::vector<Vec3> directors_;   // reference
   std::vector<Vec3> first_axes_;  // of the reference directors, for driven directors
   Freedoms freedoms_;
+  std::vector<model::Seam> seams_;
+  std::vector<model::Stitch> stitches_;
+  Sewn sewn_;
+  std::vector<Index> seam_nodes_;             // ascending
+  std::vector<model::Follower> ties_;         // without those of seams; not used if there are no seams
+  std::vector<std::array<Index, 5>> unsewn_;  // see sewn_followers; not used if there are no seams
   // As in Configuration; not used while the iterate is the committed copy.
   std::vector<double> iterate_;
   bool iterate_is_committed_ = true;
@@ -139,6 +178,7 @@ class Dofs {
   std::vector<bool> turns_;                              // per unknown
   std::vector<double> radius_;                           // m, per body
   std::vector<std::vector<std::pair<Index, int>>> led_;  // per node: followers it leads, and as which lead
+  std::vector<Index> tied_nodes_;                        // ascending
   double length_ = 1;
   // Places of the diagonal in the values of a matrix with the pattern of this version.
   mutable std::vector<Index> diagonal_[2];  // entries of the matrix: displacements, rotations

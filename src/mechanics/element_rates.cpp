@@ -89,9 +89,9 @@ std::vector<Deformation> derivatives(const Batch& batch, const double* x, const 
 }
 
 // Adds stiffness * row^T row, where the row is entry i of lane l of all columns.
-class Rows {
+class RowProducts {
  public:
-  Rows(const std::vector<Deformation>& columns, ElementMatrix& sum) : columns_(columns), sum_(sum) {}
+  RowProducts(const std::vector<Deformation>& columns, ElementMatrix& sum) : columns_(columns), sum_(sum) {}
   void add(std::vector<double> Deformation::*part, std::size_t i, double stiffness) {
     const auto n = static_cast<Eigen::Index>(columns_.size());
     Eigen::Matrix<double, shell4_dofs, 1> row;
@@ -108,7 +108,7 @@ void add_lane(const Batch& batch, const std::vector<Deformation>& columns, std::
               ElementMatrix& sum) {
   const auto& section = *batch.section;
   const int points = static_cast<int>(section.points.size());
-  Rows rows(columns, sum);
+  RowProducts rows(columns, sum);
   for (int g = 0; g < batch.kind->in_plane; ++g) {
     double area = 0;  // m^2
     for (int k = 0; k < points; ++k) {

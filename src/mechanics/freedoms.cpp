@@ -22,7 +22,7 @@ int held_rotations(const std::vector<Vec3>& axes, const Vec3& d) {
   return 1;
 }
 
-struct Held {
+struct HeldDirections {
   std::array<bool, 3> translation{};
   std::vector<Vec3> axes;
   bool rotation = false;
@@ -34,22 +34,22 @@ Index add_history(const model::History& history, Freedoms& f) {
 }
 
 // The director of every node in the set becomes driven; with a centre, also its three displacements.
-void add_turn(const model::Turn& turn, const mesh::Mesh& mesh, Freedoms& f,
+void add_turn(const model::PrescribedTurn& turn, const mesh::Mesh& mesh, Freedoms& f,
               std::vector<std::array<Index, 3>>& motion) {
-  using Kind = DrivenFreedom::Kind;
+  using FreedomKind = DrivenFreedom::FreedomKind;
   const Index angle = add_history(turn.angle, f);  // degrees
   for (const Index n : mesh.set(turn.set)) {
     NodeFreedoms& node = f.nodes[n];
     node.turn_axis = turn.axis;
     for (int c = 3; c < 5; ++c) {
       node.equation[c] = driven(static_cast<Index>(f.motions.size()));
-      f.motions.push_back({n, c, angle, Kind::angle});
+      f.motions.push_back({n, c, angle, FreedomKind::angle});
     }
     if (!turn.centre) continue;
     const Vec3 arm = mesh.nodes[n] - *turn.centre;
     for (int i = 0; i < 3; ++i) {
       motion[n][i] = static_cast<Index>(f.motions.size());
-      f.motions.push_back({n, i, angle, Kind::arm, arm, turn.axis});
+      f.motions.push_back({n, i, angle, FreedomKind::arm, arm, turn.axis});
     }
   }
 }
@@ -76,9 +76,9 @@ void mark_ties(const model::Model& model, Freedoms& f) {
 }  // namespace
 
 double DrivenFreedom::of(double value) const {
-  if (kind == Kind::displacement) return value;
+  if (kind == FreedomKind::displacement) return value;
   const double angle = value * std::numbers::pi / 180;
-  if (kind == Kind::angle) return angle;
+  if (kind == FreedomKind::angle) return angle;
   return (Eigen::AngleAxisd(angle, axis) * arm - arm)[component];
 }
 
@@ -94,7 +94,7 @@ Vec3 allowed_direction(const std::vector<Vec3>& held_axes, const Vec3& d) {
 namespace {
 
 // The axis (0 to 2) of the frame to which a symmetry support's plane is normal; -1: it is no such support.
-int plane_normal(const model::Freedoms& fixed) {
+int plane_normal(const model::FixedFreedoms& fixed) {
   if (fixed.rotation) return -1;
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
@@ -135,7 +135,7 @@ void Freedoms::number(const Joints& joints) {
       if (Index& equation = nodes[n].equation[c]; equation >= 0)
         equation = leader == static_cast<Index>(n) ? unknowns++ : nodes[leader].equation[c];
   }
-  for (Body& body : bodies) {
+  for (RigidBody& body : bodies) {
     body.equation = unknowns;
     unknowns += 6;
   }
@@ -146,7 +146,7 @@ Freedoms number_freedoms(const model::Model& model, const std::vector<Vec3>& dir
   const auto& mesh = model.mesh();
   Freedoms f;
   f.nodes.resize(mesh.nodes.size());
-  std::vector<Held> holds(mesh.nodes.size());
+  std::vector<HeldDirections> holds(mesh.nodes.size());
   std::vector<std::array<Index, 3>> motion(mesh.nodes.size(), {-1, -1, -1});
   auto use_frame = [&](Index n, const Mat3& frame) {
     f.nodes[n].frame = frame;
@@ -154,7 +154,7 @@ Freedoms number_freedoms(const model::Model& model, const std::vector<Vec3>& dir
   };
   for (const auto& support : model.supports())
     for (const Index n : mesh.set(support.set)) {
-      Held& h = holds[n];
+      HeldDirections& h = holds[n];
       bool translates = false;
       for (int i = 0; i < 3; ++i) {
         h.translation[i] = h.translation[i] || support.fixed.translation[i];
@@ -189,7 +189,7 @@ Freedoms number_freedoms(const model::Model& model, const std::vector<Vec3>& dir
       if (node.equation[i] != tied)
         node.equation[i] = motion[n][i] >= 0 ? driven(motion[n][i]) : holds[n].translation[i] ? held : 0;
     if (node.turn_axis || node.equation[3] == tied) continue;
-    const int lost = holds[n].rotation ? 2 : held_rotations(holds[n].axes, directors[n]);
+    const int lost = holds[n].rotation || model.membrane() ? 2 : held_rotations(holds[n].axes, directors[n]);
     if (lost == 1) node.held_axes = holds[n].axes;
     node.equation[3] = lost == 2 ? held : 0;
     node.equation[4] = lost >= 1 ? held : 0;

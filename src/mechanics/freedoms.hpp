@@ -24,7 +24,7 @@ struct DrivenFreedom {
   Index node;
   int component;
   Index history;  // index in Freedoms::histories
-  enum class Kind : char { displacement, angle, arm } kind = Kind::displacement;
+  enum class FreedomKind : char { displacement, angle, arm } kind = FreedomKind::displacement;
   Vec3 arm = Vec3::Zero();   // for kind arm: from the centre to the node, m
   Vec3 axis = Vec3::Zero();  // for kind arm: axis of the rotation, unit
   double of(double value) const;
@@ -39,7 +39,7 @@ struct NodeFreedoms {
 };
 
 // A rigid body: its unknowns are increments of displacement and rotation about its centroid, global axes.
-struct Body {
+struct RigidBody {
   mesh::NodeSet nodes;
   Index equation = 0;  // number of the first of six
 };
@@ -55,7 +55,7 @@ struct Freedoms {
   std::vector<DrivenFreedom> motions;
   std::vector<model::History> histories;
   std::vector<model::Follower> followers;
-  std::vector<Body> bodies;
+  std::vector<RigidBody> bodies;
   std::vector<Index> body_of;  // per node: its body or -1; empty if there are none
   Index unknowns = 0;
 

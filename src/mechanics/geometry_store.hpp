@@ -17,8 +17,8 @@ namespace fabricsh::mechanics {
 
 class GeometryStore {
  public:
-  // What is stored of a batch. The numbers keep their place as long as the store lives.
-  struct Entry {
+  // What is stored of a batch. The numbers keep their address as long as the store exists.
+  struct StoredBatch {
     const double* numbers;
     element::Sharing sharing;
   };
@@ -26,7 +26,7 @@ class GeometryStore {
   // The stored copy of the numbers of a batch of this kind and section, whole lines of lanes. find_sharing()
   // is called for numbers that are new.
   template <class FindSharing>
-  Entry keep(const Batch& batch, std::span<const double> numbers, FindSharing find_sharing) {
+  StoredBatch keep(const Batch& batch, std::span<const double> numbers, FindSharing find_sharing) {
     const auto [first, last] = known_.equal_range(hash(numbers));
     for (auto i = first; i != last; ++i)
       if (i->second.kind == batch.kind &&
@@ -41,8 +41,8 @@ class GeometryStore {
 
  private:
   struct Known {
-    const Kind* kind;  // of a region, and so of a section
-    Entry entry;
+    const BatchKind* kind;  // of a region, and so of a section
+    StoredBatch entry;
   };
 
   static std::uint64_t hash(std::span<const double> numbers) {

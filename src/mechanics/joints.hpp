@@ -56,12 +56,12 @@ class Joints {
 // the mean weighted by their masses, so that the momentum stays as it was.
 class Transfer {
  public:
-  struct Part {
+  struct WeightedUnknown {
     Index old;
     double weight;
   };
   // Adds the next new unknown, by the old ones that it comes from; the weights add up to one.
-  void add(std::span<const Part> from) {
+  void add(std::span<const WeightedUnknown> from) {
     parts_.insert(parts_.end(), from.begin(), from.end());
     first_.push_back(parts_.size());
   }
@@ -69,7 +69,7 @@ class Transfer {
   bool closes() const { return parts_.size() >= first_.size(); }  // whether a joint closed
 
  private:
-  std::vector<Part> parts_;
+  std::vector<WeightedUnknown> parts_;
   std::vector<std::size_t> first_{0};
 };
 

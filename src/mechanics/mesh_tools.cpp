@@ -114,7 +114,9 @@ Tributary tributary(const mesh::Mesh& mesh, const mesh::NodeSet& nodes) {
     for (const auto n : nodes) t.measure.push_back(1.0 / alike.nodes(n));
   }
   t.total = std::accumulate(t.measure.begin(), t.measure.end(), 0.0);
-  t.kind = has_area ? Tributary::Kind::area : has_edges ? Tributary::Kind::length : Tributary::Kind::count;
+  t.kind = has_area    ? Tributary::MeasureKind::area
+           : has_edges ? Tributary::MeasureKind::length
+                       : Tributary::MeasureKind::count;
   return t;
 }
 

@@ -1,4 +1,4 @@
-// Data derived from a mesh before a model is compiled: directors, colours, tributary shares, sizes.
+// Data derived from a mesh before a model is compiled: directors, colours, tributary weights, sizes.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -13,8 +13,8 @@ using Index = std::int64_t;
 // Shares of the nodes of a set in something distributed over it: by area if the set has whole elements (m^2),
 // otherwise by length if it has whole element edges (m), otherwise equal.
 struct Tributary {
-  enum class Kind { area, length, count };
-  Kind kind = Kind::count;
+  enum class MeasureKind { area, length, count };
+  MeasureKind kind = MeasureKind::count;
   std::vector<double> measure;  // per node of the set
   double total = 0;
 };

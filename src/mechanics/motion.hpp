@@ -44,7 +44,7 @@ class Motion {
 };
 
 // A quasi-static step.
-class Still final : public Motion {
+class QuasiStatic final : public Motion {
  public:
   bool moves() const override { return false; }
   std::span<const double> rates() const override { return {}; }

@@ -83,7 +83,7 @@ Transfer Dofs::transfer(const std::vector<std::array<Index, 5>>& before, Index b
       Index& old = from[freedoms_.nodes[n].equation[c]];
       old = old == -1 || old == before[n][c] ? before[n][c] : -2;
     }
-  for (const Body& body : freedoms_.bodies)
+  for (const RigidBody& body : freedoms_.bodies)
     for (Index i = 0; i < 6; ++i)
       from[body.equation + i] = bodies_before + body.equation - freedoms_.bodies.front().equation + i;
   const std::vector<Axes> axes_now = axes();
@@ -105,7 +105,7 @@ Transfer Dofs::transfer(const std::vector<std::array<Index, 5>>& before, Index b
     }
   Transfer out;
   for (Index i = 0; i < freedoms_.unknowns; ++i) {
-    std::vector<Transfer::Part> row;
+    std::vector<Transfer::WeightedUnknown> row;
     if (from[i] >= 0) row.push_back({from[i], 1});
     if (from[i] == -2)
       for (const auto& [old, weight] : mixed[i]) row.push_back({old, weight / whole[i]});
@@ -142,6 +142,7 @@ void Dofs::number() {
   freedoms_.number(joints_);
   find_plain_nodes();
   list_unknowns();
+  list_led();
 }
 
 }  // namespace fabricsh::mechanics

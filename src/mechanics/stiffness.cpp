@@ -40,7 +40,7 @@ std::vector<Index> ends_of_blocks(const Dofs& dofs) {
     for (const Index eq : node.equation)
       if (eq >= 0) end[eq] = last;
   }
-  for (const Body& body : dofs.freedoms().bodies)
+  for (const RigidBody& body : dofs.freedoms().bodies)
     for (Index i = 0; i < 6; ++i) end[body.equation + i] = body.equation + 5;
   return end;
 }
@@ -129,7 +129,7 @@ inline void prefetch_block(const ElementBlock& block, const double* value) {
 
 }  // namespace
 
-Stiffness::Stiffness(const Dofs& dofs, std::span<const Batch> batches, std::span<const Place> places,
+Stiffness::Stiffness(const Dofs& dofs, std::span<const Batch> batches, std::span<const BatchLane> places,
                      bool upper)
     : dofs_(dofs), batches_(batches), upper_(upper) {
   list_tied_elements(places);
@@ -138,11 +138,11 @@ Stiffness::Stiffness(const Dofs& dofs, std::span<const Batch> batches, std::span
   make_slots();
 }
 
-void Stiffness::list_tied_elements(std::span<const Place> places) {
+void Stiffness::list_tied_elements(std::span<const BatchLane> places) {
   if (!dofs_.has_ties()) return;
   const Freedoms& freedoms = dofs_.freedoms();
   tied_place_.assign(batches_.size() * lanes, -1);
-  for (const Place place : places) {
+  for (const BatchLane place : places) {
     const auto& nodes = batches_[place.batch].nodes[place.lane];
     if (!std::any_of(nodes.begin(), nodes.end(), [&](Index n) { return n >= 0 && freedoms.ties(n); }))
       continue;
@@ -188,7 +188,7 @@ void Stiffness::make_pattern() {
       for (const Index n : batch.nodes[l]) add_unknowns(dofs_, n, all);
       couple_all(all, columns);
     }
-  for (const Body& body : dofs_.freedoms().bodies)
+  for (const RigidBody& body : dofs_.freedoms().bodies)
     for (Index i = 0; i < 6; ++i)
       for (Index j = 0; j < 6; ++j) columns[body.equation + i].push_back(body.equation + j);
   keep_upper(columns);
@@ -328,7 +328,7 @@ void Stiffness::scatter_with_care(const Batch& batch, Index element, int lane, c
 void Stiffness::scatter_tied(const Target& to) const {
   std::vector<Link> node[4];
   for (std::size_t e = 0; e < tied_elements_.size(); ++e) {
-    const Place place = tied_elements_[e];
+    const BatchLane place = tied_elements_[e];
     const Batch& batch = batches_[place.batch];
     const auto& nodes = batch.nodes[place.lane];
     const Eigen::Map<const Dense> k(tied_tangent_.data() + e * kEntries);
@@ -385,7 +385,7 @@ void Stiffness::add_diagonal(std::span<const double> c_x, std::span<const double
 void Stiffness::add_body_stiffness(const Configuration& s, std::span<const double> internal_x,
                                    std::span<const double> internal_d, std::span<const double> external,
                                    const std::vector<Vec3>* moments, const Target& to) const {
-  for (const Body& body : dofs_.freedoms().bodies) {
+  for (const RigidBody& body : dofs_.freedoms().bodies) {
     Mat3 k = Mat3::Zero();
     const Vec3 c = dofs_.centroid(body, s.x());
     for (const Index n : body.nodes) {

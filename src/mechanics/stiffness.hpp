@@ -27,7 +27,7 @@ class Stiffness {
  public:
   // batches: those of the cloth. upper: the pattern keeps the upper triangle, which is enough for a solver of
   // symmetric matrices; the node's own blocks are whole.
-  Stiffness(const Dofs& dofs, std::span<const Batch> batches, std::span<const Place> places, bool upper);
+  Stiffness(const Dofs& dofs, std::span<const Batch> batches, std::span<const BatchLane> places, bool upper);
 
   // The pattern of elements, ties and coupled pairs.
   const std::shared_ptr<const linear::Pattern>& pattern() const { return pattern_; }
@@ -66,7 +66,7 @@ class Stiffness {
   void make_slots();
   void find_slots();
   void pair_elements();
-  void list_tied_elements(std::span<const Place> places);
+  void list_tied_elements(std::span<const BatchLane> places);
   void keep_upper(std::vector<std::vector<Index>>& columns) const;
   void scatter_with_care(const Batch& batch, Index element, int lane, const double* K, const Target& to);
 
@@ -89,7 +89,7 @@ class Stiffness {
   std::vector<Care> care_;
   std::vector<bool> paired_;
   std::vector<Index> tied_place_;  // for each lane: index in tied_elements_ or -1; empty without ties
-  std::vector<Place> tied_elements_;
+  std::vector<BatchLane> tied_elements_;
   std::vector<double> tied_tangent_;  // per tied element, 20 x 20
 };
 

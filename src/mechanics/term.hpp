@@ -1,7 +1,7 @@
 // A term makes force: cloth, gravity, loads, springs, damping, inertia and contact are terms. The assembly is
 // their sum, and nothing else adds force, energy or stiffness. A term provides its forces, tangent, energies
 // by name, the pairs of nodes that it couples, its part of a checkpoint, the largest stable step, the safe
-// share of a step, and the fields that it shows.
+// fraction of a step, and the fields that it shows.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -86,7 +86,7 @@ struct OnMass {
 
 // A number that a term shows of the present state for each node, or for each element. Runs offer it like a
 // field of their own, in VTK files, tables and by name.
-struct Shown {
+struct TermField {
   std::string name, unit, sentence;
   bool of_elements = false;
   std::function<double(Index)> value;
@@ -150,17 +150,17 @@ class Term {
   // --- steps
   // Whether limit() can return less than 1.
   virtual bool limits() const { return false; }
-  // The safe share, 0 to 1, of a step from the trial configuration along delta (m, 3 per node). 0: the step
-  // must be cut.
+  // The safe fraction, 0 to 1, of a step from the trial configuration along delta (m, 3 per node). 0: the
+  // step must be cut.
   virtual double limit(const Trial&, std::span<const double> /*delta*/) { return 1; }
   // s, the largest stable step of central differences, with true or scaled rotary inertia.
   virtual double stable_step(bool /*scaled*/) const { return std::numeric_limits<double>::infinity(); }
 
-  // --- what the term itself moves in a step that iterates, by shares of the solver's steps: a share goes
-  // from where begin_iterate() found it
+  // --- what the term itself moves in a step that iterates, by fractions of the solver's steps; fractions
+  // are measured from the iterate, where begin_iterate() was called
   virtual void begin_iterate() {}
   virtual void move(double /*scale*/) {}
-  virtual bool arrived() const { return true; }  // where the step ends
+  virtual bool at_target() const { return true; }  // where the step ends
 
   // --- joints. Called after joints have opened or closed, or a state with other joints is about to be read:
   // the unknowns are numbered anew, and what a term has of single unknowns is to be made again. The forces
@@ -168,10 +168,10 @@ class Term {
   virtual void renumbered(Forces&) {}
 
   // --- fields. The functions are called as long as the term exists.
-  virtual std::vector<Shown> shows() const { return {}; }
+  virtual std::vector<TermField> shows() const { return {}; }
 
   // --- state
-  virtual void aim(double /*time*/) {}  // sets the time of the next forces
+  virtual void set_time(double /*time*/) {}  // sets the time of the next forces
   virtual void commit() {}
   virtual void rollback() {}
   virtual void keep(Archive&) {}  // the committed state

@@ -12,20 +12,34 @@ namespace {
 using Column = Eigen::Matrix<double, 5, 1>;
 }
 
+namespace {
+
+// Of a follower, from the directors of its leads.
+template <class Directors>
+Vec3 director_of(const model::Follower& f, const Directors& of_node) {
+  if (f.leads.size() == 1) return of_node(f.leads[0].node);
+  Vec3 sum = Vec3::Zero();
+  for (const auto& lead : f.leads) sum += lead.weight * of_node(lead.node);
+  return sum.normalized();
+}
+
+}  // namespace
+
 // The directors of nodes tied together are replaced by their mean, because each side of a seam sees only half
 // of the elements.
 void Dofs::meet_directors() {
   std::vector<Vec3> sum = directors_;
   for (const auto& f : freedoms_.followers)
-    if (f.component == 3) sum[f.leads[0].node] += directors_[f.node];
+    if (f.component == 3)
+      for (const auto& lead : f.leads) sum[lead.node] += lead.weight * directors_[f.node];
   for (const auto& f : freedoms_.followers)
-    if (f.component == 3) {
-      directors_[f.leads[0].node] = sum[f.leads[0].node].normalized();
-      directors_[f.node] = directors_[f.leads[0].node];
-    }
+    if (f.component == 3)
+      for (const auto& lead : f.leads) directors_[lead.node] = sum[lead.node].normalized();
+  for (const auto& f : freedoms_.followers)
+    if (f.component == 3) directors_[f.node] = director_of(f, [this](Index n) { return directors_[n]; });
 }
 
-Vec3 Dofs::centroid(const Body& body, std::span<const double> x) const {
+Vec3 Dofs::centroid(const RigidBody& body, std::span<const double> x) const {
   Vec3 sum = Vec3::Zero();
   for (const Index n : body.nodes) sum += at(x, n);
   return sum / static_cast<double>(body.nodes.size());
@@ -35,7 +49,7 @@ void Dofs::links(Index n, std::vector<Link>& out) const {
   out.clear();
   const NodeFreedoms& node = freedoms_.nodes[n];
   if (const Index which = freedoms_.body(n); which >= 0) {
-    const Body& body = freedoms_.bodies[which];
+    const RigidBody& body = freedoms_.bodies[which];
     const Configuration& s = configuration_;
     const Vec3 r = at(s.x(), n) - centroid(body, s.x()), d = at(s.d(), n), b1 = at(s.b1(), n);
     for (int i = 0; i < 3; ++i) out.push_back({body.equation + i, Column::Unit(i)});
@@ -56,8 +70,11 @@ void Dofs::links(Index n, std::vector<Link>& out) const {
     for (const auto& lead : f->leads) {
       const NodeFreedoms& from = freedoms_.nodes[lead.node];
       if (f->component == 3) {
-        for (int c = 3; c < 5; ++c)
-          if (from.equation[c] != held) out.push_back({from.equation[c], Column::Unit(c)});
+        if (f->leads.size() > 1)
+          mixed_links(*f, lead, out);
+        else
+          for (int c = 3; c < 5; ++c)
+            if (from.equation[c] != held) out.push_back({from.equation[c], Column::Unit(c)});
         continue;
       }
       for (int j = 0; j < 3; ++j)
@@ -66,12 +83,32 @@ void Dofs::links(Index n, std::vector<Link>& out) const {
     }
 }
 
+// The director of a follower of several leads has the direction of their weighted sum s: its rate is the part
+// of theirs across it, over |s|.
+void Dofs::mixed_links(const model::Follower& f, const model::Lead& lead, std::vector<Link>& out) const {
+  const Configuration& now = configuration_;
+  Vec3 sum = Vec3::Zero();
+  for (const auto& l : f.leads) sum += l.weight * at(now.d(), l.node);
+  const Vec3 d = at(now.d(), f.node), b1 = at(now.b1(), f.node), b2 = d.cross(b1);
+  const Vec3 of_lead = at(now.d(), lead.node), first = at(now.b1(), lead.node);
+  const Vec3 rates[2] = {first, of_lead.cross(first)};
+  for (int c = 3; c < 5; ++c) {
+    const Index equation = freedoms_.nodes[lead.node].equation[static_cast<std::size_t>(c)];
+    if (equation == held) continue;
+    const Vec3 rate = lead.weight / sum.norm() * rates[c - 3];
+    Column column = Column::Zero();
+    column[3] = b1.dot(rate);
+    column[4] = b2.dot(rate);
+    out.push_back({equation, column});
+  }
+}
+
 // Moves the tied nodes after all others: bodies from the iterate, followers from their leads.
-void Dofs::retract_ties(std::span<const double> delta, double scale) {
+void Dofs::apply_ties(std::span<const double> delta, double scale) {
   const std::size_t n = X_.size();
   const std::span<const double> base = iterate();
   const auto x = configuration_.x(), d = configuration_.d(), b1 = configuration_.b1();
-  for (const Body& body : freedoms_.bodies) {
+  for (const RigidBody& body : freedoms_.bodies) {
     if (delta.empty()) break;
     const Vec3 c = centroid(body, base);
     const double* step = delta.data() + body.equation;
@@ -84,16 +121,24 @@ void Dofs::retract_ties(std::span<const double> delta, double scale) {
       at(b1, i) = R * at(base.subspan(6 * n), i);
     }
   }
+  follow();
+}
+
+// Moves the followers to their leads.
+void Dofs::follow() {
+  const auto x = configuration_.x(), d = configuration_.d(), b1 = configuration_.b1();
   for (const auto& f : freedoms_.followers) {
     if (f.component == 3) {
-      at(d, f.node) = at(d, f.leads[0].node);
-      at(b1, f.node) = at(b1, f.leads[0].node);
+      const Vec3 director = director_of(f, [&d](Index n) { return Vec3(at(d, n)); });
+      const Vec3 first = at(b1, f.leads[0].node);
+      at(d, f.node) = director;
+      at(b1, f.node) = f.leads.size() == 1 ? first : (first - first.dot(director) * director).normalized();
       continue;
     }
     double u = 0;
     for (const auto& lead : f.leads)
-      u += lead.weight * (x[3 * lead.node + f.component] - X_[lead.node][f.component]);
-    x[3 * f.node + f.component] = X_[f.node][f.component] + u;
+      u += lead.weight * (x[3 * lead.node + f.component] - (f.sewn ? 0 : X_[lead.node][f.component]));
+    x[3 * f.node + f.component] = (f.sewn ? 0 : X_[f.node][f.component]) + u;
   }
 }
 
@@ -101,11 +146,10 @@ void Dofs::add_tied_residual(std::span<const double> external, std::span<const d
                              std::span<const double> internal_d, std::span<const double> on_d,
                              const std::vector<Vec3>* moments, std::span<double> r) const {
   const Configuration& s = configuration_;
-  for (const Body& body : freedoms_.bodies)
+  for (const RigidBody& body : freedoms_.bodies)
     for (Index i = 0; i < 6; ++i) r[body.equation + i] = 0;
   std::vector<Link> node;
-  for (Index i = 0; i < static_cast<Index>(X_.size()); ++i) {
-    if (!freedoms_.ties(i)) continue;
+  for (const Index i : tied_nodes_) {
     const Vec3 b1 = at(s.b1(), i), b2 = Vec3(at(s.d(), i)).cross(b1);
     Column f;
     const Vec3 internal = at(internal_d, i),

@@ -36,10 +36,10 @@ double degrees(const Vec3& a, const Vec3& b) {
 }
 
 // The geometry of one element.
-struct Shape {
+struct ElementGeometry {
   std::size_t n;
   Vec3 x[4];
-  Shape(const Mesh& mesh, const std::array<Index, 4>& ids) : n(ids[3] < 0 ? 3 : 4) {
+  ElementGeometry(const Mesh& mesh, const std::array<Index, 4>& ids) : n(ids[3] < 0 ? 3 : 4) {
     for (std::size_t i = 0; i < n; ++i) x[i] = mesh.nodes[static_cast<std::size_t>(ids[i])];
   }
   Vec3 side(std::size_t i) const { return x[(i + 1) % n] - x[i % n]; }
@@ -113,7 +113,7 @@ class Checker {
     if (!ids.empty()) add(key, severity, listed("element", ids) + ": " + text, ids);
   }
 
-  bool degenerate(const Shape& shape, const std::array<Index, 4>& ids) const {
+  bool degenerate(const ElementGeometry& shape, const std::array<Index, 4>& ids) const {
     for (std::size_t i = 0; i < shape.n; ++i)
       for (std::size_t k = 0; k < i; ++k)
         if (ids[i] == ids[k]) return true;
@@ -141,10 +141,10 @@ void Checker::shapes() {
   m.shortest = std::numeric_limits<double>::infinity();
   m.least_angle = 180;
   std::vector<Index> degenerates, inverted, long_ones, warped, sharp, blunt, tapered;
-  double widest = 0, narrowest = 1;  // degrees; share
+  double widest = 0, narrowest = 1;  // degrees; fraction
   for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
     const auto id = static_cast<Index>(e);
-    const Shape shape(mesh_, mesh_.elements[e]);
+    const ElementGeometry shape(mesh_, mesh_.elements[e]);
     ++(shape.n == 3 ? m.triangles : m.quadrilaterals);
     m.area += shape.area().norm();
     m.shortest = std::min(m.shortest, shape.shortest());
@@ -279,7 +279,7 @@ void Checker::folds() {
     const auto& ids = mesh_.elements[e];
     for (const Index id : ids)
       if (id >= 0) used[static_cast<std::size_t>(id)] = 1;
-    const Shape shape(mesh_, ids);
+    const ElementGeometry shape(mesh_, ids);
     if (!degenerate(shape, ids) && !shape.inverted() && !spans_volume(mesh_, ids, normals))
       elements.push_back(static_cast<Index>(e));
   }
@@ -303,8 +303,9 @@ namespace {
 bool lies_between(const Vec3& x, const Vec3& a, const Vec3& b) {
   constexpr double near = 1e-6, end = 1e-3;  // of its length
   const Vec3 along = b - a;
-  const double length2 = along.squaredNorm(), share = (x - a).dot(along) / length2;
-  return share > end && share < 1 - end && (x - a - share * along).squaredNorm() < near * near * length2;
+  const double length2 = along.squaredNorm(), fraction = (x - a).dot(along) / length2;
+  return fraction > end && fraction < 1 - end &&
+         (x - a - fraction * along).squaredNorm() < near * near * length2;
 }
 
 }  // namespace
@@ -355,7 +356,7 @@ void Checker::unused() {
 // a near node lies in one of the eight cells around the nearest corner of its cell.
 void Checker::duplicates() {
   if (mesh_.nodes.empty()) return;
-  const Box all = box_of(mesh_.nodes);
+  const BoundingBox all = box_of(mesh_.nodes);
   const double near = 1e-9 * all.size().norm();
   if (near == 0) return;
   using Cell = std::array<std::int64_t, 3>;
@@ -389,10 +390,6 @@ void Checker::duplicates() {
 }
 
 }  // namespace
-
-const char* name(Severity severity) {
-  return severity == Severity::note ? "note" : severity == Severity::warning ? "warning" : "error";
-}
 
 bool Report::ok() const {
   return std::none_of(items.begin(), items.end(),

@@ -3,12 +3,10 @@
 #include <string>
 #include <vector>
 
+#include "base/severity.hpp"
 #include "mesh/mesh.hpp"
 
 namespace fabricsh::mesh {
-
-enum class Severity { note, warning, error };
-const char* name(Severity severity);
 
 // One finding. The text counts elements and nodes from 1. The lists count from 0, ascend and are complete.
 struct Finding {

@@ -9,6 +9,7 @@ std::shared_ptr<Mesh> split_corners(std::shared_ptr<const Mesh> whole, const std
   out->nodes = whole->nodes;
   out->elements = whole->elements;
   out->flat = whole->flat;
+  out->warp = whole->warp;
   out->origin = whole->origin;
   out->parts = whole->parts;
   out->place.resize(whole->nodes.size());

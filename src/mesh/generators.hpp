@@ -29,12 +29,12 @@ Mesh annulus(const Annulus& shape);
 // A cylinder about the z axis from z = 0 to length, normal outward, counter-clockwise
 // from the x-z plane. Nodes are numbered around the axis first, from the bottom up.
 // Sets: bottom top boundary all, and start and end or seam as for a ring.
-struct Cylinder {
+struct CylinderSurface {
   double radius = 0, length = 0;
   Index around = 0, along = 0;
   double angle = 360;
 };
-Mesh cylinder(const Cylinder& shape);
+Mesh cylinder(const CylinderSurface& shape);
 
 // The upper half of a sphere about the origin without its cap, normal outward; `hole` is the
 // polar angle at which the cap is cut off. Nodes are numbered around the axis first, from

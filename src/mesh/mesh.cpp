@@ -81,6 +81,21 @@ std::vector<std::string> Mesh::set_names() const {
   return names;
 }
 
+namespace {
+
+// The warp of a joined mesh, if a part has one. A flat part without one gets the default of flat meshes.
+void join_warp(Mesh& joined) {
+  const auto has_none = [](const Mesh::Part& part) { return part.mesh->warp.empty(); };
+  if (std::all_of(joined.parts.begin(), joined.parts.end(), has_none)) return;
+  for (const auto& part : joined.parts) {
+    joined.warp.insert(joined.warp.end(), part.mesh->warp.begin(), part.mesh->warp.end());
+    joined.warp.resize(static_cast<std::size_t>(part.first_element) + part.mesh->elements.size(),
+                       part.mesh->flat ? Vec3(Vec3::UnitX()) : Vec3(Vec3::Zero()));
+  }
+}
+
+}  // namespace
+
 Mesh join(const std::vector<std::pair<std::string, std::shared_ptr<const Mesh>>>& parts) {
   Mesh joined;
   joined.flat = true;
@@ -101,6 +116,7 @@ Mesh join(const std::vector<std::pair<std::string, std::shared_ptr<const Mesh>>>
     joined.flat = joined.flat && mesh->flat;
     joined.origin += (joined.origin.empty() ? "" : ", ") + name + " (" + mesh->origin + ")";
   }
+  join_warp(joined);
   NodeSet all(joined.nodes.size());
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<Index>(i);
   joined.sets.emplace("all", std::move(all));
@@ -158,8 +174,31 @@ void Mesh::map(const std::function<Vec3(const Vec3&)>& f) {
       throw Error("map: node " + std::to_string(moved.size()) + " at " + text(node) +
                   ": expected a finite position, got " + text(moved.back()));
   }
+  for (std::size_t e = 0; e < warp.size(); ++e) warp[e] = moved_warp(e, moved);
   nodes = std::move(moved);
   flat = false;
+}
+
+bool Mesh::has_warp() const {
+  return !warp.empty() && std::none_of(warp.begin(), warp.end(), [](const Vec3& w) { return w.isZero(0); });
+}
+
+// The warp is a combination of two lines of the element, the diagonals or two edges, and stays the same one.
+Vec3 Mesh::moved_warp(std::size_t element, const std::vector<Vec3>& moved) const {
+  const auto& ids = elements[element];
+  const std::size_t last = corners(ids) - 1;
+  const auto lines = [&](const std::vector<Vec3>& x) {
+    const auto line = [&](std::size_t from, std::size_t to) -> Vec3 {
+      return x[static_cast<std::size_t>(ids[to])] - x[static_cast<std::size_t>(ids[from])];
+    };
+    Eigen::Matrix<double, 3, 2> both;
+    both << line(0, 2), line(1, last == 3 ? 3 : 0);
+    return both;
+  };
+  const Eigen::Matrix<double, 3, 2> before = lines(nodes);
+  const Eigen::Matrix2d metric = before.transpose() * before;
+  const Vec3 now = lines(moved) * metric.inverse() * (before.transpose() * warp[element]);
+  return now.norm() > 0 && now.allFinite() ? Vec3(now.normalized()) : Vec3(Vec3::Zero());
 }
 
 void check_unused(const Mesh& mesh, const char* call) {

@@ -21,6 +21,9 @@ struct Mesh {
   std::vector<std::array<Index, 4>> elements;  // node ids from 0, counter-clockwise about the shell normal;
                                                // a triangle has -1 in the last place
   std::map<std::string, NodeSet, std::less<>> sets;
+  // The warp direction of each element, global, of unit length, which map() takes along. Empty: the mesh has
+  // none; zero for the elements of a part that has none.
+  std::vector<Vec3> warp;
   bool flat = false;  // generated in the x-y plane and not mapped since: the warp direction may default to +x
   bool in_use = false;  // by a compiled model: nodes, elements and named sets must not change any more
   std::string origin;   // "rectangle 3x9", "file disc.msh": used in messages and in the printed model
@@ -50,7 +53,8 @@ struct Mesh {
   // list, or other ids for an existing name while the mesh is in use.
   void define(const std::string& name, NodeSet ids);
   void define(const std::string& name, const std::function<bool(const Vec3&)>& inside);
-  // Moves every node and clears `flat`. Error: a position that
+  bool has_warp() const;  // of every element
+  // Moves every node and clears `flat`; the warp goes with the elements. Error: a position that
   // is not finite, or a mesh in use; then no node is moved.
   void map(const std::function<Vec3(const Vec3&)>& f);
 
@@ -59,6 +63,7 @@ struct Mesh {
   struct Borrowed {
     NodeSet own, here;
   };
+  Vec3 moved_warp(std::size_t element, const std::vector<Vec3>& moved) const;
   const NodeSet* set_of_part(std::string_view name) const;
   const NodeSet& set_of_whole(std::string_view name) const;
   mutable std::map<std::string, Borrowed, std::less<>> borrowed_;
@@ -78,6 +83,12 @@ void split(Mesh& mesh, Index across);
 // Structured rectangle in the x-y plane, normal +z, nodes row-major from the origin corner.
 // Sets: left right bottom top boundary corners all. Errors: sizes not positive and finite, cells < 1.
 Mesh rectangle(double width, double height, Index nx, Index ny, const Vec3& origin = Vec3::Zero());
+// The same with lines of nodes at these positions, m from the origin corner. Errors: positions that do not
+// ascend, or do not run from 0 to the size.
+struct Grading {
+  std::vector<double> x, y;
+};
+Mesh rectangle(double width, double height, const Grading& lines, const Vec3& origin = Vec3::Zero());
 
 // Shortest edge of an element, or its smallest height where it is skewed, m: the h of the explicit step.
 double smallest_length(const Mesh& mesh, Index element);

@@ -1,6 +1,8 @@
+#include <cmath>
 #include <string>
 
 #include "base/error.hpp"
+#include "base/number.hpp"
 #include "mesh/lattice.hpp"
 
 namespace fabricsh::mesh {
@@ -33,7 +35,33 @@ void name_sides(Mesh& mesh, Index nx, Index ny) {
   mesh.sets["corners"] = {0, nx, ny * (nx + 1), ny * (nx + 1) + nx};
 }
 
+// Lines of nodes: 0 to the size, each beyond the one before.
+void check_lines(const char* axis, const std::vector<double>& lines, double size) {
+  constexpr double equal = 1e-9;  // of the size
+  const std::string field = std::string("rectangle: field 'grading.") + axis + "': ";
+  if (lines.size() < 2 || !(std::abs(lines.front()) <= equal * size) ||
+      !(std::abs(lines.back() - size) <= equal * size))
+    throw Error(field + "expected positions of the lines of nodes from 0 to " + number(size) + " m" +
+                (lines.empty() ? ", got none"
+                               : ", got " + number(lines.front()) + " to " + number(lines.back()) + " m"));
+  for (std::size_t i = 1; i < lines.size(); ++i)
+    if (!(lines[i] > lines[i - 1]))
+      throw Error(field + "expected positions that ascend, got " + number(lines[i]) + " m after " +
+                  number(lines[i - 1]) + " m at place " + std::to_string(i + 1));
+}
+
 }  // namespace
+
+Mesh rectangle(double width, double height, const Grading& lines, const Vec3& origin) {
+  check_lines("x", lines.x, width);
+  check_lines("y", lines.y, height);
+  const auto nx = static_cast<Index>(lines.x.size()) - 1, ny = static_cast<Index>(lines.y.size()) - 1;
+  Mesh mesh = rectangle(width, height, nx, ny, origin);
+  for (std::size_t n = 0; n < mesh.nodes.size(); ++n)
+    mesh.nodes[n] = origin + Vec3(lines.x[n % lines.x.size()], lines.y[n / lines.x.size()], 0);
+  mesh.origin += " graded";
+  return mesh;
+}
 
 Mesh rectangle(double width, double height, Index nx, Index ny, const Vec3& origin) {
   check(width, height, nx, ny, origin);

@@ -41,7 +41,7 @@ Mesh annulus(const Annulus& shape) {
   return mesh;
 }
 
-Mesh cylinder(const Cylinder& shape) {
+Mesh cylinder(const CylinderSurface& shape) {
   check_length("cylinder", "radius", shape.radius);
   check_length("cylinder", "length", shape.length);
   check_around("cylinder", shape.around, shape.angle);

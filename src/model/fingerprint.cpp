@@ -12,34 +12,36 @@ namespace {
 constexpr int kTimes = 33;
 
 // Collects what belongs to one part of the fingerprint.
-class Part {
+class PartCollector {
  public:
-  Part(const Model& model, double duration) : model_(model), duration_(duration) {}
+  PartCollector(const Model& model, double duration) : model_(model), duration_(duration) {}
 
   template <class... T>
-  Part& add(T... values) {
+  PartCollector& add(T... values) {
     bytes_(values...);
     return *this;
   }
-  Part& add_vector(const Vec3& v) { return add(v.x(), v.y(), v.z()); }
-  Part& add_frame(const Mat3& m) {
+  PartCollector& add_vector(const Vec3& v) { return add(v.x(), v.y(), v.z()); }
+  PartCollector& add_frame(const Mat3& m) {
     for (int i = 0; i < 3; ++i) add_vector(m.row(i).transpose());
     return *this;
   }
-  Part& add_set(const std::string& set) { return set.empty() ? add(set) : add(model_.mesh().set(set)); }
-  Part& add_history(const History& h) {
+  PartCollector& add_set(const std::string& set) {
+    return set.empty() ? add(set) : add(model_.mesh().set(set));
+  }
+  PartCollector& add_history(const History& h) {
     for (int i = 0; i < (h.is_constant() ? 1 : kTimes); ++i) add(h.value(duration_ * i / (kTimes - 1)));
     for (const double t : h.kinks()) add(t, h.value(t));
     return *this;
   }
-  Part& add_components(const Components& c) {
+  PartCollector& add_components(const Components& c) {
     for (const auto& history : c) {
       add(history.has_value());
       if (history) add_history(*history);
     }
     return *this;
   }
-  Part& add_freedoms(const Freedoms& f) {
+  PartCollector& add_freedoms(const FixedFreedoms& f) {
     for (const bool b : f.translation) add(b);
     for (const bool b : f.axis) add(b);
     return add(f.rotation);
@@ -52,7 +54,7 @@ class Part {
   Archive bytes_;
 };
 
-void add_mesh(Part& part, const Model& model) {
+void add_mesh(PartCollector& part, const Model& model) {
   for (const Vec3& node : model.mesh().nodes) part.add_vector(node);
   for (const auto& element : model.mesh().elements)
     for (const mesh::Index n : element) part.add(n);
@@ -65,17 +67,21 @@ Index elements_of(const Model& model, std::size_t region) {
   return count;
 }
 
-void add_region(Part& part, const Model& model, std::size_t region) {
+void add_region(PartCollector& part, const Model& model, std::size_t region) {
   for (Index e = 0; e < static_cast<Index>(model.mesh().elements.size()); ++e)
     part.add(static_cast<std::size_t>(model.region_of(e)) == region);
 }
 
-// Of one region. The warp direction before it is projected; on a flat mesh without one it is the default.
-void add_warp(Part& part, const Model& model, std::size_t region) {
+// Of one region. The warp direction before it is projected; without one it is that of
+// the mesh, or the default.
+void add_warp(PartCollector& part, const Model& model, std::size_t region) {
   const auto& o = model.regions()[region].options;
   part.add(o.warp.has_value());
   for (const section::Ply& ply : o.plies) part.add(ply.angle);
-  if (!o.warp) return;
+  if (!o.warp) {
+    for (const Vec3& direction : model.mesh().warp) part.add_vector(direction);
+    return;
+  }
   for (const Vec3& node : model.mesh().nodes) {
     const Direction d = (*o.warp)(node);
     if (const auto* angle = std::get_if<double>(&d))
@@ -85,9 +91,10 @@ void add_warp(Part& part, const Model& model, std::size_t region) {
   }
 }
 
-void add_thickness(Part& part, const Model& model, std::size_t region) {
+void add_thickness(PartCollector& part, const Model& model, std::size_t region) {
   const auto& o = model.regions()[region].options;
   part.add(model.sections()[region].thickness, o.points, o.offset, o.plies.size());
+  if (o.membrane) part.add(o.membrane);
   for (const section::Ply& ply : o.plies) part.add(ply.thickness);
 }
 
@@ -95,12 +102,13 @@ std::string thickness_text(const Model& model, std::size_t region) {
   const auto& o = model.regions()[region].options;
   std::string text = number(model.sections()[region].thickness) + " m with " + std::to_string(o.points) +
                      (o.points == 1 ? " point" : " points");
+  if (o.membrane) text += " as a membrane";
   if (o.offset != 0) text += " and offset " + number(o.offset);
   if (!o.plies.empty()) text += " in each of " + std::to_string(o.plies.size()) + " plies";
   return text;
 }
 
-void add_loads(Part& part, const Model& model) {
+void add_loads(PartCollector& part, const Model& model) {
   for (const auto& f : model.forces()) part.add_set(f.set).add_components(f.total).add_frame(f.frame);
   part.add(1).add_components(model.gravity());
   for (const auto& m : model.moments()) part.add_set(m.set).add_components(m.total).add_frame(m.frame);
@@ -115,7 +123,7 @@ void add_loads(Part& part, const Model& model) {
   }
 }
 
-void add_motions(Part& part, const Model& model) {
+void add_motions(PartCollector& part, const Model& model) {
   for (const auto& m : model.motions()) part.add_set(m.set).add_components(m.displacement).add_frame(m.frame);
   part.add(1);
   for (const auto& t : model.turns()) {
@@ -125,7 +133,7 @@ void add_motions(Part& part, const Model& model) {
 }
 
 // place: in the order in which forces are summed and states are kept.
-void add_body(Part& part, const Rigid& body, std::size_t place) {
+void add_body(PartCollector& part, const Rigid& body, std::size_t place) {
   const Facets shape = shown(body, 1);
   for (const Vec3& v : shape.vertices) part.add_vector(v);
   for (const auto& t : shape.triangles) part.add(t[0], t[1], t[2]);
@@ -137,7 +145,7 @@ void add_body(Part& part, const Rigid& body, std::size_t place) {
   }
 }
 
-void add_motion(Part& part, const Rigid& body, const BodyMotion& motion) {
+void add_motion(PartCollector& part, const Rigid& body, const BodyMotion& motion) {
   part.add_components(motion.displacement);
   if (!motion.turn) return;
   part.add_vector(motion.turn->axis).add_history(motion.turn->angle);
@@ -158,6 +166,7 @@ std::string contact_name(const Interactions& all, const ContactGiven& contact) {
 
 std::string contact_text(const ContactGiven& c) {
   std::string text = "friction " + number(c.friction);
+  if (c.sticking) text += ", static " + number(*c.sticking);
   if (c.thickness) text += ", thickness " + number(*c.thickness) + " m";
   if (c.stiffness) text += ", stiffness " + number(*c.stiffness) + " Pa/m";
   if (c.restitution != ContactGiven::usual_restitution) text += ", restitution " + number(c.restitution);
@@ -165,10 +174,11 @@ std::string contact_text(const ContactGiven& c) {
   return text;
 }
 
-void add_contact(Part& part, const ContactGiven& c, const Surfaces& surfaces, std::size_t place) {
+void add_contact(PartCollector& part, const ContactGiven& c, const Surfaces& surfaces, std::size_t place) {
   part.add(place, c.friction, c.thickness.value_or(0), c.stiffness.value_or(0), c.settle.value_or(0),
            c.restitution);
-  for (const Meeting& m : surfaces.meetings) {
+  if (c.sticking) part.add(*c.sticking);
+  for (const SurfacePair& m : surfaces.meetings) {
     if (m.contact != place) continue;
     part.add(m.first, m.second);
     for (const int side : {m.first, m.second})
@@ -184,17 +194,18 @@ void add_interactions(const Model& model, const Add& add) {
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const Rigid& body = *bodies[b];
     const std::string name = "rigid body '" + all.name_of(body) + "'";
-    add(name, body.describe(), [&](Part& part) { add_body(part, body, b); });
+    add(name, body.describe(), [&](PartCollector& part) { add_body(part, body, b); });
     if (const auto* motion = all.motion_of(body))
-      add("motion of " + name, "", [&](Part& part) { add_motion(part, body, *motion); });
+      add("motion of " + name, "", [&](PartCollector& part) { add_motion(part, body, *motion); });
     if (const auto* v = all.velocity_of(body))
-      add("velocity of " + name, "", [&](Part& part) { part.add_vector(v->linear).add_vector(v->spin); });
+      add("velocity of " + name, "",
+          [&](PartCollector& part) { part.add_vector(v->linear).add_vector(v->spin); });
   }
   const Surfaces surfaces = work_out_surfaces(all, model.mesh().uncut());
   for (std::size_t c = 0; c < all.contacts().size(); ++c) {
     const ContactGiven& contact = all.contacts()[c];
     add(contact_name(all, contact), contact_text(contact),
-        [&](Part& part) { add_contact(part, contact, surfaces, c); });
+        [&](PartCollector& part) { add_contact(part, contact, surfaces, c); });
   }
 }
 
@@ -203,38 +214,55 @@ void add_interactions(const Model& model, const Add& add) {
 Fingerprint fingerprint(const Model& model, double duration) {
   Fingerprint parts;
   const auto add = [&](const std::string& name, const std::string& text, const auto& fill) {
-    Part part(model, duration);
+    PartCollector part(model, duration);
     fill(part);
     parts.push_back({name, text, part.hash()});
   };
   const auto& mesh = model.mesh();
   add("mesh",
       std::to_string(mesh.nodes.size()) + " nodes and " + std::to_string(mesh.elements.size()) + " elements",
-      [&](Part& part) { add_mesh(part, model); });
+      [&](PartCollector& part) { add_mesh(part, model); });
   for (std::size_t r = 0; r < model.regions().size(); ++r) {
     const std::string of = of_region(model, model.regions()[r]);
     if (!of.empty())
       add("region" + of.substr(std::string(" of").size()),
           std::to_string(elements_of(model, r)) + " elements",
-          [&](Part& part) { add_region(part, model, r); });
-    add("thickness" + of, thickness_text(model, r), [&](Part& part) { add_thickness(part, model, r); });
-    add("warp direction" + of, "", [&](Part& part) { add_warp(part, model, r); });
+          [&](PartCollector& part) { add_region(part, model, r); });
+    add("thickness" + of, thickness_text(model, r),
+        [&](PartCollector& part) { add_thickness(part, model, r); });
+    add("warp direction" + of, "", [&](PartCollector& part) { add_warp(part, model, r); });
   }
-  add("supports", "", [&](Part& part) {
+  add("supports", "", [&](PartCollector& part) {
     for (const auto& s : model.supports()) part.add_set(s.set).add_freedoms(s.fixed).add_frame(s.frame);
   });
-  add("motions", "", [&](Part& part) { add_motions(part, model); });
-  add("loads", "", [&](Part& part) { add_loads(part, model); });
-  add("ties", "", [&](Part& part) {
+  add("motions", "", [&](PartCollector& part) { add_motions(part, model); });
+  add("loads", "", [&](PartCollector& part) { add_loads(part, model); });
+  add("ties", "", [&](PartCollector& part) {
     for (const auto& t : model.ties())
       part.add(static_cast<int>(t.kind)).add_set(t.set).add_set(t.partner).add_freedoms(t.freedoms);
   });
   if (!model.zones().empty())
-    add("tearable zones", "", [&](Part& part) {
-      for (const auto& zone : model.zones())
+    add("tearable zones", "", [&](PartCollector& part) {
+      for (const auto& zone : model.zones()) {
         part.add_set(zone.set).add(static_cast<int>(zone.lower)).add(zone.seed);
+        if (!zone.path.empty()) part.add_set(zone.path);
+        if (zone.keep) part.add(zone.keep);
+      }
     });
-  add("velocities", "", [&](Part& part) {
+  if (!model.seams().empty())
+    add("seams", "", [&](PartCollector& part) {
+      for (const auto& s : model.seams()) {
+        part.add_set(s.first).add_set(s.second).add(s.ease);
+        part.add(s.reverse ? static_cast<int>(*s.reverse) : -1)
+            .add(s.hinge ? static_cast<int>(*s.hinge) : -1);
+        for (const auto& value : {s.over, s.stiffness, s.strength, s.energy}) part.add(value.value_or(-1));
+      }
+    });
+  if (!model.bands().empty())
+    add("bands", "", [&](PartCollector& part) {
+      for (const auto& b : model.bands()) part.add_set(b.set).add(b.stiffness, b.ease, b.over.value_or(-1));
+    });
+  add("velocities", "", [&](PartCollector& part) {
     for (const auto& v : model.velocities()) {
       part.add_set(v.set).add_vector(v.linear).add_vector(v.spin).add_vector(v.centre);
       if (!v.place) continue;

@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "base/suggest.hpp"
+#include "contact/scene.hpp"
 
 namespace fabricsh::model {
 
@@ -38,6 +39,50 @@ void check_side(const Party& party, const mesh::Mesh& mesh) {
   }
 }
 
+contact::Shape shape_of(const Rigid& body) {
+  using contact::Shape;
+  if (std::holds_alternative<Sphere>(body.shape())) return Shape::ball;
+  if (std::holds_alternative<Plane>(body.shape())) return Shape::wall;
+  return std::holds_alternative<Cylinder>(body.shape()) ? Shape::rod : Shape::solid;
+}
+
+// Bodies whose places are all given need no contact, and meet nothing but cloth.
+bool bodies_meet(const Party& a, const Party& b) {
+  return a.body && b.body && (a.body->free() || b.body->free());
+}
+
+// Which bodies of a contact meet each other, and whether they can.
+void check_bodies(const ContactGiven& contact) {
+  const auto& all = contact.between;
+  bool any = std::any_of(all.begin(), all.end(), [](const Party& p) { return !p.body; });
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      if (!bodies_meet(all[i], all[j])) continue;
+      any = true;
+      const std::string words = "the " + all[j].body->kind() + " and the " + all[i].body->kind();
+      if (all[i].body == all[j].body)
+        throw Error("contact: field 'between': expected each body once, got the " + all[i].body->kind() +
+                    " twice");
+      if (!contact::Scene::can_meet(shape_of(*all[i].body), shape_of(*all[j].body)) ||
+          all[i].body->moving() != nullptr || all[j].body->moving() != nullptr)
+        throw Error(
+            "contact: field 'between': " + words +
+            " do not meet each other: expected a sphere and any body that keeps its shape, or a cylinder "
+            "and a sphere or plane; each of them may touch cloth in a contact of its own");
+      if (contact.friction > 0 || contact.sticking.value_or(0) > 0)
+        throw Error(
+            "contact: field 'friction': expected 0 between " + words + ", got " + number(contact.friction) +
+            ": bodies meet each other without friction (give cloth that touches them a contact of its "
+            "own)");
+      if (contact.settle)
+        throw Error("contact: field 'settle': " + words + ": expected bodies that begin apart");
+    }
+  if (!any)
+    throw Error(
+        "contact: field 'between': expected cloth or a body with a mass on one side at least: bodies whose "
+        "places are given do not meet each other");
+}
+
 void check_positive(const char* field, const std::optional<double>& value, const char* what) {
   if (value && (!(*value > 0) || !std::isfinite(*value)))
     throw Error(std::string("contact: field '") + field + "': expected a positive " + what + ", got " +
@@ -49,12 +94,13 @@ void check_positive(const char* field, const std::optional<double>& value, const
 void Interactions::add(ContactGiven contact, const mesh::Mesh& mesh) {
   if (contact.between.empty()) throw Error("contact: expected between={...} or self=, got neither");
   for (const Party& party : contact.between) check_side(party, mesh);
-  if (std::all_of(contact.between.begin(), contact.between.end(), [](const auto& p) { return p.body; }))
-    throw Error(
-        "contact: field 'between': expected cloth on one side at least: rigid bodies do not meet each other");
+  check_bodies(contact);
   if (!(contact.friction >= 0) || !std::isfinite(contact.friction))
     throw Error("contact: field 'friction': expected a number of at least 0, got " +
                 number(contact.friction));
+  if (contact.sticking && !(*contact.sticking >= contact.friction && std::isfinite(*contact.sticking)))
+    throw Error("contact: field 'friction.static': expected at least the kinetic friction of " +
+                number(contact.friction) + ", got " + number(*contact.sticking));
   if (!(contact.restitution >= 0.4 && contact.restitution <= 1))
     throw Error("contact: field 'restitution': expected a number from 0.4 to 1, got " +
                 number(contact.restitution));
@@ -95,13 +141,13 @@ void Interactions::velocity(BodyVelocity velocity) {
   velocities_.push_back(std::move(velocity));
 }
 
-void Interactions::remove(Part part, std::size_t i) {
+void Interactions::remove(InteractionKind part, std::size_t i) {
   const auto take = [i](auto& all) {
     if (i >= all.size()) throw Error("remove: there is no such contact or motion of a body");
     all.erase(all.begin() + static_cast<std::ptrdiff_t>(i));
   };
-  if (part == Part::contact) return take(contacts_);
-  if (part == Part::motion) return take(motions_);
+  if (part == InteractionKind::contact) return take(contacts_);
+  if (part == InteractionKind::motion) return take(motions_);
   take(velocities_);
 }
 
@@ -252,17 +298,16 @@ Surfaces work_out_surfaces(const Interactions& interactions, const mesh::Mesh& m
     return all;
   };
   const auto cloth = static_cast<int>(named.size());
+  const auto words = [&](int side) {
+    return side < cloth ? sides.names(named[side]) : interactions.name_of(*bodies[side - cloth]);
+  };
   const auto meet = [&](int a, int b, std::size_t contact) {
-    if (a >= cloth && b >= cloth) return;  // rigid bodies do not meet each other
+    if (a >= cloth && b >= cloth && !bodies[a - cloth]->free() && !bodies[b - cloth]->free()) return;
     const auto [first, second] = std::minmax(a, b);
-    for (const Meeting& m : out.meetings)
+    for (const SurfacePair& m : out.meetings)
       if (m.first == first && m.second == second)
-        throw Error("contact: " + sides.names(named[first]) +
-                    (first == second ? " touches itself"
-                                     : " and " +
-                                           (second < cloth ? sides.names(named[second])
-                                                           : interactions.name_of(*bodies[second - cloth])) +
-                                           " touch") +
+        throw Error("contact: " + words(first) +
+                    (first == second ? " touches itself" : " and " + words(second) + " touch") +
                     " by two calls: expected one");
     out.meetings.push_back({first, second, contact});
   };

@@ -27,6 +27,8 @@ struct ContactGiven {
   double restitution = usual_restitution;
   static constexpr double usual_restitution = 0.5;
   std::optional<double> settle = {};  // s, time in which an overlap at the start is opened; default: refused
+  // Static friction, at least `friction`, which is that of what slides; default: the same.
+  std::optional<double> sticking = {};
 };
 
 using Displacement = std::array<std::optional<history::History>, 3>;
@@ -48,7 +50,8 @@ struct BodyVelocity {  // initial velocity of a free body
 
 class Interactions {
  public:
-  // Errors: an unknown set, a set without a whole element, fewer than two sides, only rigid bodies, negative
+  // Errors: an unknown set, a set without a whole element, fewer than two sides, only bodies whose places are
+  // given, a free body with another one that it does not meet or with friction between them, negative
   // friction, a thickness or stiffness that is not positive.
   void add(ContactGiven contact, const mesh::Mesh& mesh);
   // Errors: a free body, a moving surface, a body that is moved already, nothing given, a zero axis.
@@ -56,8 +59,8 @@ class Interactions {
   // Errors: a body that is not free, a body that has a velocity already, a number that is not finite.
   void velocity(BodyVelocity velocity);
   // Removes the i-th declaration (from 0) of a kind. Error: it does not exist.
-  enum class Part { contact, motion, velocity };
-  void remove(Part part, std::size_t i);
+  enum class InteractionKind { contact, motion, velocity };
+  void remove(InteractionKind part, std::size_t i);
   // Errors: a body that is moved or has a velocity but is in no contact; a history that is not finite at time
   // 0; sets that share nodes without being equal; two sides that meet twice.
   void validate(const mesh::Mesh& mesh) const;
@@ -79,13 +82,13 @@ class Interactions {
 };
 
 // The surfaces of the cloth. No two share a node; each consists of the elements that the same contacts name.
-struct Meeting {
+struct SurfacePair {
   int first, second;    // numbers of surfaces; those of bodies follow, in the order of Interactions::bodies()
   std::size_t contact;  // index in Interactions::contacts()
 };
 struct Surfaces {
   std::vector<std::vector<mesh::Index>> elements;  // of each surface, ascending
-  std::vector<Meeting> meetings;
+  std::vector<SurfacePair> meetings;
 };
 // Errors: those of Interactions::validate().
 Surfaces work_out_surfaces(const Interactions& interactions, const mesh::Mesh& mesh);

@@ -5,8 +5,8 @@
 namespace fabricsh::model {
 
 struct Loose {
-  double thickness = 0;  // m, at which contact with a plate on either side begins
-  double fibres = 0;     // m, what the fibres alone fill
+  double thickness = 0;        // m, at which contact with a plate on either side begins
+  double solid_thickness = 0;  // m, what the fibres alone fill
 };
 
 // Without a measured compression contact begins at the thickness of the card.

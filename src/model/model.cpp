@@ -18,7 +18,7 @@ const char* const kFreedomNames[] = {"x", "y", "z", "rx", "ry", "rz"};
 
 std::string quoted(const std::string& s) { return "'" + s + "'"; }
 
-void take_word(Freedoms& f, const std::string& word, const std::string& call) {
+void take_word(FixedFreedoms& f, const std::string& word, const std::string& call) {
   if (word == "rotation") {
     f.rotation = true;
     return;
@@ -35,8 +35,9 @@ bool none_given(const Components& c) { return !c[0] && !c[1] && !c[2]; }
 
 section::Section make_section(const card::Card& card, const Options& options) {
   if (!options.plies.empty()) return section::stacked(options.plies, options.points, options.offset);
-  return section::integrated(card, options.thickness.value_or(card.thickness), options.points,
-                             options.offset);
+  const double thickness = options.thickness.value_or(card.thickness);
+  return options.membrane ? section::membrane(card, thickness)
+                          : section::integrated(card, thickness, options.points, options.offset);
 }
 
 }  // namespace
@@ -52,8 +53,8 @@ Mat3 frame_from(const Vec3& e1, const Vec3& e2) {
   return frame;
 }
 
-Freedoms parse_freedoms(const std::string& words, const std::string& call) {
-  Freedoms f;
+FixedFreedoms parse_freedoms(const std::string& words, const std::string& call) {
+  FixedFreedoms f;
   std::string word;
   bool any = false;
   for (const char c : words + " ") {
@@ -89,7 +90,7 @@ void Model::add_body(Index which) {
   const BodyGiven& body = bodies_[which];
   const std::string of = body.name.empty() ? "" : "body '" + body.name + "': ";
   if (body.mesh->elements.empty()) throw Error("model: " + of + "the mesh has no elements");
-  if (!body.options.warp && !body.mesh->flat)
+  if (!body.options.warp && !body.mesh->flat && !body.mesh->has_warp())
     throw Error(
         "model: " + of +
         "field 'warp': expected a direction {x,y,z}, an angle in degrees or a function, got nil: this "
@@ -173,7 +174,7 @@ void Model::check_open(const char* call) const {
     throw Error(std::string(call) + ": the model is in use by an analysis and can't be changed any more");
 }
 
-void Model::fix(const std::string& set, const Freedoms& fixed, const Mat3& frame) {
+void Model::fix(const std::string& set, const FixedFreedoms& fixed, const Mat3& frame) {
   check_open("fix");
   mesh_->set(set);
   supports_.push_back({set, fixed, frame});
@@ -246,7 +247,7 @@ void Model::turn(const std::string& set, const Vec3& axis, History angle, std::o
 
 void Model::symmetry(const std::string& set, int axis) {
   check_open("symmetry");
-  Freedoms f;
+  FixedFreedoms f;
   f.translation[axis] = true;
   f.axis = {true, true, true};
   f.axis[axis] = false;
@@ -257,7 +258,7 @@ void Model::symmetry(const std::string& set, int axis) {
 void Model::tie(Tie tie) {
   check_open("tie");
   const auto& set = mesh_->set(tie.set);
-  const Freedoms& f = tie.freedoms;
+  const FixedFreedoms& f = tie.freedoms;
   if (tie.kind == TieKind::rigid) {
     if (set.size() < 2) throw Error("tie: rigid set " + quoted(tie.set) + " needs two nodes or more");
   } else if (!f.translation[0] && !f.translation[1] && !f.translation[2] && !f.rotation) {
@@ -270,11 +271,53 @@ void Model::tie(Tie tie) {
   ties_.push_back(std::move(tie));
 }
 
-void Model::tearable(const std::string& set, bool lower, std::uint64_t seed) {
+void Model::tearable(Zone zone) {
   check_open("tearable");
-  if (mesh_->elements_in(mesh_->set(set)).empty())
-    throw Error("tearable: set " + quoted(set) + " holds no whole element");
-  zones_.push_back({set, lower, seed});
+  if (!zone.path.empty()) mesh_->set(zone.path);
+  if (mesh_->elements_in(mesh_->set(zone.set)).empty())
+    throw Error("tearable: set " + quoted(zone.set) + " holds no whole element");
+  zones_.push_back(std::move(zone));
+}
+
+void Model::seam(Seam seam) {
+  check_open("seam");
+  mesh_->set(seam.first);
+  mesh_->set(seam.second);
+  const auto positive = [](const char* field, const std::optional<double>& value, const char* unit) {
+    if (value && !(*value > 0 && std::isfinite(*value)))
+      throw Error("seam: field '" + std::string(field) + "': expected a positive number, " + unit + ", got " +
+                  number(*value));
+  };
+  positive("over", seam.over, "s");
+  positive("stiffness", seam.stiffness, "N/m^2");
+  positive("strength", seam.strength, "N/m");
+  positive("energy", seam.energy, "J/m");
+  if (!(seam.ease >= 0 && seam.ease < 1))
+    throw Error("seam: field 'ease': expected a share of the length from 0 to below 1, got " +
+                number(seam.ease));
+  if (seam.strength.has_value() != seam.energy.has_value())
+    throw Error("seam: field '" + std::string(seam.strength ? "energy" : "strength") +
+                "': expected strength (N/m) and energy (J/m) together, got one alone");
+  if (seam.stiffness && seam.strength) {
+    const double least = *seam.strength * *seam.strength / (2 * *seam.stiffness);
+    if (!(*seam.energy > least))
+      throw Error("seam: field 'energy': expected more than " + number(least) +
+                  " J/m, which a seam of this stiffness stores at its strength, got " + number(*seam.energy));
+  }
+  seams_.push_back(std::move(seam));
+}
+
+void Model::band(Band band) {
+  check_open("band");
+  mesh_->set(band.set);
+  if (!(band.stiffness > 0) || !std::isfinite(band.stiffness))
+    throw Error("band: field 'stiffness': expected a positive number, N, got " + number(band.stiffness));
+  if (!(band.ease >= 0 && band.ease < 1))
+    throw Error("band: field 'ease': expected a share of the length from 0 to below 1, got " +
+                number(band.ease));
+  if (band.over && !(*band.over > 0 && std::isfinite(*band.over)))
+    throw Error("band: field 'over': expected a positive number, s, got " + number(*band.over));
+  bands_of_edges_.push_back(std::move(band));
 }
 
 std::vector<Index> Model::elements_of_zones() const {
@@ -309,42 +352,46 @@ void Model::check_zones() const {
                         ": expected zones without such nodes");
 }
 
-void Model::remove(Told kind, std::size_t i) {
+void Model::remove(DeclarationKind kind, std::size_t i) {
   check_open("remove");
   const auto take = [i](auto& all) {
     if (i >= all.size()) throw Error("remove: there is no such support or load");
     all.erase(all.begin() + static_cast<std::ptrdiff_t>(i));
   };
   switch (kind) {
-    case Told::fix:
+    case DeclarationKind::fix:
       return take(supports_);
-    case Told::move:
+    case DeclarationKind::move:
       return take(motions_);
-    case Told::turn:
+    case DeclarationKind::turn:
       return take(turns_);
-    case Told::spring:
+    case DeclarationKind::spring:
       return take(springs_);
-    case Told::tie:
+    case DeclarationKind::tie:
       return take(ties_);
-    case Told::tearable:
+    case DeclarationKind::tearable:
       return take(zones_);
-    case Told::force:
+    case DeclarationKind::seam:
+      return take(seams_);
+    case DeclarationKind::band:
+      return take(bands_of_edges_);
+    case DeclarationKind::force:
       return take(forces_);
-    case Told::moment:
+    case DeclarationKind::moment:
       return take(moments_);
-    case Told::traction:
+    case DeclarationKind::traction:
       return take(tractions_);
-    case Told::pressure:
+    case DeclarationKind::pressure:
       return take(pressures_);
-    case Told::velocity:
+    case DeclarationKind::velocity:
       return take(velocities_);
-    case Told::contact:
-      return interactions_.remove(Interactions::Part::contact, i);
-    case Told::body_move:
-      return interactions_.remove(Interactions::Part::motion, i);
-    case Told::body_velocity:
-      return interactions_.remove(Interactions::Part::velocity, i);
-    case Told::gravity:
+    case DeclarationKind::contact:
+      return interactions_.remove(Interactions::InteractionKind::contact, i);
+    case DeclarationKind::body_move:
+      return interactions_.remove(Interactions::InteractionKind::motion, i);
+    case DeclarationKind::body_velocity:
+      return interactions_.remove(Interactions::InteractionKind::velocity, i);
+    case DeclarationKind::gravity:
       gravity_ = {};
   }
 }
@@ -378,6 +425,10 @@ std::vector<double> Model::kinks() const {
   for (const auto& p : pressures_) add(p.value);
   add_each(gravity_);
   for (const auto& t : turns_) add(t.angle);
+  for (const auto& s : seams_)
+    if (s.over) all.push_back(*s.over);
+  for (const auto& b : bands_of_edges_)
+    if (b.over) all.push_back(*b.over);
   std::sort(all.begin(), all.end());
   return all;
 }
@@ -385,7 +436,7 @@ std::vector<double> Model::kinks() const {
 namespace {
 
 // State of a node during validation: for each direction 0 free, 1 fixed, 2 moved; and the set responsible.
-struct Seen {
+struct NodeHold {
   std::array<int, 3> kind{};
   std::array<std::string, 3> by;
   Mat3 frame = global_frame();
@@ -397,7 +448,7 @@ struct Seen {
   throw Error("model: node " + std::to_string(node + 1) + ": " + what);
 }
 
-void take_frame(Seen& seen, mesh::Index node, const Mat3& frame, const std::string& set) {
+void take_frame(NodeHold& seen, mesh::Index node, const Mat3& frame, const std::string& set) {
   if (seen.framed && (seen.frame - frame).norm() > 1e-12)
     clash(node, "sets " + quoted(seen.framed_by) + " and " + quoted(set) +
                     " hold or move it in two different frames");
@@ -406,7 +457,7 @@ void take_frame(Seen& seen, mesh::Index node, const Mat3& frame, const std::stri
   seen.framed_by = set;
 }
 
-void take_support(Seen& seen, mesh::Index node, const Support& s) {
+void take_support(NodeHold& seen, mesh::Index node, const Support& s) {
   const auto& t = s.fixed.translation;
   if (!(t[0] || t[1] || t[2])) return;
   if (!(t[0] && t[1] && t[2])) take_frame(seen, node, s.frame, s.set);
@@ -417,7 +468,7 @@ void take_support(Seen& seen, mesh::Index node, const Support& s) {
     }
 }
 
-void take_motion(Seen& seen, mesh::Index node, const Motion& m) {
+void take_motion(NodeHold& seen, mesh::Index node, const PrescribedMotion& m) {
   take_frame(seen, node, m.frame, m.set);
   for (int i = 0; i < 3; ++i) {
     if (!m.displacement[i]) continue;
@@ -437,7 +488,7 @@ void take_motion(Seen& seen, mesh::Index node, const Motion& m) {
 
 namespace {
 
-void take_turn(Seen& seen, mesh::Index node, const Turn& t) {
+void take_turn(NodeHold& seen, mesh::Index node, const PrescribedTurn& t) {
   for (int i = 0; i < 3 && t.centre; ++i) {
     if (seen.kind[i] != 0)
       clash(node, std::string(kFreedomNames[i]) + " is " + (seen.kind[i] == 1 ? "fixed" : "moved") +
@@ -447,7 +498,7 @@ void take_turn(Seen& seen, mesh::Index node, const Turn& t) {
   }
 }
 
-void check_turned_rotations(const mesh::Mesh& mesh, const std::vector<Turn>& turns,
+void check_turned_rotations(const mesh::Mesh& mesh, const std::vector<PrescribedTurn>& turns,
                             const std::vector<Support>& supports) {
   std::map<mesh::Index, std::string> turned;
   for (const auto& t : turns)
@@ -465,7 +516,7 @@ void check_turned_rotations(const mesh::Mesh& mesh, const std::vector<Turn>& tur
 }  // namespace
 
 void Model::validate() const {
-  std::map<mesh::Index, Seen> seen;
+  std::map<mesh::Index, NodeHold> seen;
   check_turned_rotations(*mesh_, turns_, supports_);
   for (const auto& s : supports_)
     for (const auto n : mesh_->set(s.set)) take_support(seen[n], n, s);
@@ -479,6 +530,8 @@ void Model::validate() const {
   if (!mesh_->whole) {
     check_zones();
     work_out_ties(*this);
+    work_out_seams(*this);
+    for (const Band& b : bands_of_edges_) chain_of(*mesh_, b.set);
   }
   check_symmetry(*this);
   interactions_.validate(*mesh_);
@@ -492,7 +545,8 @@ void Model::validate() const {
 
 Vec3 Model::warp_at(Index element, const Vec3& X, const Vec3& n) const {
   const auto& warp = regions_[region_of(element)].options.warp;
-  const Direction direction = warp ? (*warp)(X) : Direction(0.0);
+  const Direction own = mesh_->warp.empty() ? Direction(0.0) : Direction(mesh_->warp[element]);
+  const Direction direction = warp ? (*warp)(X) : own;
   Vec3 wanted;
   if (const double* angle = std::get_if<double>(&direction)) {
     const Vec3 e1 = (Vec3::UnitX() - n.x() * n).normalized();
@@ -532,6 +586,11 @@ std::string loads_of(const Model& m) {
   return words.empty() ? "no loads" : words;
 }
 
+std::string warp_words(const Options& options, const mesh::Mesh& mesh) {
+  if (options.warp) return options.warp_text;
+  return mesh.warp.empty() ? "0 degrees from +x (default)" : "along the grain of the mesh";
+}
+
 }  // namespace
 
 std::string Model::describe() const {
@@ -543,15 +602,17 @@ std::string Model::describe() const {
     const auto& options = regions_[r].options;
     if (!regions_[r].name.empty()) text << regions_[r].name << ": ";
     text << "card " << regions_[r].card.name << ", " << section.thickness * 1e3 << " mm, "
-         << section.areal_mass * 1e3 << " g/m2; warp "
-         << (options.warp ? options.warp_text : "0 degrees from +x (default)") << "; "
-         << counted(section.points.size(), "thickness point") << "; ";
+         << section.areal_mass * 1e3 << " g/m2; warp " << warp_words(options, *bodies_[regions_[r].body].mesh)
+         << "; " << (options.membrane ? "membrane" : counted(section.points.size(), "thickness point"))
+         << "; ";
   }
   text << counted(supports_.size(), "support") << ", " << counted(motions_.size(), "motion") << ", "
        << loads_of(*this);
   if (!zones_.empty())
     text << ", " << counted(zones_.size(), "tearable zone") << " of "
          << counted(elements_of_zones().size(), "element");
+  if (!bands_of_edges_.empty()) text << ", " << counted(bands_of_edges_.size(), "band");
+  if (!seams_.empty()) text << ", " << counted(seams_.size(), "seam");
   if (interactions_.any()) {
     text << ", " << counted(interactions_.contacts().size(), "contact");
     for (const auto& body : interactions_.bodies())

@@ -13,7 +13,9 @@
 #include "card/card.hpp"
 #include "history/history.hpp"
 #include "mesh/mesh.hpp"
+#include "model/bands.hpp"
 #include "model/interaction.hpp"
+#include "model/seams.hpp"
 #include "model/ties.hpp"
 #include "section/section.hpp"
 
@@ -35,13 +37,13 @@ inline Mat3 global_frame() { return Mat3::Identity(); }
 
 // Degrees of freedom of a node: three translations, three rotation axes. A director has only two rotations;
 // an axis acts on its part tangent to the sphere of directors. rotation = both.
-struct Freedoms {
+struct FixedFreedoms {
   std::array<bool, 3> translation{};
   std::array<bool, 3> axis{};
   bool rotation = false;
 };
 // "x y z rx ry rz rotation", blanks or commas between. Error: unknown or empty word, with the accepted list.
-Freedoms parse_freedoms(const std::string& words, const std::string& call = "fix");
+FixedFreedoms parse_freedoms(const std::string& words, const std::string& call = "fix");
 
 using Components = std::array<std::optional<History>, 3>;
 // The same vector at all times.
@@ -51,37 +53,37 @@ inline Components steady(const Vec3& v) {
 
 struct Support {
   std::string set;
-  Freedoms fixed;
+  FixedFreedoms fixed;
   Mat3 frame;
   int symmetry =
       -1;  // 0, 1, 2: the set lies in a plane of symmetry normal to this global axis; -1: it does not
 };
-struct Motion {
+struct PrescribedMotion {
   std::string set;
   Components displacement;  // m, from the reference position, along the frame
   Mat3 frame;
 };
-struct Force {
+struct ForceLoad {
   std::string set;
   Components total;  // N, distributed by tributary length (edges) or area; a single node gets all of it
   Mat3 frame;
 };
 
-struct Moment {
+struct MomentLoad {
   std::string set;
   Components total;  // N m about the axes of the frame, which stay fixed in space; distributed like a force
   Mat3 frame;
 };
-struct Traction {
+struct TractionLoad {
   std::string set;
   Components intensity;  // dead load: N/m^2 of reference area if the set has whole elements, else N/m of edge
   Mat3 frame;
 };
-struct Pressure {
+struct PressureLoad {
   std::string set;
   History value;  // Pa, along the shell normal, which follows the surface
 };
-struct Spring {
+struct GroundSpring {
   std::string set;
   std::array<double, 3>
       stiffness{};  // N/m along the frame, to ground, total of the set, distributed like a force
@@ -89,7 +91,7 @@ struct Spring {
 };
 // Rigid rotation of directors, and with a centre also of nodes, about a fixed axis: d = R(angle) D, x = c + R
 // (X - c).
-struct Turn {
+struct PrescribedTurn {
   std::string set;
   Vec3 axis = Vec3::UnitZ();   // unit
   History angle;               // degrees
@@ -121,7 +123,7 @@ enum class TieKind { equal, straight, rigid, periodic };
 struct Tie {
   TieKind kind;
   std::string set, partner;  // partner: only for periodic
-  Freedoms freedoms;         // along global axes; empty for a rigid set
+  FixedFreedoms freedoms;    // along global axes; empty for a rigid set
 };
 
 struct Options {
@@ -131,6 +133,7 @@ struct Options {
   int points = 3;                   // through the thickness, 1 to 9
   std::vector<section::Ply> plies;  // if given, they replace the card and its thickness
   double offset = 0;                // reference surface at zeta_bar in [-1, 1]; 0: middle surface
+  bool membrane = false;            // without bending and transverse shear; all directors are held
 };
 
 // A set of elements with its own card, thickness, plies or warp.
@@ -155,12 +158,14 @@ struct Region {
   Index body = 0;
 };
 
-// A set whose joints may open. Where the mesh is too coarse for the card's strength, it is lowered or the
-// model refused; the seed is that of the scatter of strengths.
+// A set whose joints may open. Where the mesh is too coarse for the card's strength, it is lowered, the model
+// refused, or the strength kept (which is right where no tear runs, as in a strip without a notch).
 struct Zone {
   std::string set;
   bool lower = true;
-  std::uint64_t seed = 1;
+  std::uint64_t seed = 1;  // of the scatter of strengths
+  std::string path = {};   // a set of nodes: yarns break there only; empty: everywhere in the zone
+  bool keep = false;
 };
 
 class Model {
@@ -173,7 +178,7 @@ class Model {
   explicit Model(std::vector<BodyGiven> bodies);
 
   // Common errors: unknown set; model already compiled; no component given.
-  void fix(const std::string& set, const Freedoms& fixed, const Mat3& frame = global_frame());
+  void fix(const std::string& set, const FixedFreedoms& fixed, const Mat3& frame = global_frame());
   void move(const std::string& set, Components displacement, const Mat3& frame = global_frame());
   void force(const std::string& set, Components total, const Mat3& frame = global_frame());
   void gravity(Components acceleration);  // m/s^2
@@ -193,14 +198,28 @@ class Model {
   void tie(Tie tie);
 
   // The joints between the elements of the set may open and close during a run: each corner of these elements
-  // gets a node of its own. Errors: the set has no whole element; later, in validate(): the zone has nodes of
-  // a periodic tie.
-  void tearable(const std::string& set, bool lower = true, std::uint64_t seed = 1);
+  // gets a node of its own. Errors: the set has no whole element; an unknown path; later, in validate(): the
+  // zone has nodes of a periodic tie.
+  void tearable(const std::string& set, bool lower = true, std::uint64_t seed = 1) {
+    tearable(Zone{set, lower, seed});
+  }
+  void tearable(Zone zone);
   const std::vector<Zone>& zones() const { return zones_; }
+
+  // Sews two edges together: see Seam. Errors: unknown set; a time, ease, stiffness, strength or energy out
+  // of range; strength without energy, or energy without strength; later, in validate(): those of
+  // work_out_seams.
+  void seam(Seam seam);
+  const std::vector<Seam>& seams() const { return seams_; }
+
+  // A band along an edge: see Band. Errors: unknown set; a stiffness, ease or time out of range; later, in
+  // validate(): those of chain_of.
+  void band(Band band);
+  const std::vector<Band>& bands() const { return bands_of_edges_; }
 
   // Removes the i-th declaration (from 0) of a kind; for gravity i is ignored. Error: it does not
   // exist.
-  enum class Told {
+  enum class DeclarationKind {
     fix,
     move,
     turn,
@@ -215,16 +234,18 @@ class Model {
     contact,
     body_move,
     body_velocity,
-    tearable
+    tearable,
+    seam,
+    band
   };
-  void remove(Told kind, std::size_t i);
+  void remove(DeclarationKind kind, std::size_t i);
   // Contacts and rigid bodies: see Interactions.
   void contact(ContactGiven contact);
   void move(BodyMotion motion);
   void velocity(BodyVelocity velocity);
 
   // Error: a degree of freedom that is both fixed and moved, or moved twice (naming node and calls); a node
-  // held in two frames; the errors of work_out_ties.
+  // held in two frames; the errors of work_out_ties and work_out_seams.
   void validate() const;
   // Called by the analysis that compiles the model, after validate(): from here on mesh() has the nodes of
   // the tearable zones.
@@ -240,6 +261,7 @@ class Model {
   const card::Card& card() const { return regions_.front().card; }  // of the first region
   // One section per region; each element belongs to exactly one.
   const std::vector<section::Section>& sections() const { return sections_; }
+  bool membrane() const { return regions_.front().options.membrane; }  // as a whole
   int region_of(mesh::Index element) const { return region_of_.empty() ? 0 : region_of_[element]; }
   std::string element_name(mesh::Index element) const;  // "12", or "12 of body front" if there are several
   const section::Section& section() const { return sections_.front(); }
@@ -252,18 +274,18 @@ class Model {
   // The number of a ply in the element's section, from 0, by its name or as ply1, ply2, ... from below; -1:
   // the section has no such ply. A sheet without plies is one.
   int ply_of(mesh::Index element, const std::string& ply) const;
-  std::vector<std::string> plies() const;  // what ply_of() knows in any section
+  std::vector<std::string> plies() const;  // the names that ply_of() accepts in any section
   double thickness_of(mesh::Index element) const { return sections_[region_of(element)].thickness; }
   const std::vector<Support>& supports() const { return supports_; }
-  const std::vector<Motion>& motions() const { return motions_; }
-  const std::vector<Force>& forces() const { return forces_; }
+  const std::vector<PrescribedMotion>& motions() const { return motions_; }
+  const std::vector<ForceLoad>& forces() const { return forces_; }
   const Components& gravity() const { return gravity_; }
   const std::vector<InitialVelocity>& velocities() const { return velocities_; }
-  const std::vector<Moment>& moments() const { return moments_; }
-  const std::vector<Traction>& tractions() const { return tractions_; }
-  const std::vector<Pressure>& pressures() const { return pressures_; }
-  const std::vector<Spring>& springs() const { return springs_; }
-  const std::vector<Turn>& turns() const { return turns_; }
+  const std::vector<MomentLoad>& moments() const { return moments_; }
+  const std::vector<TractionLoad>& tractions() const { return tractions_; }
+  const std::vector<PressureLoad>& pressures() const { return pressures_; }
+  const std::vector<GroundSpring>& springs() const { return springs_; }
+  const std::vector<PrescribedTurn>& turns() const { return turns_; }
   const std::vector<Tie>& ties() const { return ties_; }
   const Interactions& interactions() const { return interactions_; }
   // Times at which a step must end: the kinks of all histories.
@@ -285,15 +307,17 @@ class Model {
   std::vector<section::Section> sections_;  // one per region
   std::vector<int> region_of_;              // per element; empty: all elements are in the first
   std::vector<Support> supports_;
-  std::vector<Motion> motions_;
-  std::vector<Force> forces_;
-  std::vector<Moment> moments_;
-  std::vector<Traction> tractions_;
-  std::vector<Pressure> pressures_;
-  std::vector<Spring> springs_;
-  std::vector<Turn> turns_;
+  std::vector<PrescribedMotion> motions_;
+  std::vector<ForceLoad> forces_;
+  std::vector<MomentLoad> moments_;
+  std::vector<TractionLoad> tractions_;
+  std::vector<PressureLoad> pressures_;
+  std::vector<GroundSpring> springs_;
+  std::vector<PrescribedTurn> turns_;
   std::vector<Tie> ties_;
   std::vector<Zone> zones_;
+  std::vector<Seam> seams_;
+  std::vector<Band> bands_of_edges_;
   Components gravity_;
   std::vector<InitialVelocity> velocities_;
   Interactions interactions_;

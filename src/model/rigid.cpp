@@ -217,7 +217,7 @@ void add_arc(std::vector<Ring>& rings, double along, double radius, double r, do
   }
 }
 
-struct Shown {
+struct FacetsOfShape {
   double extent;
   Facets operator()(const Sphere& s) const {
     std::vector<Ring> rings;
@@ -254,6 +254,6 @@ struct Shown {
 
 int add_to(contact::Scene& scene, const Rigid& body) { return std::visit(AddTo{scene}, body.shape()); }
 
-Facets shown(const Rigid& body, double extent) { return std::visit(Shown{extent}, body.shape()); }
+Facets shown(const Rigid& body, double extent) { return std::visit(FacetsOfShape{extent}, body.shape()); }
 
 }  // namespace fabricsh::model

@@ -21,9 +21,9 @@ constexpr double kNear = 1e-6;  // of a set's size: positions closer than this a
 }
 
 // How supports, motions and rotations hold the degrees of freedom of each node, for messages.
-class Holds {
+class HeldFreedoms {
  public:
-  explicit Holds(const Model& model) {
+  explicit HeldFreedoms(const Model& model) {
     const auto& mesh = model.mesh();
     for (const auto& s : model.supports())
       for (const auto n : mesh.set(s.set)) add_support(n, s);
@@ -226,7 +226,7 @@ class Builder {
   }
 
   const mesh::Mesh& mesh_;
-  Holds holds_;
+  HeldFreedoms holds_;
   std::string tied_;  // the present tie, for messages
   std::map<Key, Leads> first_;
   std::vector<std::pair<Key, Leads>> again_;

@@ -14,11 +14,14 @@ struct Lead {
 };
 
 // A degree of freedom that follows others: a displacement along a global axis (component 0 to 2), the
-// weighted sum of its leads'; or a director (component 3), equal to that of its only lead.
+// weighted sum of its leads'; or a director (component 3), equal to that of its only lead. Of a seam it is
+// the place that is the weighted sum of its leads', and the director may have the direction of the weighted
+// sum of several.
 struct Follower {
   mesh::Index node;
   int component;
   std::vector<Lead> leads;  // not followers themselves; ascending nodes, each once
+  bool sewn = false;
 };
 
 struct Ties {

@@ -38,7 +38,7 @@ std::string font_of(const Paper& paper) {
 
 // gnuplot's units differ: in its PDF and EPS a font size of 1 is 4/3 points and a line width of 1 half a
 // point; in its PNG they are 4/3 pixels and one pixel. Dashes scale with the line width.
-Canvas canvas_for(const std::string& ending, const Layout& l, const Paper& paper) {
+Canvas canvas_for(const std::string& ending, const PageLayout& l, const Paper& paper) {
   const std::string common = " noenhanced font " + font_of(paper);
   if (ending == ".svg") {
     const double w = std::ceil(l.width), h = std::ceil(l.height);
@@ -73,7 +73,7 @@ std::string trimmed(const std::string& text) {
 
 std::vector<std::string> draw(const std::string& path, const Page& page) {
   const std::string ending = ending_of(path);
-  const Layout layout = layout_of(page);
+  const PageLayout layout = layout_of(page);
   const Canvas canvas = canvas_for(ending, layout, page.paper);
   std::string drawn =
       run_gnuplot("set terminal " + canvas.terminal + "\n" +

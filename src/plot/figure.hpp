@@ -14,7 +14,7 @@ struct Ends {
   bool empty() const { return low.empty(); }
 };
 
-struct Curve {
+struct PlottedCurve {
   std::string label;  // for the legend; empty: no entry
   std::vector<double> x,
       y;  // of one length; a value that is not finite interrupts the line. y empty: only a band
@@ -35,7 +35,7 @@ enum class Key { best, none, top_left, top_right, bottom_left, bottom_right, bel
 struct Figure {
   std::string title = {};
   Axis x = {}, y = {};
-  std::vector<Curve> curves = {};
+  std::vector<PlottedCurve> curves = {};
   Key key = Key::best;
 };
 

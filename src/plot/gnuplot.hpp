@@ -6,7 +6,7 @@
 
 namespace fabricsh::plot {
 
-// gnuplot is not installed; callers may then go on without the figure.
+// gnuplot is not installed; callers may then continue without the figure.
 class NoGnuplot : public Error {
  public:
   using Error::Error;

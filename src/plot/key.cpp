@@ -11,12 +11,12 @@ namespace {
 
 constexpr double kSample = 2.8, kGap = 0.5, kRow = 1.3;  // in font sizes
 
-struct Spot {
+struct PagePoint {
   double x = 0, y = 0;
 };
 
 // Whether a line segment crosses the box (clipping by J. Liang and B. Barsky).
-bool crosses(const Box& b, const Spot& p, const Spot& q) {
+bool crosses(const PageBox& b, const PagePoint& p, const PagePoint& q) {
   double from = 0, to = 1;
   const double dx = q.x - p.x, dy = q.y - p.y;
   for (const auto& [along, room] : {std::pair{-dx, p.x - b.left}, std::pair{dx, b.right - p.x},
@@ -30,9 +30,9 @@ bool crosses(const Box& b, const Spot& p, const Spot& q) {
 
 class Cover {
  public:
-  Cover(const PlacedPanel& panel, const Box& box) : panel_(panel), box_(box) {}
+  Cover(const PlacedPanel& panel, const PageBox& box) : panel_(panel), box_(box) {}
 
-  bool by(const Curve& c) const {
+  bool by(const PlottedCurve& c) const {
     const bool marks = c.style == CurveStyle::points;
     if (!c.y.empty() && by_line(c.x, c.y, !marks)) return true;
     for (const Ends* ends : {&c.band, &c.error}) {
@@ -49,19 +49,19 @@ class Cover {
   }
 
  private:
-  Spot spot(double x, double y) const {
-    const Box& f = panel_.frame;
+  PagePoint spot(double x, double y) const {
+    const PageBox& f = panel_.frame;
     return {f.left + panel_.x.part(x) * f.width(), f.bottom + panel_.y.part(y) * f.height()};
   }
 
-  bool hits(const Spot& p, const Spot& q) const {
+  bool hits(const PagePoint& p, const PagePoint& q) const {
     const bool finite = std::isfinite(p.x + p.y) && std::isfinite(q.x + q.y);
     return finite && crosses(box_, p, q);
   }
 
   bool by_line(const std::vector<double>& x, const std::vector<double>& y, bool joined) const {
     for (std::size_t i = 0; i < x.size(); ++i) {
-      const Spot here = spot(x[i], y[i]);
+      const PagePoint here = spot(x[i], y[i]);
       if (hits(here, here)) return true;
       if (joined && i > 0 && hits(spot(x[i - 1], y[i - 1]), here)) return true;
     }
@@ -69,10 +69,10 @@ class Cover {
   }
 
   const PlacedPanel& panel_;
-  Box box_;
+  PageBox box_;
 };
 
-Box in_corner(const Box& f, const KeySize& size, double letter, Key corner) {
+PageBox in_corner(const PageBox& f, const KeySize& size, double letter, Key corner) {
   const double off = 0.7 * letter;
   const bool left = corner == Key::top_left || corner == Key::bottom_left,
              top = corner == Key::top_left || corner == Key::top_right;
@@ -81,13 +81,13 @@ Box in_corner(const Box& f, const KeySize& size, double letter, Key corner) {
   return {x, y, x + size.width, y + size.height};
 }
 
-bool is_free(const Figure& figure, const PlacedPanel& panel, const Box& box, double letter) {
-  const Box& f = panel.frame;
+bool is_free(const Figure& figure, const PlacedPanel& panel, const PageBox& box, double letter) {
+  const PageBox& f = panel.frame;
   if (box.left < f.left || box.right > f.right || box.bottom < f.bottom || box.top > f.top) return false;
   const double around = 0.3 * letter;
   const Cover cover(panel, {box.left - around, box.bottom - around, box.right + around, box.top + around});
   return std::none_of(figure.curves.begin(), figure.curves.end(),
-                      [&](const Curve& curve) { return cover.by(curve); });
+                      [&](const PlottedCurve& curve) { return cover.by(curve); });
 }
 
 }  // namespace
@@ -95,7 +95,7 @@ bool is_free(const Figure& figure, const PlacedPanel& panel, const Box& box, dou
 KeySize key_size(const Figure& figure, double letter, double width, Key place) {
   KeySize size;
   int entries = 0;
-  for (const Curve& curve : figure.curves) {
+  for (const PlottedCurve& curve : figure.curves) {
     if (curve.label.empty()) continue;
     ++entries;
     size.column = std::max(size.column, (kSample + kGap) * letter + text_width(curve.label, letter));
@@ -111,8 +111,8 @@ KeySize key_size(const Figure& figure, double letter, double width, Key place) {
 }
 
 bool key_box(const Figure& figure, const PlacedPanel& panel, const KeySize& size, double letter, Key place,
-             Box& box) {
-  const Box& f = panel.frame;
+             PageBox& box) {
+  const PageBox& f = panel.frame;
   if (place == Key::below) {
     const double top = f.bottom - (figure.x.label.empty() ? 1.7 : 3.1) * letter,
                  left = std::max(letter * 0.3, (f.left + f.right - size.width) / 2);

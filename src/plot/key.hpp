@@ -15,7 +15,7 @@ KeySize key_size(const Figure& figure, double letter, double width, Key place);
 
 // Box for a legend of this size. false: Key::best was asked for, and every corner is covered by a curve.
 bool key_box(const Figure& figure, const PlacedPanel& panel, const KeySize& size, double letter, Key place,
-             Box& box);
+             PageBox& box);
 
 // Adds the texts and line samples of the legend in panel.key.
 void fill_key(const Figure& figure, PlacedPanel& panel, const KeySize& size, double letter);

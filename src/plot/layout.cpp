@@ -26,9 +26,9 @@ struct Margins {
   double left = 0, right = 0, bottom = 0, top = 0;
 };
 
-class Draft {
+class PageDraft {
  public:
-  explicit Draft(const Page& page) : page_(page), letter_(page.paper.font_size) {
+  explicit PageDraft(const Page& page) : page_(page), letter_(page.paper.font_size) {
     const int n = static_cast<int>(page.panels.size());
     columns_ = page.columns > 0 ? page.columns : std::min(n, 2);
     rows_ = page.rows > 0 ? page.rows : (n + columns_ - 1) / columns_;
@@ -46,7 +46,7 @@ class Draft {
 
   // A legend without a free corner is moved below the axes. This changes the axes of all panels, because they
   // have equal sizes; therefore the layout is repeated.
-  Layout made() {
+  PageLayout made() {
     while (!placed()) {
     }
     for (std::size_t i = 0; i < layout_.panels.size(); ++i) words(i);
@@ -90,7 +90,7 @@ class Draft {
     return at;
   }
   // The area of panel i with its margins.
-  Box cell(std::size_t i) const {
+  PageBox cell(std::size_t i) const {
     const std::size_t r = row(i), c = column(i);
     return {begin(layout_.width, across_, c), layout_.height - begin(layout_.height, down_, r + 1),
             begin(layout_.width, across_, c + 1), layout_.height - begin(layout_.height, down_, r)};
@@ -98,7 +98,7 @@ class Draft {
 
   void frame(std::size_t i) {
     PlacedPanel& p = layout_.panels[i];
-    const Box all = cell(i);
+    const PageBox all = cell(i);
     const Track &x = across_[column(i)], &y = down_[row(i)];
     p.frame = {all.left + x.before, all.bottom + y.behind, all.right - x.behind, all.top - y.before};
     if (p.frame.width() < 3 * letter_ || p.frame.height() < 3 * letter_)
@@ -174,7 +174,7 @@ class Draft {
   void words(std::size_t i) {
     const Figure& f = page_.panels[i];
     const PlacedPanel& p = layout_.panels[i];
-    const Box b = p.frame;
+    const PageBox b = p.frame;
     std::vector<PlacedWord>& out = layout_.panels[i].words;
     for (const Tick& t : p.x.ticks)
       if (!t.text.empty())
@@ -184,7 +184,7 @@ class Draft {
       if (!t.text.empty())
         out.push_back({t.text, b.left - 0.5 * letter_, b.bottom + p.y.part(t.value) * b.height(),
                        Align::right, letter_});
-    const Box all = cell(i);
+    const PageBox all = cell(i);
     const double w = all.width(), h = all.height(), edge = all.left, floor = all.bottom;
     const auto inside = [&](double centre, double text, double from, double room) {
       const double half = std::min(text, room) / 2;
@@ -216,21 +216,21 @@ class Draft {
   std::vector<Track> across_, down_;  // of columns and rows
   std::vector<Span> spans_;
   std::vector<Key> keys_;
-  Layout layout_;
+  PageLayout layout_;
 };
 
 }  // namespace
 
-Box box_of(const PlacedWord& word) {
+PageBox box_of(const PlacedWord& word) {
   const double length = text_width(word.text, word.size), high = 0.6 * word.size;
   const double before = word.align == Align::left ? 0 : word.align == Align::right ? length : length / 2;
   if (word.upright) return {word.x - high, word.y - before, word.x + high, word.y - before + length};
   return {word.x - before, word.y - high, word.x - before + length, word.y + high};
 }
 
-Layout layout_of(const Page& page) {
+PageLayout layout_of(const Page& page) {
   if (page.panels.empty()) throw Error("figure: expected at least one panel");
-  return Draft(page).made();
+  return PageDraft(page).made();
 }
 
 }  // namespace fabricsh::plot

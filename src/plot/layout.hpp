@@ -10,7 +10,7 @@
 
 namespace fabricsh::plot {
 
-struct Box {
+struct PageBox {
   double left = 0, bottom = 0, right = 0, top = 0;  // points
   double width() const { return right - left; }
   double height() const { return top - bottom; }
@@ -26,29 +26,29 @@ struct PlacedWord {
   bool upright = false;  // rotated by 90 degrees
 };
 
-struct Sample {
+struct LegendLine {
   std::size_t curve = 0;              // index in the panel
   double left = 0, right = 0, y = 0;  // of the line sample
 };
 
 struct PlacedPanel {
-  Box frame;  // area within the axes
+  PageBox frame;  // area within the axes
   Scale x, y;
   std::vector<PlacedWord> words;
-  std::vector<Sample> samples;  // of the legend
-  Box key;                      // of the legend; empty: none
+  std::vector<LegendLine> samples;  // of the legend
+  PageBox key;                      // of the legend; empty: none
 };
 
-struct Layout {
+struct PageLayout {
   double width = 0, height = 0;
   std::vector<PlacedPanel> panels;
   std::vector<std::string> warnings;  // about texts that do not fit
 };
 
 // Area that a text occupies on the page.
-Box box_of(const PlacedWord& word);
+PageBox box_of(const PlacedWord& word);
 
 // Error: data that cannot be shown, or a page that is too small.
-Layout layout_of(const Page& page);
+PageLayout layout_of(const Page& page);
 
 }  // namespace fabricsh::plot

@@ -18,9 +18,9 @@ constexpr std::array<int, kMarkers> open = {6, 4, 8, 12, 10, 14}, filled = {7, 5
 
 }  // namespace
 
-Look look(std::size_t place, CurveStyle style) {
+CurveAppearance look(std::size_t place, CurveStyle style) {
   const std::size_t round = place / kColours, shape = place % kMarkers;
-  Look result{colours[place % kColours], patterns[round % kPatterns]};
+  CurveAppearance result{colours[place % kColours], patterns[round % kPatterns]};
   if (style == CurveStyle::dashed) result.dashes = asked_dashes;
   if (style == CurveStyle::line_points) result.marker = filled[shape];
   if (style == CurveStyle::points) result.marker = open[shape], result.line = false;

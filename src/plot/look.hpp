@@ -9,7 +9,7 @@ namespace fabricsh::plot {
 
 inline constexpr std::size_t kColours = 7, kPatterns = 4, kMarkers = 6;
 
-struct Look {
+struct CurveAppearance {
   std::string colour;  // "#0072b2"
   std::string dashes;  // dash and gap lengths in line widths, "8,3"; empty: solid
   int marker = 0;      // gnuplot's number; 0: none
@@ -18,6 +18,6 @@ struct Look {
 
 // The look of curve number `place`, counted from 0. Colours and marks change from curve to curve;
 // the line pattern changes each time the colours are repeated.
-Look look(std::size_t place, CurveStyle style);
+CurveAppearance look(std::size_t place, CurveStyle style);
 
 }  // namespace fabricsh::plot

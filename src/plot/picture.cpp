@@ -119,8 +119,7 @@ std::vector<std::string> render(const Picture& picture, const std::string& progr
   request.png = file.temporary();
   const system::ChildResult result = system::run_child({program}, picture_text(request), "render");
   if (!result.found)
-    throw Error("render: the program that draws is not there: '" + program +
-                "' (build the target fabricsh-render)");
+    throw Error("render: no drawing program: '" + program + "' (build the target fabricsh-render)");
   if (!result.good && result.said.starts_with("render: ")) throw Error(result.said);
   if (!result.good)
     throw Error("render: the program that draws ended before the picture was whole: '" + program + "'" +

@@ -67,7 +67,7 @@ std::string block(const std::string& name, const Rows& shown,
 
 class Script {
  public:
-  Script(const Page& page, const Layout& layout, double width, double height, bool opaque)
+  Script(const Page& page, const PageLayout& layout, double width, double height, bool opaque)
       : page_(page), layout_(layout), width_(width), height_(height), opaque_(opaque) {}
 
   std::string made() {
@@ -92,7 +92,7 @@ class Script {
     axis("x", p.x);
     axis("y", p.y);
     for (const PlacedWord& word : p.words) write(word);
-    for (const Sample& sample : p.samples)
+    for (const LegendLine& sample : p.samples)
       draw_sample(f.curves[sample.curve], look_of(f, sample.curve), sample);
     curves(f, p);
   }
@@ -117,21 +117,21 @@ class Script {
   }
 
   // Curves with an explicit colour are counted separately, for their marks and patterns.
-  static Look look_of(const Figure& f, std::size_t curve) {
-    const Curve& c = f.curves[curve];
+  static CurveAppearance look_of(const Figure& f, std::size_t curve) {
+    const PlottedCurve& c = f.curves[curve];
     std::size_t place = 0;
     for (std::size_t i = 0; i < curve; ++i) place += f.curves[i].colour.empty() == c.colour.empty() ? 1 : 0;
-    Look result = look(place, c.style);
+    CurveAppearance result = look(place, c.style);
     if (!c.colour.empty()) result.colour = c.colour;
     return result;
   }
 
-  static std::string coloured(const Look& l) { return " linecolor rgb '" + l.colour + "'"; }
-  static std::string line(const Look& l) {
+  static std::string coloured(const CurveAppearance& l) { return " linecolor rgb '" + l.colour + "'"; }
+  static std::string line(const CurveAppearance& l) {
     return " linewidth " + number(kLine) + (l.dashes.empty() ? "" : " dashtype (" + l.dashes + ")") +
            coloured(l);
   }
-  static std::string mark(const Look& l) {
+  static std::string mark(const CurveAppearance& l) {
     return " pointtype " + std::to_string(l.marker) + " pointsize " + number(kMarkSize) + " linewidth " +
            number(kMark) + coloured(l);
   }
@@ -146,12 +146,12 @@ class Script {
     }
     return out;
   }
-  std::string shade(const Look& l) const {
+  std::string shade(const CurveAppearance& l) const {
     return opaque_ ? " fillstyle solid 1 noborder fillcolor rgb '" + opaque_shade(l.colour) + "'"
                    : " fillstyle transparent solid 0.2 noborder fillcolor rgb '" + l.colour + "'";
   }
 
-  void draw_sample(const Curve& c, const Look& l, const Sample& s) {
+  void draw_sample(const PlottedCurve& c, const CurveAppearance& l, const LegendLine& s) {
     const double half = 0.35 * page_.paper.font_size;
     if (!c.band.empty())
       text_ += "set object rectangle from " + at(s.left, s.y - half) + " to " + at(s.right, s.y + half) +
@@ -166,7 +166,7 @@ class Script {
     if (l.marker > 0) text_ += "set label '' at " + at(centre, s.y) + " point" + mark(l) + " front\n";
   }
 
-  void bar(const Look& l, const std::string& from, const std::string& to) {
+  void bar(const CurveAppearance& l, const std::string& from, const std::string& to) {
     text_ += "set arrow from " + from + " to " + to + " nohead front linewidth " + number(kMark) +
              coloured(l) + "\n";
   }
@@ -207,7 +207,7 @@ class Script {
   }
 
   // Vertical lines with a cap at each end, as wide as a mark.
-  std::string error_block(const std::string& name, const Curve& c, const PlacedPanel& p) const {
+  std::string error_block(const std::string& name, const PlottedCurve& c, const PlacedPanel& p) const {
     const double half = 1.8 / p.frame.width();
     std::string text = name + " << END_OF_CURVE\n";
     for (std::size_t i = 0; i < c.x.size(); ++i) {
@@ -219,7 +219,7 @@ class Script {
   }
 
   // Horizontal lines likewise.
-  std::string x_error_block(const std::string& name, const Curve& c, const PlacedPanel& p) const {
+  std::string x_error_block(const std::string& name, const PlottedCurve& c, const PlacedPanel& p) const {
     const double half = 1.8 / p.frame.height();
     std::string text = name + " << END_OF_CURVE\n";
     for (std::size_t i = 0; i < c.x.size(); ++i) {
@@ -242,8 +242,8 @@ class Script {
     std::string bars, lines;
     std::vector<std::pair<double, std::string>> bands;  // with their mean widths
     for (std::size_t i = 0; i < f.curves.size(); ++i) {
-      const Curve& c = f.curves[i];
-      const Look l = look_of(f, i);
+      const PlottedCurve& c = f.curves[i];
+      const CurveAppearance l = look_of(f, i);
       const std::string number_of = std::to_string(i);
       const std::string title = c.label.empty() ? " notitle" : " title " + quoted(c.label);
       const std::string thin = " with lines linewidth " + fabricsh::number(kMark) + coloured(l) + " notitle";
@@ -287,7 +287,7 @@ class Script {
   }
 
   const Page& page_;
-  const Layout& layout_;
+  const PageLayout& layout_;
   double width_, height_;
   bool opaque_;
   std::string text_;
@@ -310,7 +310,7 @@ std::string letters_style(CurveStyle style) {
 
 }  // namespace
 
-std::string script_of(const Page& page, const Layout& layout, double canvas_width, double canvas_height,
+std::string script_of(const Page& page, const PageLayout& layout, double canvas_width, double canvas_height,
                       bool opaque) {
   return Script(page, layout, canvas_width, canvas_height, opaque).made();
 }
@@ -326,7 +326,7 @@ std::string letters_script(const Figure& f) {
   std::string plot;
   const auto add_rows = [&](std::size_t i, const std::string& name, const Rows& shown,
                             const std::vector<double>& y, const std::string& with, bool named) {
-    const Curve& c = f.curves[i];
+    const PlottedCurve& c = f.curves[i];
     script += block(name, shown, {&c.x, &y});
     plot += (plot.empty() ? "plot " : ", ") + name + " using 1:2 with " + with + " linetype " +
             std::to_string(i + 1) + (named && !c.label.empty() ? " title " + quoted(c.label) : " notitle");
@@ -338,7 +338,7 @@ std::string letters_script(const Figure& f) {
     if (with == "lines" && any(lone)) add_rows(i, name + "_lone", lone, y, letters_points, false);
   };
   for (std::size_t i = 0; i < f.curves.size(); ++i) {
-    const Curve& c = f.curves[i];
+    const PlottedCurve& c = f.curves[i];
     const std::string place = std::to_string(i);
     if (!c.band.empty()) {
       const Ends band = held_band(c.band, y_scale);

@@ -8,7 +8,7 @@ namespace fabricsh::plot {
 
 // Everything but the terminal. canvas: size of the drawing in points; the page is its lower left part. Bands
 // are transparent, or opaque in the same shade, the wider behind the narrower (EPS has no transparency).
-std::string script_of(const Page& page, const Layout& layout, double canvas_width, double canvas_height,
+std::string script_of(const Page& page, const PageLayout& layout, double canvas_width, double canvas_height,
                       bool opaque = false);
 
 // One panel in text mode.

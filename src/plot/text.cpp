@@ -26,7 +26,7 @@ std::size_t character(const std::string& text, std::size_t at) {
   return too_long || no_character ? 0 : length;
 }
 
-// Width of a character as a share of the font size.
+// Width of a character as a fraction of the font size.
 double width_of(std::string_view one) {
   if (one.size() >= 3) return one < "\xe2\xba\x80" ? 0.85 : 1.0;  // signs; Chinese, Japanese and Korean
   if (one.size() == 2) return 0.65;

@@ -28,7 +28,7 @@ void check_axis(const std::string& name, const Axis& axis) {
 
 // Calls take(x, y) for every point, band end and error bar end.
 template <class Take>
-void each_point(const Curve& curve, Take take) {
+void each_point(const PlottedCurve& curve, Take take) {
   for (std::size_t i = 0; i < curve.x.size(); ++i) {
     if (!curve.y.empty()) take(curve.x[i], curve.y[i]);
     for (const Ends* ends : {&curve.band, &curve.error})
@@ -49,7 +49,7 @@ void check_ends(const std::string& who, const char* what, const Ends& ends, std:
                   ": from " + number(ends.low[i]) + " to " + number(ends.high[i]));
 }
 
-void check_curve(const Figure& f, const Curve& curve) {
+void check_curve(const Figure& f, const PlottedCurve& curve) {
   const std::string who = "figure: curve '" + curve.label + "': ";
   const bool alone = curve.y.empty() && !curve.band.empty();
   if (curve.x.size() != curve.y.size() && !alone)
@@ -72,11 +72,11 @@ Span visible_span(const Figure& f) {
   if (f.curves.empty()) throw Error("figure: expected at least one curve");
   check_axis("x", f.x);
   check_axis("y", f.y);
-  for (const Curve& curve : f.curves) check_curve(f, curve);
+  for (const PlottedCurve& curve : f.curves) check_curve(f, curve);
   constexpr double far = std::numeric_limits<double>::infinity();
   Span s{far, -far, far, -far};
   // An axis without a given range is scaled by the points that lie within the range of the other axis.
-  for (const Curve& curve : f.curves)
+  for (const PlottedCurve& curve : f.curves)
     each_point(curve, [&](double x, double y) {
       if (!shows(f.x, x) || !shows(f.y, y) || !in_range(f.x, x) || !in_range(f.y, y)) return;
       s.x_low = std::min(s.x_low, x), s.x_high = std::max(s.x_high, x);
@@ -95,7 +95,7 @@ std::size_t too_low(const Axis& axis, const std::vector<double>& values) {
       std::count_if(values.begin(), values.end(), [](double v) { return std::isfinite(v) && v <= 0; }));
 }
 
-std::string left_out(const Figure& f, const Curve& c) {
+std::string left_out(const Figure& f, const PlottedCurve& c) {
   std::string what;
   bool points = false, edges = false;
   const auto add = [&](std::size_t count, std::size_t all, const char* of, bool& any) {

@@ -17,14 +17,14 @@ namespace {
 using Point = std::array<double, 3>;
 constexpr double kSharp = 0.8660254037844387;  // cosine of 30 degrees
 
-// The facets on both sides of each edge. Its ends are told apart by their places, in millionths of the scene:
+// The facets on both sides of each edge. Its ends are identified by position, in millionths of the scene:
 // a body may hold a point twice.
-struct Side {
+struct EdgeFacets {
   vtkIdType from = 0, to = 0;
   std::vector<Point> normals = {};
 };
 using Place = std::array<long long, 3>;
-using Sides = std::map<std::pair<Place, Place>, Side>;
+using Sides = std::map<std::pair<Place, Place>, EdgeFacets>;
 
 Place place_of(const Point& p, double unit) {
   return {std::llround(p[0] / unit), std::llround(p[1] / unit), std::llround(p[2] / unit)};
@@ -51,14 +51,14 @@ void add_sides(Sides& sides, vtkPoints* points, vtkIdList* corners, double unit)
   for (std::size_t k = 0; k < at.size(); ++k) {
     const std::size_t next = (k + 1) % at.size();
     const Place &a = places[k], &b = places[next];
-    Side& side = sides[a < b ? std::pair{a, b} : std::pair{b, a}];
+    EdgeFacets& side = sides[a < b ? std::pair{a, b} : std::pair{b, a}];
     side.from = corners->GetId(static_cast<vtkIdType>(k)),
     side.to = corners->GetId(static_cast<vtkIdType>(next));
     side.normals.push_back(normal);
   }
 }
 
-bool sharp(const Side& side) {
+bool sharp(const EdgeFacets& side) {
   if (side.normals.size() != 2) return true;
   const Point &a = side.normals[0], &b = side.normals[1];
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] < kSharp;
@@ -66,7 +66,7 @@ bool sharp(const Side& side) {
 
 }  // namespace
 
-Bodies take_bodies(vtkSmartPointer<vtkUnstructuredGrid>& grid) {
+BodySurfaces take_bodies(vtkSmartPointer<vtkUnstructuredGrid>& grid) {
   vtkDataArray* body = grid->GetCellData()->GetArray(kBody);
   if (body == nullptr || body->GetRange()[1] == 0) return {};
   const auto sheet = vtkSmartPointer<vtkUnstructuredGrid>::New();
@@ -92,7 +92,7 @@ Bodies take_bodies(vtkSmartPointer<vtkUnstructuredGrid>& grid) {
     const vtkIdType line[2] = {side.from, side.to};
     lines->InsertNextCell(2, line);
   }
-  Bodies out{vtkSmartPointer<vtkPolyData>::New(), vtkSmartPointer<vtkPolyData>::New()};
+  BodySurfaces out{vtkSmartPointer<vtkPolyData>::New(), vtkSmartPointer<vtkPolyData>::New()};
   out.faces->SetPoints(grid->GetPoints());
   out.faces->SetPolys(faces);
   out.edges->SetPoints(grid->GetPoints());

@@ -1,4 +1,4 @@
-// Rigid bodies beside the sheet: their surfaces, and the edges that are drawn of them.
+// Rigid bodies in the picture of a sheet: their surfaces, and the edges that are drawn of them.
 #pragma once
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
@@ -8,12 +8,12 @@ namespace fabricsh::render {
 
 inline constexpr const char* kBody = "rigid_body";  // array of cells: 0 for the sheet, else the body's number
 
-struct Bodies {
+struct BodySurfaces {
   vtkSmartPointer<vtkPolyData> faces, edges;  // null: none
 };
 
 // Takes the cells of bodies out of the grid. Faces and edges share the grid's points. An edge is one where
 // the surface ends, or bends by more than 30 degrees; the facets of a round body have none.
-Bodies take_bodies(vtkSmartPointer<vtkUnstructuredGrid>& grid);
+BodySurfaces take_bodies(vtkSmartPointer<vtkUnstructuredGrid>& grid);
 
 }  // namespace fabricsh::render

@@ -10,22 +10,22 @@ namespace fabricsh::render {
 
 namespace {
 
-class Collector : public vtkOutputWindow {
+class MessageCollector : public vtkOutputWindow {
  public:
-  static Collector* New() {
-    auto* made = new Collector;
+  static MessageCollector* New() {
+    auto* made = new MessageCollector;
     made->InitializeObjectBase();
     return made;
   }
-  Collector(const Collector&) = delete;
-  Collector& operator=(const Collector&) = delete;
+  MessageCollector(const MessageCollector&) = delete;
+  MessageCollector& operator=(const MessageCollector&) = delete;
   void DisplayText(const char* text) override {
     if (said.empty() && text != nullptr) said = text;
   }
   std::string said;
 
  protected:
-  Collector() = default;
+  MessageCollector() = default;
 };
 
 // "ERROR: In file.cxx, line 1\nvtkReader (0x1): the words\n\n" -> "the words"
@@ -41,11 +41,11 @@ std::string plain(const std::string& text) {
 
 void collect_complaints() {
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
-  vtkOutputWindow::SetInstance(vtkSmartPointer<Collector>::New());
+  vtkOutputWindow::SetInstance(vtkSmartPointer<MessageCollector>::New());
 }
 
 std::string take_complaint() {
-  auto* collector = dynamic_cast<Collector*>(vtkOutputWindow::GetInstance());
+  auto* collector = dynamic_cast<MessageCollector*>(vtkOutputWindow::GetInstance());
   if (collector == nullptr) return {};
   const std::string words = plain(collector->said);
   collector->said.clear();

@@ -4,7 +4,7 @@
 
 namespace fabricsh::render {
 
-// A virtual display (Xvfb) that lives as long as the object and sets the variable DISPLAY.
+// A virtual display (Xvfb) that exists as long as the object and sets the variable DISPLAY.
 // If Xvfb is not installed, the display named by DISPLAY is used. Error: neither exists.
 class Display {
  public:

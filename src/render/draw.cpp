@@ -28,9 +28,9 @@ template <class T>
 using Ref = vtkSmartPointer<T>;
 using plot::Picture;
 
-struct Scene {
+struct DrawnScene {
   const Picture& picture;
-  std::vector<Sheet> sheets = {};
+  std::vector<ClothSurface> sheets = {};
   Ref<vtkLookupTable> table = nullptr;  // null: no field
   Bar bar = {};                         // only with a field
   std::string unit = {};                // unit of length
@@ -47,10 +47,10 @@ int font_size(const Picture& p) {
 
 double points(const Picture& p, double width) { return std::max(1.0, width * p.dpi / 72); }
 
-// Height of the title as a share of the picture.
+// Height of the title as a fraction of the picture.
 double title_part(const Picture& p) { return p.title.empty() ? 0 : 2.2 * font_size(p) / p.height; }
 
-Ref<vtkRenderer> viewport(Scene& scene, double x0, double y0, double x1, double y1) {
+Ref<vtkRenderer> viewport(DrawnScene& scene, double x0, double y0, double x1, double y1) {
   const auto renderer = Ref<vtkRenderer>::New();
   renderer->SetViewport(x0, y0, x1, y1);
   renderer->SetBackground(1, 1, 1);
@@ -59,7 +59,7 @@ Ref<vtkRenderer> viewport(Scene& scene, double x0, double y0, double x1, double 
 }
 
 // Common bounds of all sheets, so that the panels can be compared.
-Bounds common(const std::vector<Sheet>& sheets) {
+Bounds common(const std::vector<ClothSurface>& sheets) {
   Bounds all{};
   for (std::size_t i = 0; i < sheets.size(); ++i) {
     double b[6];
@@ -74,7 +74,7 @@ Bounds common(const std::vector<Sheet>& sheets) {
 double extent(const Bounds& b) { return std::max({b[1] - b[0], b[3] - b[2], b[5] - b[4]}); }
 bool from_above(const plot::Panel& p) { return p.elevation > 89.9; }
 
-Ref<vtkActor> actor(const Scene& scene, const Sheet& sheet, bool lit) {
+Ref<vtkActor> actor(const DrawnScene& scene, const ClothSurface& sheet, bool lit) {
   const auto mapper = Ref<vtkDataSetMapper>::New();
   mapper->SetInputData(sheet.grid);
   mapper->SetScalarVisibility(scene.table != nullptr);
@@ -110,8 +110,8 @@ Ref<vtkActor> body_actor(vtkPolyData* surface) {
   return result;
 }
 
-// Grey, shaded more than the sheet, since no bar tells its colour.
-void add_bodies(const Scene& scene, const Sheet& sheet, vtkRenderer* renderer) {
+// Grey, shaded more than the sheet, since no bar explains its colour.
+void add_bodies(const DrawnScene& scene, const ClothSurface& sheet, vtkRenderer* renderer) {
   if (sheet.bodies.faces == nullptr) return;
   const auto faces = body_actor(sheet.bodies.faces), edges = body_actor(sheet.bodies.edges);
   vtkProperty* look = faces->GetProperty();
@@ -129,7 +129,8 @@ void add_bodies(const Scene& scene, const Sheet& sheet, vtkRenderer* renderer) {
 }
 
 // Sets a parallel projection that places the bounds as the layout states, seen from outside the bounds.
-void aim(vtkRenderer* renderer, const Bounds& bounds, const View& view, const Layout& l, const Point& size) {
+void set_camera(vtkRenderer* renderer, const Bounds& bounds, const View& view, const ViewLayout& l,
+                const Point& size) {
   double focus[3], eye[3];
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
@@ -147,7 +148,7 @@ void aim(vtkRenderer* renderer, const Bounds& bounds, const View& view, const La
   renderer->ResetCameraClippingRange();
 }
 
-double widest_number(const Scene& scene) {
+double widest_number(const DrawnScene& scene) {
   double all = 0;
   for (const auto& [value, text] : scene.bar.numbers)
     all = std::max(all, text_size(text, font_size(scene.picture))[0]);
@@ -155,7 +156,7 @@ double widest_number(const Scene& scene) {
 }
 
 // Width of the column for the colour bar: the bar with its widest label, or its title, within limits.
-double bar_width(const Scene& scene) {
+double bar_width(const DrawnScene& scene) {
   if (!scene.table) return 0;
   const int letter = font_size(scene.picture);
   const double title = text_size(scene.picture.bar, letter)[0];
@@ -164,14 +165,14 @@ double bar_width(const Scene& scene) {
 }
 
 // Writes a text and adds a warning if it had to be shortened.
-void write_words(Scene& scene, vtkRenderer* renderer, const std::string& text, int size, const Point& centre,
-                 double room) {
+void write_words(DrawnScene& scene, vtkRenderer* renderer, const std::string& text, int size,
+                 const Point& centre, double room) {
   if (!write_fitted(renderer, text, size, centre, room))
     scene.complaints.push_back("'" + text +
                                "' is cut off, for which a wider picture or shorter words have room");
 }
 
-void add_bar(Scene& scene) {
+void add_bar(DrawnScene& scene) {
   const int letter = font_size(scene.picture);
   const double width = bar_width(scene), top = (1 - title_part(scene.picture)) * scene.picture.height,
                line = points(scene.picture, 0.5);
@@ -193,12 +194,12 @@ void add_bar(Scene& scene) {
               width - 0.6 * letter);
 }
 
-struct Place {
-  double x0, y0, x1, y1;  // shares of the picture
+struct Viewport {
+  double x0, y0, x1, y1;  // fractions of the picture
 };
 
 // The place of panel i.
-Place panel_place(const Scene& scene, std::size_t number) {
+Viewport panel_place(const DrawnScene& scene, std::size_t number) {
   const int i = static_cast<int>(number), n = static_cast<int>(scene.sheets.size());
   const int columns = scene.picture.columns > 0 ? std::min(scene.picture.columns, n)
                       : n <= 3                  ? n
@@ -209,8 +210,8 @@ Place panel_place(const Scene& scene, std::size_t number) {
           top * (rows - row) / rows};
 }
 
-Point panel_size(const Scene& scene, std::size_t i) {
-  const Place place = panel_place(scene, i);
+Point panel_size(const DrawnScene& scene, std::size_t i) {
+  const Viewport place = panel_place(scene, i);
   return {(place.x1 - place.x0) * scene.picture.width, (place.y1 - place.y0) * scene.picture.height};
 }
 
@@ -223,7 +224,7 @@ double above_panels(const Picture& p) {
 
 View view_of(const plot::Panel& panel) { return view_from(panel.azimuth, panel.elevation); }
 
-Layout panel_layout(const Scene& scene, std::size_t i, const Bounds& bounds) {
+ViewLayout panel_layout(const DrawnScene& scene, std::size_t i, const Bounds& bounds) {
   const Picture& p = scene.picture;
   const int letter = font_size(p);
   const Point size = panel_size(scene, i);
@@ -237,18 +238,18 @@ Layout panel_layout(const Scene& scene, std::size_t i, const Bounds& bounds) {
                 {size[0], size[1] - above_panels(p), double(letter), measure, scene.most});
 }
 
-void add_panel(Scene& scene, std::size_t i, const Bounds& bounds) {
+void add_panel(DrawnScene& scene, std::size_t i, const Bounds& bounds) {
   const Picture& p = scene.picture;
   const plot::Panel& panel = p.panels[i];
   const int letter = font_size(p);
-  const Place place = panel_place(scene, i);
+  const Viewport place = panel_place(scene, i);
   const auto renderer = viewport(scene, place.x0, place.y0, place.x1, place.y1);
   const Point size = panel_size(scene, i);
-  const Layout l = panel_layout(scene, i, bounds);
+  const ViewLayout l = panel_layout(scene, i, bounds);
   renderer->AddActor(actor(scene, scene.sheets[i], !from_above(panel)));
   add_bodies(scene, scene.sheets[i], renderer);
-  aim(renderer, bounds, view_of(panel), l, size);
-  for (const Line& line : l.lines) add_line(renderer, line.from, line.to, points(p, 0.5));
+  set_camera(renderer, bounds, view_of(panel), l, size);
+  for (const Segment& line : l.lines) add_line(renderer, line.from, line.to, points(p, 0.5));
   for (const Word& word : l.words) write(renderer, word.text, letter, word.centre);
   if (!panel.label.empty())
     write_words(scene, renderer, panel.label, letter, {size[0] / 2, size[1] - above_panels(p) / 2},
@@ -256,12 +257,12 @@ void add_panel(Scene& scene, std::size_t i, const Bounds& bounds) {
 }
 
 // All panels have the same scale, so that they can be compared.
-void add_panels(Scene& scene) {
+void add_panels(DrawnScene& scene) {
   Bounds bounds = common(scene.sheets);
   const bool metres = extent(bounds) >= 1.5;
   scene.unit = metres ? "m" : "mm";
   if (!metres)
-    for (const Sheet& sheet : scene.sheets) scale(sheet, 1000);
+    for (const ClothSurface& sheet : scene.sheets) scale(sheet, 1000);
   bounds = common(scene.sheets);
   double most = scene.most;
   for (std::size_t i = 0; i < scene.sheets.size(); ++i)
@@ -270,12 +271,13 @@ void add_panels(Scene& scene) {
   for (std::size_t i = 0; i < scene.sheets.size(); ++i) add_panel(scene, i, bounds);
 }
 
-void make_table(Scene& scene) {
+void make_table(DrawnScene& scene) {
   if (scene.picture.array.empty()) return;
   double low = scene.picture.low, high = scene.picture.high;
   if (!scene.picture.fixed_range) {
     low = scene.sheets[0].low, high = scene.sheets[0].high;
-    for (const Sheet& sheet : scene.sheets) low = std::min(low, sheet.low), high = std::max(high, sheet.high);
+    for (const ClothSurface& sheet : scene.sheets)
+      low = std::min(low, sheet.low), high = std::max(high, sheet.high);
   }
   if (!(low <= high)) throw Error("render: the field '" + scene.picture.array + "' holds no finite value");
   if (std::abs(low) < 1e-9 * high) low = 0;  // only rounding error compared with the range
@@ -290,7 +292,7 @@ void make_table(Scene& scene) {
   scene.table = colours(scene.bar.low, scene.bar.high);
 }
 
-void save(Scene& scene) {
+void save(DrawnScene& scene) {
   const auto image = Ref<vtkWindowToImageFilter>::New();
   image->SetInput(scene.window);
   image->ReadFrontBufferOff();
@@ -307,7 +309,7 @@ void save(Scene& scene) {
 
 std::vector<std::string> draw(const Picture& picture) {
   if (picture.panels.empty()) throw Error("render: expected at least one file");
-  Scene scene{picture};
+  DrawnScene scene{picture};
   for (const plot::Panel& panel : picture.panels) {
     scene.sheets.push_back(read_sheet(panel.vtu, picture));
     if (picture.smooth) make_smooth(scene.sheets.back());

@@ -48,13 +48,13 @@ Ticks ticks(double low, double high, double step) {
   return {first, step, std::max(0, static_cast<int>(count))};
 }
 
-class Draft {
+class ViewDraft {
  public:
-  Draft(const Bounds& bounds, const View& view, const std::string& unit, const Space& space, double scale)
+  ViewDraft(const Bounds& bounds, const View& view, const std::string& unit, const Space& space, double scale)
       : bounds_(bounds), view_(view), unit_(unit), space_(space), scale_(scale) {}
 
   // The layout with the centre of the bounds at {0, 0}.
-  Layout made() {
+  ViewLayout made() {
     if (!unit_.empty()) {
       for (int k = 0; k < 3; ++k) axis(k);
       for (const auto& [k, start, end, out] : axes_) labels(k, start, end, out);
@@ -63,7 +63,7 @@ class Draft {
   }
 
  private:
-  struct Axis {
+  struct BoxAxis {
     int k;
     Point start, end, out;
   };
@@ -78,7 +78,7 @@ class Draft {
   // leftmost one; ties are resolved by the leftmost, then the lowest edge.
   void axis(int k) {
     const auto n = static_cast<std::size_t>(k), i = (n + 1) % 3, j = (n + 2) % 3;
-    Axis best{k, {}, {}, {}};
+    BoxAxis best{k, {}, {}, {}};
     double least = std::numeric_limits<double>::infinity();
     for (int edge = 0; edge < 4; ++edge) {
       Vector p{};
@@ -170,12 +170,12 @@ class Draft {
   const std::string& unit_;
   const Space& space_;
   double scale_;
-  std::vector<Axis> axes_;
+  std::vector<BoxAxis> axes_;
   std::vector<Word> words_;
-  std::vector<Line> lines_;
+  std::vector<Segment> lines_;
 };
 
-struct Frame {
+struct ProjectedBounds {
   Point low{0, 0}, high{0, 0};
   void add(const Point& p) {
     for (std::size_t k = 0; k < 2; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
@@ -183,8 +183,8 @@ struct Frame {
 };
 
 // The space occupied by the sheet, its axes and their labels.
-Frame taken(const Layout& l, const Bounds& b, const View& view) {
-  Frame frame;
+ProjectedBounds taken(const ViewLayout& l, const Bounds& b, const View& view) {
+  ProjectedBounds frame;
   for (int corner = 0; corner < 8; ++corner) {
     Point p{};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -195,7 +195,7 @@ Frame taken(const Layout& l, const Bounds& b, const View& view) {
   }
   for (const Word& word : l.words)
     frame.add(word.centre - 0.5 * word.size), frame.add(word.centre + 0.5 * word.size);
-  for (const Line& line : l.lines) frame.add(line.from), frame.add(line.to);
+  for (const Segment& line : l.lines) frame.add(line.from), frame.add(line.to);
   return frame;
 }
 
@@ -207,30 +207,30 @@ View view_from(double azimuth, double elevation) {
           {-std::sin(a) * std::sin(e), std::cos(a) * std::sin(e), std::cos(e)}};
 }
 
-Layout layout(const Bounds& bounds, const View& view, const std::string& unit, const Space& space) {
+ViewLayout layout(const Bounds& bounds, const View& view, const std::string& unit, const Space& space) {
   const double margin = 0.5 * space.letter, width = space.width - 2 * margin,
                height = space.height - 2 * margin;
-  const auto fits = [&](const Layout& l) {
-    const Frame f = taken(l, bounds, view);
+  const auto fits = [&](const ViewLayout& l) {
+    const ProjectedBounds f = taken(l, bounds, view);
     return f.high[0] - f.low[0] <= width && f.high[1] - f.low[1] <= height;
   };
   // Without labels the bounds alone would fill the space at this larger scale.
-  const Frame bare = taken(Draft(bounds, view, "", space, 1).made(), bounds, view);
+  const ProjectedBounds bare = taken(ViewDraft(bounds, view, "", space, 1).made(), bounds, view);
   double low = 0, high = std::min({width / std::max(bare.high[0] - bare.low[0], 1e-300),
                                    height / std::max(bare.high[1] - bare.low[1], 1e-300), space.most});
-  Layout best = Draft(bounds, view, "", space, unit.empty() ? high : 1e-3 * high).made();
+  ViewLayout best = ViewDraft(bounds, view, "", space, unit.empty() ? high : 1e-3 * high).made();
   for (int i = 0; i < 24; ++i) {
     const double middle = (low + high) / 2;
-    const Layout l = Draft(bounds, view, unit, space, middle).made();
+    const ViewLayout l = ViewDraft(bounds, view, unit, space, middle).made();
     if (fits(l))
       low = middle, best = l;
     else
       high = middle;
   }
-  const Frame f = taken(best, bounds, view);
+  const ProjectedBounds f = taken(best, bounds, view);
   best.centre = Point{space.width / 2, space.height / 2} - 0.5 * (f.low + f.high);
   for (Word& word : best.words) word.centre = word.centre + best.centre;
-  for (Line& line : best.lines) line.from = line.from + best.centre, line.to = line.to + best.centre;
+  for (Segment& line : best.lines) line.from = line.from + best.centre, line.to = line.to + best.centre;
   return best;
 }
 

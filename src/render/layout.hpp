@@ -17,7 +17,7 @@ struct Word {
   std::string text;
   Point centre{}, size{};
 };
-struct Line {
+struct Segment {
   Point from{}, to{};
 };
 // Viewing direction, as the unit vectors in space that point right and up in the picture.
@@ -27,11 +27,11 @@ struct View {
 // Degrees: 0, 90 is from above; 0, 0 is along +y.
 View view_from(double azimuth, double elevation);
 
-struct Layout {
+struct ViewLayout {
   double scale = 1;  // pixels per unit of length
   Point centre{};    // position of the centre of the bounds
   std::vector<Word> words;
-  std::vector<Line> lines;
+  std::vector<Segment> lines;
 };
 
 struct Space {
@@ -45,7 +45,7 @@ struct Space {
 // The largest picture of the bounds and the axis labels that fits into the
 // space. Axes run along edges of the bounds; one that is seen end-on or is not
 // longer than a letter has no labels. unit: unit of length; empty: no axes.
-Layout layout(const Bounds& bounds, const View& view, const std::string& unit, const Space& space);
+ViewLayout layout(const Bounds& bounds, const View& view, const std::string& unit, const Space& space);
 
 // A colour bar: its ends and its labels.
 struct Bar {

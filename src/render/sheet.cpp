@@ -49,7 +49,7 @@ double value(vtkDataArray* array, vtkIdType i, int component) {
 }
 
 // Adds the array of the values to be drawn; false: this data set does not have the field.
-bool show(vtkDataSetAttributes* data, const plot::Picture& picture, Sheet& sheet) {
+bool show(vtkDataSetAttributes* data, const plot::Picture& picture, ClothSurface& sheet) {
   vtkDataArray* array = data->GetArray(picture.array.c_str());
   const int component = array != nullptr ? component_of(array, picture.component) : -2;
   if (component == -2) return false;
@@ -68,16 +68,16 @@ bool show(vtkDataSetAttributes* data, const plot::Picture& picture, Sheet& sheet
 
 }  // namespace
 
-Sheet read_sheet(const std::string& path, const plot::Picture& picture) {
-  std::error_code trouble;
-  if (!std::filesystem::is_regular_file(path, trouble)) throw Error("render: no file '" + path + "'");
+ClothSurface read_sheet(const std::string& path, const plot::Picture& picture) {
+  std::error_code code;
+  if (!std::filesystem::is_regular_file(path, code)) throw Error("render: no file '" + path + "'");
   const auto reader = vtkSmartPointer<vtkXMLUnstructuredGridReader>::New();
   reader->SetFileName(path.c_str());
   take_complaint();
   reader->Update();
   if (const std::string why = take_complaint(); !why.empty())
     throw Error("render: '" + path + "' is not whole, or no .vtu file: " + why);
-  Sheet sheet;
+  ClothSurface sheet;
   sheet.grid = reader->GetOutput();
   if (sheet.grid == nullptr || sheet.grid->GetNumberOfCells() == 0)
     throw Error("render: '" + path + "' holds no sheet");
@@ -92,7 +92,7 @@ Sheet read_sheet(const std::string& path, const plot::Picture& picture) {
   return sheet;
 }
 
-void make_smooth(Sheet& sheet) {
+void make_smooth(ClothSurface& sheet) {
   if (!sheet.of_cells) return;
   vtkDataArray* cells = sheet.grid->GetCellData()->GetArray(kShown);
   const auto count = static_cast<std::size_t>(sheet.grid->GetNumberOfPoints());
@@ -121,7 +121,7 @@ void make_smooth(Sheet& sheet) {
   sheet.of_cells = false, sheet.of_points = true;
 }
 
-void scale(const Sheet& sheet, double factor) {
+void scale(const ClothSurface& sheet, double factor) {
   vtkPoints* points = sheet.grid->GetPoints();
   for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i) {
     double p[3];

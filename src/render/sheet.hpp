@@ -10,18 +10,18 @@ namespace fabricsh::render {
 
 inline constexpr const char* kShown = "shown";  // name of the array that is shown
 
-struct Sheet {
+struct ClothSurface {
   vtkSmartPointer<vtkUnstructuredGrid> grid;
-  Bodies bodies = {};
+  BodySurfaces bodies = {};
   bool of_cells = false, of_points = false;  // the values belong to cells or points; neither: no field
   double low = 0, high = 0;                  // range of the finite numbers
 };
 
 // Error: the file is missing, or it does not have the field (the message lists those that it has).
-Sheet read_sheet(const std::string& path, const plot::Picture& picture);
+ClothSurface read_sheet(const std::string& path, const plot::Picture& picture);
 // Replaces the values of cells by values of points, each the mean of the adjacent cells.
-void make_smooth(Sheet& sheet);
+void make_smooth(ClothSurface& sheet);
 // Scales the points of the sheet.
-void scale(const Sheet& sheet, double factor);
+void scale(const ClothSurface& sheet, double factor);
 
 }  // namespace fabricsh::render

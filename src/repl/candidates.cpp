@@ -12,9 +12,9 @@ std::vector<std::string> files_like(const std::string& path) {
   const std::string folder = slash == std::string::npos ? "" : path.substr(0, slash + 1);
   const std::string word = path.substr(folder.size());
   std::vector<std::string> names;
-  std::error_code trouble;
-  for (fs::directory_iterator at(folder.empty() ? "." : folder, trouble), end; !trouble && at != end;
-       at.increment(trouble)) {
+  std::error_code code;
+  for (fs::directory_iterator at(folder.empty() ? "." : folder, code), end; !code && at != end;
+       at.increment(code)) {
     const std::string name = at->path().filename().string();
     if (!name.starts_with(word) || (name[0] == '.' && word.empty())) continue;
     std::error_code unknown;

@@ -38,7 +38,7 @@ bool is_topic(const std::string& text) {
 
 }  // namespace
 
-bool asks_to_leave(script::Session& session, const std::string& input) {
+bool is_exit_command(script::Session& session, const std::string& input) {
   std::string word = trimmed(input);
   if (word.ends_with("()")) word = trimmed(word.substr(0, word.size() - 2));
   return (word == "quit" || word == "exit") && is_free(session.lua(), word);

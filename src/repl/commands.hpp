@@ -11,7 +11,7 @@ inline constexpr const char* greeting =
     "help() shows what there is, help \"shear\" all about shear; Tab completes; quit or Ctrl-D ends";
 
 // quit or exit, with or without (), unless the user has defined such a name.
-bool asks_to_leave(script::Session& session, const std::string& input);
+bool is_exit_command(script::Session& session, const std::string& input);
 
 // Translates "help", "?" and "? word" to Lua; other input is returned unchanged.
 std::string meant(script::Session& session, const std::string& input);

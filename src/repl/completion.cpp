@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "repl/place.hpp"
+#include "repl/cursor_context.hpp"
 #include "script/call/boundary.hpp"
 #include "script/call/results.hpp"
 #include "script/call/words.hpp"
@@ -23,12 +23,12 @@ void add(Words& to, const Words& more) { to.insert(to.end(), more.begin(), more.
 class Completer {
  public:
   Completer(script::Session& session, std::string_view text)
-      : session_(session), L_(session.lua()), text_(text), place_(place_at_end(text)) {}
+      : session_(session), L_(session.lua()), text_(text), place_(context_at_end(text)) {}
 
   Completion run() {
-    if (place_.kind == Place::Kind::word && !place_.behind_value) complete_word();
-    if (place_.kind == Place::Kind::member) complete_member();
-    if (place_.kind == Place::Kind::text) complete_text();
+    if (place_.kind == CursorContext::ContextKind::word && !place_.behind_value) complete_word();
+    if (place_.kind == CursorContext::ContextKind::member) complete_member();
+    if (place_.kind == CursorContext::ContextKind::text) complete_text();
     return finish();
   }
 
@@ -46,7 +46,7 @@ class Completer {
   }
 
   // Replaces the value on top by the result of one step from it.
-  std::string step_from_value(const Step& step) {
+  std::string step_from_value(const PathStep& step) {
     if (step.name.empty())
       script::peek_item(L_, -1, step.number);
     else
@@ -57,7 +57,7 @@ class Completer {
   }
 
   // A call of the function on top, which belongs to the value below it: replaces both by the result.
-  std::string call(const Step& step) {
+  std::string call(const PathStep& step) {
     const Entry* entry = script::entry_of(L_, -1);
     const std::string owner = script::class_of(L_, -2);
     if (entry == nullptr && step.method) entry = session_.registry().find(owner + ":" + step.name);
@@ -70,12 +70,12 @@ class Completer {
   }
 
   // A step from a value of which only the class is known; the nil on top is kept.
-  static std::string step_from_class(const Step& step, const std::string& owner) {
+  static std::string step_from_class(const PathStep& step, const std::string& owner) {
     const std::string result = script::result_class(owner + (step.called ? ":" : ".") + step.name);
     return result == "self" ? owner : result;
   }
 
-  const Entry* callee(const Frame& frame) {
+  const Entry* callee(const OpenBracket& frame) {
     if (!frame.callee || frame.open == "[") return nullptr;
     push(*frame.callee, frame.callee->size());
     const Entry* entry = script::entry_of(L_, -1);
@@ -86,7 +86,7 @@ class Completer {
 
   // The method for a name that is both a property and a method (mesh.elements, mesh:elements), or for a
   // method of a call's result.
-  const Entry* method_of(const Frame& frame) {
+  const Entry* method_of(const OpenBracket& frame) {
     const std::string known = push(*frame.callee, frame.callee->size() - 1);
     const std::string owner = known.empty() ? script::class_of(L_, -1) : known;
     lua_pop(L_, 1);
@@ -101,7 +101,7 @@ class Completer {
 
   // Rows of the entries in the table that frame `level` opens; null if not known.
   const std::vector<Argument>* rows_inside(std::size_t level) {
-    const Frame& frame = place_.frames[level];
+    const OpenBracket& frame = place_.frames[level];
     if (frame.open != "{") return nullptr;
     if (const Entry* entry = callee(frame)) {
       if (entry->style == script::Style::fields) return &entry->arguments;
@@ -116,7 +116,7 @@ class Completer {
 
   // The row of the value being typed inside frame `level`; inside a list, the row of the list.
   const Argument* row_inside(std::size_t level) {
-    const Frame& frame = place_.frames[level];
+    const OpenBracket& frame = place_.frames[level];
     if (frame.open == "(") {
       const Entry* entry = callee(frame);
       const bool known = entry != nullptr && entry->style != script::Style::fields;
@@ -172,7 +172,7 @@ class Completer {
     lua_pop(L_, 1);
     const auto tokens = tokens_of(text_.substr(0, place_.from));
     for (std::size_t i = 0; i + 1 < tokens.size(); ++i)
-      if ((tokens[i].is("local") || tokens[i].is("for")) && tokens[i + 1].kind == Token::Kind::name)
+      if ((tokens[i].is("local") || tokens[i].is("for")) && tokens[i + 1].kind == Token::TokenKind::name)
         found_.push_back(tokens[i + 1].word);
   }
 
@@ -275,7 +275,8 @@ class Completer {
 
   bool fits(const std::string& word) const {
     if (!word.starts_with(place_.word)) return false;
-    return place_.kind == Place::Kind::text || place_.kind == Place::Kind::word || is_name(word);
+    return place_.kind == CursorContext::ContextKind::text ||
+           place_.kind == CursorContext::ContextKind::word || is_name(word);
   }
 
   Completion finish() {
@@ -298,7 +299,7 @@ class Completer {
   script::Session& session_;
   lua_State* L_;
   std::string_view text_;
-  Place place_;
+  CursorContext place_;
   Words found_;
   bool whole_ = true;  // whether found_ has all names that there are
   std::string close_;  // appended after the word if it is the only candidate

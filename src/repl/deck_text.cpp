@@ -17,7 +17,7 @@ std::string commented(const std::string& text, const std::string& mark) {
 // Ends a comment at the end of the input, which would otherwise include the text appended to it.
 std::string closed(const std::string& input) {
   const auto tokens = tokens_of(input);
-  return !tokens.empty() && tokens.back().kind == Token::Kind::comment ? input + "\n" : input;
+  return !tokens.empty() && tokens.back().kind == Token::TokenKind::comment ? input + "\n" : input;
 }
 
 std::string statements(const std::string& input) {
@@ -32,9 +32,9 @@ std::string statements(const std::string& input) {
 
 std::string deck_text(const std::string& input, const Result& result) {
   const auto tokens = tokens_of(input);
-  const auto says_nothing = [](const Token& t) { return t.is(";") || t.kind == Token::Kind::comment; };
-  if (std::all_of(tokens.begin(), tokens.end(), says_nothing)) return input + "\n";
-  if (result.outcome != Outcome::done)
+  const auto is_blank = [](const Token& t) { return t.is(";") || t.kind == Token::TokenKind::comment; };
+  if (std::all_of(tokens.begin(), tokens.end(), is_blank)) return input + "\n";
+  if (result.outcome != EvaluationOutcome::done)
     return commented(input, "-- ") +
            commented(result.message.substr(0, result.message.find('\n')), "--   failed: ");
   return result.expression ? "_show(" + closed(without_equals(input)) + ")\n" : statements(input);

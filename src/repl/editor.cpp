@@ -64,8 +64,8 @@ class Signals {
 class Stream : public Lines {
  public:
   explicit Stream(std::istream& in) : in_(in) {}
-  State next(const std::string&, std::string& line) override {
-    return std::getline(in_, line) ? State::line : State::end;
+  InputState next(const std::string&, std::string& line) override {
+    return std::getline(in_, line) ? InputState::line : InputState::end;
   }
 
  private:
@@ -97,7 +97,7 @@ class Terminal : public Lines {
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
 
-  State next(const std::string& before, std::string& line) override {
+  InputState next(const std::string& before, std::string& line) override {
     before_ = before;
     prompt_ = options_.style.dress(Tone::prompt, before.empty() ? ">" : ">>", std::string(1, literal)) + " ";
     el_resize(edit_);
@@ -107,7 +107,7 @@ class Terminal : public Lines {
     if (text == nullptr || count <= 0) return stopped();
     line.assign(text, static_cast<std::size_t>(count));
     if (!line.empty() && line.back() == '\n') line.pop_back();
-    return State::line;
+    return InputState::line;
   }
 
   void remember(const std::string& input) override {
@@ -157,11 +157,11 @@ class Terminal : public Lines {
     history(history_, &event, H_ENTER, input.c_str());
   }
 
-  State stopped() {
+  InputState stopped() {
     el_reset(edit_);
-    if (interrupted != 0) return State::interrupted;
+    if (interrupted != 0) return InputState::interrupted;
     std::fputc('\n', stdout);
-    return State::end;
+    return InputState::end;
   }
 
   // Returns 1 with a letter, 0 at the end, -1 if a signal or an error ends the reading.

@@ -13,10 +13,10 @@ namespace fabricsh::repl {
 class Lines {
  public:
   virtual ~Lines() = default;
-  enum class State { line, interrupted, end };
+  enum class InputState { line, interrupted, end };
   // Reads the next line, without its newline (one from the history may contain several lines). before: the
   // preceding lines of the same input, empty at its beginning. interrupted: Ctrl-C during typing.
-  virtual State next(const std::string& before, std::string& line) = 0;
+  virtual InputState next(const std::string& before, std::string& line) = 0;
   // Stores a complete input as one item of the history.
   virtual void remember(const std::string&) {}
   // Shows a notice while a line is being typed, without damaging the line; false if no line is being
@@ -29,7 +29,7 @@ std::unique_ptr<Lines> stream_lines(std::istream& in);
 
 struct TerminalOptions {
   std::string history_file = {};  // empty: no history file
-  Style style = Style();
+  TerminalStyle style = TerminalStyle();
   std::function<Completion(const std::string& text)> complete = {};  // text: the input up to the cursor
 };
 

@@ -50,7 +50,7 @@ long line_of(const std::string& message) {
 Result failed(lua_State* L, const std::vector<script::Caller>& callers = {}) {
   script::Session& session = script::Session::of(L);
   session.rest_hook(L);  // an interrupt already handled must not stop the following code
-  Result result{is_numerical(L, -1) ? Outcome::numerical_failure : Outcome::deck_error};
+  Result result{is_numerical(L, -1) ? EvaluationOutcome::numerical_failure : EvaluationOutcome::deck_error};
   lua_pushcfunction(L, value_text);
   lua_insert(L, -2);
   lua_pcall(L, 1, 1, 0);
@@ -97,7 +97,8 @@ int load(lua_State* L, const std::string& text, const std::string& name) {
 // unless the line ends with a backslash.
 bool open_quote(const std::string& input) {
   const auto tokens = tokens_of(input);
-  if (tokens.empty() || tokens.back().kind != Token::Kind::text || !tokens.back().unfinished) return false;
+  if (tokens.empty() || tokens.back().kind != Token::TokenKind::text || !tokens.back().unfinished)
+    return false;
   return input[tokens.back().begin] != '[' && input.back() != '\\';
 }
 
@@ -105,7 +106,7 @@ bool open_quote(const std::string& input) {
 Result finish(script::Session& session, int leading = 0) {
   lua_State* L = session.lua();
   Result result = call(L, 0);
-  if (result.outcome != Outcome::done) return result;
+  if (result.outcome != EvaluationOutcome::done) return result;
   for (; leading > 0; --leading) lua_remove(L, 1);
   if (lua_gettop(L) > 0) {
     lua_pushcfunction(L, present_all);
@@ -141,7 +142,7 @@ std::string without_equals(const std::string& input) {
   return first != std::string::npos && input[first] == '=' ? input.substr(first + 1) : input;
 }
 
-bool wants_more(script::Session& session, const std::string& input) {
+bool is_incomplete(script::Session& session, const std::string& input) {
   if (open_quote(input)) return false;
   lua_State* L = session.lua();
   const int expression = load(L, "return " + without_equals(input), "=prompt");

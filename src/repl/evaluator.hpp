@@ -7,14 +7,14 @@
 
 namespace fabricsh::repl {
 
-enum class Outcome {
+enum class EvaluationOutcome {
   done,
   deck_error,         // exit code 1
   numerical_failure,  // exit code 3
 };
 
 struct Result {
-  Outcome outcome = Outcome::done;
+  EvaluationOutcome outcome = EvaluationOutcome::done;
   std::string message = {};  // of an error
   std::string shown = {};    // the values of an expression as text
   bool expression = false;   // the input was an expression
@@ -24,7 +24,7 @@ struct Result {
 std::string without_equals(const std::string& input);
 
 // Whether the parser reaches the end of the input before the expression or the statements are complete.
-bool wants_more(script::Session& session, const std::string& input);
+bool is_incomplete(script::Session& session, const std::string& input);
 
 // Runs prompt input: an expression (with an optional "=" before it), whose values are returned as text, or
 // statements.

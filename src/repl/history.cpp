@@ -82,10 +82,10 @@ std::vector<std::string> read_lines(const std::string& path) {
 // Creates the folder if it is missing.
 bool folder_exists(const std::string& path) {
   const auto folder = std::filesystem::path(path).parent_path();
-  std::error_code trouble;
-  if (!folder.empty() && !std::filesystem::is_directory(folder, trouble))
-    std::filesystem::create_directories(folder, trouble);
-  return !trouble;
+  std::error_code code;
+  if (!folder.empty() && !std::filesystem::is_directory(folder, code))
+    std::filesystem::create_directories(folder, code);
+  return !code;
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ enum class Attended { no, yes };
 // to the user. A second Ctrl-C during the same input ends the program at once. A second SIGTERM or SIGHUP
 // does so if it comes at least two seconds after the first, because the first may be delivered several times,
 // and unless a run is writing its last outputs. After the guard has gone, Ctrl-C is ignored: everything is
-// done, and the exit code should still tell the result of the deck.
+// done, and the exit code should still state the result of the deck.
 class InterruptGuard {
  public:
   explicit InterruptGuard(script::Session& session, Attended attended = Attended::no);

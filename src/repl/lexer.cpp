@@ -14,9 +14,9 @@ using script::keywords;
 bool letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) || c == '_'; }
 bool digit(char c) { return std::isdigit(static_cast<unsigned char>(c)); }
 
-class Reader {
+class LexerCursor {
  public:
-  explicit Reader(std::string_view text) : text_(text) {}
+  explicit LexerCursor(std::string_view text) : text_(text) {}
 
   std::vector<Token> read() {
     while (at_ < text_.size()) {
@@ -38,11 +38,11 @@ class Reader {
     if (digit(c) || (c == '.' && digit(peek(1)))) return number();
     if (c == '"' || c == '\'') return quoted(c);
     if (starts("--")) return comment();
-    if (c == '[' && long_level(at_) >= 0) return long_text(Token::Kind::text, at_);
+    if (c == '[' && long_level(at_) >= 0) return long_text(Token::TokenKind::text, at_);
     symbol();
   }
 
-  void add(Token::Kind kind, std::size_t end, std::string word, bool unfinished = false) {
+  void add(Token::TokenKind kind, std::size_t end, std::string word, bool unfinished = false) {
     tokens_.push_back({kind, at_, end, std::move(word), unfinished});
     at_ = end;
   }
@@ -52,7 +52,7 @@ class Reader {
     while (end < text_.size() && (letter(text_[end]) || digit(text_[end]))) ++end;
     const std::string name(text_.substr(at_, end - at_));
     const bool known = std::find(keywords.begin(), keywords.end(), name) != keywords.end();
-    add(known ? Token::Kind::keyword : Token::Kind::name, end, name);
+    add(known ? Token::TokenKind::keyword : Token::TokenKind::name, end, name);
   }
 
   void number() {
@@ -62,7 +62,7 @@ class Reader {
     };
     while (end < text_.size() && (letter(text_[end]) || digit(text_[end]) || text_[end] == '.' || sign(end)))
       ++end;
-    add(Token::Kind::number, end, std::string(text_.substr(at_, end - at_)));
+    add(Token::TokenKind::number, end, std::string(text_.substr(at_, end - at_)));
   }
 
   void quoted(char quote) {
@@ -71,7 +71,7 @@ class Reader {
       end += text_[end] == '\\' && end + 1 < text_.size() ? 2 : 1;
     const bool closed = end < text_.size() && text_[end] == quote;
     const std::size_t stop = std::min(end, text_.size());
-    add(Token::Kind::text, closed ? end + 1 : stop, std::string(text_.substr(at_ + 1, stop - at_ - 1)),
+    add(Token::TokenKind::text, closed ? end + 1 : stop, std::string(text_.substr(at_ + 1, stop - at_ - 1)),
         !closed && stop == text_.size());
   }
 
@@ -86,7 +86,7 @@ class Reader {
   }
 
   // Reads from at_ a long text or comment whose long bracket is at `open`.
-  void long_text(Token::Kind kind, std::size_t open) {
+  void long_text(Token::TokenKind kind, std::size_t open) {
     const auto level = static_cast<std::size_t>(long_level(open));
     const std::string close = "]" + std::string(level, '=') + "]";
     const std::size_t inside = open + level + 2;
@@ -97,15 +97,15 @@ class Reader {
   }
 
   void comment() {
-    if (peek(2) == '[' && long_level(at_ + 2) >= 0) return long_text(Token::Kind::comment, at_ + 2);
+    if (peek(2) == '[' && long_level(at_ + 2) >= 0) return long_text(Token::TokenKind::comment, at_ + 2);
     const std::size_t end = std::min(text_.find('\n', at_), text_.size());
-    add(Token::Kind::comment, end, std::string(text_.substr(at_, end - at_)), end == text_.size());
+    add(Token::TokenKind::comment, end, std::string(text_.substr(at_, end - at_)), end == text_.size());
   }
 
   void symbol() {
     for (const std::string_view known : {"...", "..", "==", "~=", "<=", ">=", "//", "<<", ">>", "::"})
-      if (starts(known)) return add(Token::Kind::symbol, at_ + known.size(), std::string(known));
-    add(Token::Kind::symbol, at_ + 1, std::string(1, text_[at_]));
+      if (starts(known)) return add(Token::TokenKind::symbol, at_ + known.size(), std::string(known));
+    add(Token::TokenKind::symbol, at_ + 1, std::string(1, text_[at_]));
   }
 
   std::string_view text_;
@@ -115,7 +115,7 @@ class Reader {
 
 }  // namespace
 
-std::vector<Token> tokens_of(std::string_view text) { return Reader(text).read(); }
+std::vector<Token> tokens_of(std::string_view text) { return LexerCursor(text).read(); }
 
 int nesting(const Token& token) {
   for (const char* word : {"(", "{", "[", "function", "do", "if", "repeat"})
@@ -133,7 +133,7 @@ std::vector<std::string> chunk_locals(const std::vector<Token>& tokens) {
     if (depth != 0 || !tokens[i].is("local")) continue;
     std::size_t at = i + 1;
     if (at < tokens.size() && tokens[at].is("function")) ++at;
-    for (; at < tokens.size() && tokens[at].kind == Token::Kind::name; at += 2) {
+    for (; at < tokens.size() && tokens[at].kind == Token::TokenKind::name; at += 2) {
       names.push_back(tokens[at].word);
       if (at + 3 < tokens.size() && tokens[at + 1].is("<")) at += 3;  // local x <const>
       if (at + 1 >= tokens.size() || !tokens[at + 1].is(",")) break;

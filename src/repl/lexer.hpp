@@ -9,14 +9,14 @@
 namespace fabricsh::repl {
 
 struct Token {
-  enum class Kind { name, keyword, number, text, symbol, comment };
-  Kind kind = Kind::symbol;
+  enum class TokenKind { name, keyword, number, text, symbol, comment };
+  TokenKind kind = TokenKind::symbol;
   std::size_t begin = 0, end = 0;  // positions in the text; of a string, including the quotes
   std::string word = {};           // of a string: without the quotes
   bool unfinished = false;         // a string or comment that the end of the input cuts off
 
   bool is(std::string_view symbol_or_keyword) const {
-    return (kind == Kind::symbol || kind == Kind::keyword) && word == symbol_or_keyword;
+    return (kind == TokenKind::symbol || kind == TokenKind::keyword) && word == symbol_or_keyword;
   }
 };
 

@@ -31,7 +31,7 @@ void keep(script::Session& session, const std::string& text, const Voice& voice)
   }
 }
 
-Outcome run(script::Session& session, const std::string& input, const Voice& voice) {
+EvaluationOutcome run(script::Session& session, const std::string& input, const Voice& voice) {
   const std::string words = advice(input);
   if (!words.empty()) voice.err << voice.style.dress(Tone::notice, words) << std::endl;
   const int changes = script::transcript_of(session.lua()).changes();
@@ -77,14 +77,14 @@ std::string advice(const std::string& input) {
          (names.size() > 1 ? "them" : "it") + " leave 'local' out";
 }
 
-Outcome converse(script::Session& session, Lines& lines, const Voice& voice, Attended attended) {
+EvaluationOutcome converse(script::Session& session, Lines& lines, const Voice& voice, Attended attended) {
   if (!session.options().deck.empty()) keep(session, deck_call(session.options().deck), voice);
-  Outcome first = Outcome::done;
+  EvaluationOutcome first = EvaluationOutcome::done;
   OwnNames own(session);
   const auto evaluated = [&](const std::string& text) {
-    const Outcome outcome = run(session, text, voice);
+    const EvaluationOutcome outcome = run(session, text, voice);
     own.look(voice);
-    if (first == Outcome::done) first = outcome;
+    if (first == EvaluationOutcome::done) first = outcome;
   };
   const auto called_off = [&] {
     if (attended == Attended::no && ctrl_c_between_lines()) session.call_off();
@@ -93,24 +93,24 @@ Outcome converse(script::Session& session, Lines& lines, const Voice& voice, Att
   std::string input, line;
   while (session.terminated() == 0 && !called_off()) {
     const auto state = (attended == Attended::yes && ctrl_c_between_lines() && !input.empty())
-                           ? Lines::State::interrupted
+                           ? Lines::InputState::interrupted
                            : lines.next(input, line);
     if (called_off()) break;
-    if (state == Lines::State::end && input.empty()) break;
-    if (state == Lines::State::interrupted) {
+    if (state == Lines::InputState::end && input.empty()) break;
+    if (state == Lines::InputState::interrupted) {
       input.clear();
       voice.out << std::endl;
       continue;
     }
-    if (state ==
-        Lines::State::end) {  // Ctrl-D or end of text: incomplete input is an error, the session continues
+    if (state == Lines::InputState::end) {  // Ctrl-D or end of text: incomplete input is an error, the
+                                            // session continues
       evaluated(std::exchange(input, {}));
       continue;
     }
-    if (input.empty() && asks_to_leave(session, line)) break;
+    if (input.empty() && is_exit_command(session, line)) break;
     const std::string typed = line;
     input = input.empty() ? meant(session, line) : input + "\n" + line;
-    if (!blank(input) && wants_more(session, input)) continue;
+    if (!blank(input) && is_incomplete(session, input)) continue;
     if (!blank(input)) {
       lines.remember(input == meant(session, typed) ? typed : input);
       evaluated(input);

@@ -12,14 +12,14 @@ namespace fabricsh::repl {
 // The two output streams of the session.
 struct Voice {
   std::ostream &out, &err;
-  Style style = Style();  // of err
+  TerminalStyle style = TerminalStyle();  // of err
 };
 
 // Errors are shown on err and do not end the session. Returns the outcome of the first input that failed.
 // Ctrl-C ends the input that is running; without a user at the prompt it ends the session, too, as it ends a
 // deck.
-Outcome converse(script::Session& session, Lines& lines, const Voice& voice,
-                 Attended attended = Attended::yes);
+EvaluationOutcome converse(script::Session& session, Lines& lines, const Voice& voice,
+                           Attended attended = Attended::yes);
 
 // Advice on input with an effect that is rarely intended; empty: none.
 std::string advice(const std::string& input);

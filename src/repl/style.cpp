@@ -13,11 +13,11 @@ bool colours_wanted(bool terminal, const char* no_color, const char* term) {
   return terminal && !refused && able;
 }
 
-Style Style::of(int descriptor) {
-  return Style(colours_wanted(isatty(descriptor) != 0, std::getenv("NO_COLOR"), std::getenv("TERM")));
+TerminalStyle TerminalStyle::of(int descriptor) {
+  return TerminalStyle(colours_wanted(isatty(descriptor) != 0, std::getenv("NO_COLOR"), std::getenv("TERM")));
 }
 
-std::string Style::dress(Tone tone, const std::string& text, const std::string& mark) const {
+std::string TerminalStyle::dress(Tone tone, const std::string& text, const std::string& mark) const {
   if (!colours_ || text.empty()) return text;
   const char* code = tone == Tone::prompt ? "1;34" : tone == Tone::error ? "31" : "33";
   return mark + "\033[" + code + "m" + mark + text + mark + "\033[0m" + mark;

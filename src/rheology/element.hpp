@@ -25,22 +25,24 @@ namespace fabricsh::rheology {
 // One parameter in a card: its field in decks, checks, messages, help and the reference. A name with a dot
 // stands in the group before it, a row without `place`, of which only name and sentence are used.
 template <class Parameters>
-struct Row {
-  Row(std::string name_, std::string sentence_) : name(std::move(name_)), sentence(std::move(sentence_)) {}
-  Row(std::string name_, double Parameters::*place_, std::string unit_, Range range_, std::string sentence_)
+struct ParameterRow {
+  ParameterRow(std::string name_, std::string sentence_)
+      : name(std::move(name_)), sentence(std::move(sentence_)) {}
+  ParameterRow(std::string name_, double Parameters::*place_, std::string unit_, Range range_,
+               std::string sentence_)
       : name(std::move(name_)),
         place(place_),
         unit(std::move(unit_)),
         sentence(std::move(sentence_)),
         range(range_) {}
-  Row ask(double low, double high, std::string words) const {
-    Row copy = *this;
+  ParameterRow ask(double low, double high, std::string words) const {
+    ParameterRow copy = *this;
     copy.usual = {low, high};
     copy.question = std::move(words);
     return copy;
   }
-  Row printed(std::string words, double by = 1) const {
-    Row copy = *this;
+  ParameterRow printed(std::string words, double by = 1) const {
+    ParameterRow copy = *this;
     copy.phrase = std::move(words);
     copy.scale = by;
     return copy;

@@ -44,8 +44,8 @@ inline bool any(const Compiled& all) { return false FABRICSH_RHEOLOGY(FABRICSH_A
 #undef FABRICSH_ANY
 
 // Whether the stress of an element that is on changes at constant strain.
-#define FABRICSH_ANY(name) || (all.name.on && name::Element::hangs_on_time)
-inline bool hangs_on_time(const Compiled& all) { return false FABRICSH_RHEOLOGY(FABRICSH_ANY); }
+#define FABRICSH_ANY(name) || (all.name.on && name::Element::is_rate_dependent)
+inline bool is_rate_dependent(const Compiled& all) { return false FABRICSH_RHEOLOGY(FABRICSH_ANY); }
 #undef FABRICSH_ANY
 
 inline Stiffest stiffest(const Compiled& all) {

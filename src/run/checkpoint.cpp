@@ -47,7 +47,7 @@ std::shared_ptr<Checkpoint> checkpoint_from(const std::string& path, std::string
   if (!archive.at_end()) refuse("it is damaged: data follow after its end");
   if (c->instructions != name(best_isa()))
     refuse("it was written with the instructions " + c->instructions + ", this machine has " +
-           name(best_isa()) + ": its bits would not be the same");
+           name(best_isa()) + ": its results would be rounded differently");
   c->path = path;
   return c;
 }

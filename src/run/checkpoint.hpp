@@ -16,7 +16,7 @@ namespace fabricsh::run {
 struct Checkpoint {
   std::string path;  // the file it was read from; not stored
 
-  std::string version, instructions;  // of the program; of the kernels, on which the bits depend
+  std::string version, instructions;  // of the program; of the kernels, on which rounding depends
   std::string deck;                   // or program, that started the run
   std::uint64_t deck_hash = 0;
   std::int64_t number = 0;  // of the run among those of the deck, from 1
@@ -26,11 +26,11 @@ struct Checkpoint {
   std::string state, settings;  // Run::kept(), keep_settings()
   double seconds = 0;           // computing time of the run so far
   std::string caller;           // additional data of the program that drives the run
-  struct Part {                 // an output ("record", "vtk"), or named data of a caller
+  struct CheckpointPart {       // an output ("record", "vtk"), or named data of a caller
     std::string kind, path, bytes;
     void keep(Archive& archive) { archive(kind, path, bytes); }
   };
-  std::vector<Part> parts;
+  std::vector<CheckpointPart> parts;
   // Checkpoints at the ends of other runs, which lie in files of their own, each written once.
   struct Finished {
     std::int64_t number = 0;  // of the run
@@ -67,7 +67,7 @@ std::string file_of(const Checkpoint& checkpoint, const Checkpoint::Finished& fi
 std::shared_ptr<const Checkpoint> read_finished(const Checkpoint& checkpoint,
                                                 const Checkpoint::Finished& finished);
 // Errors: those of format::read_checkpoint; a part whose members differ from this build's (named); a file
-// written with other vector instructions, which would give other bits.
+// written with other vector instructions, which round differently.
 std::shared_ptr<const Checkpoint> read_checkpoint(const std::string& path);
 
 // The differences between the run's problem and the checkpoint's; empty if there are none.

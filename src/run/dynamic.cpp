@@ -26,7 +26,7 @@ constexpr int kYoung = 50;              // explicit steps until the trapezoidal 
 constexpr double kYoungLimit = 10;      // factor on the limit for implicit steps until then
 constexpr double kWarning = 1e-3;       // created energy over the external work
 constexpr double kShortWarning = 1e-2;  // the same at the end of a run of fewer than kYoung explicit steps
-constexpr double kHeavy = 0.05;     // share of the kinetic energy in scaled rotary inertia that is tolerated
+constexpr double kHeavy = 0.05;  // fraction of the kinetic energy in scaled rotary inertia that is tolerated
 constexpr double kRateStep = 1e-6;  // s, for differences of prescribed motions
 
 void refuse(const char* field, const char* expected, double got) {
@@ -35,6 +35,7 @@ void refuse(const char* field, const char* expected, double got) {
 
 void check_options(const DynamicOptions& o) {
   const bool is_explicit = o.scheme == Scheme::explicit_steps;
+  const double hht = o.hht.value_or(0);
   if (o.step && !(*o.step > 0 && std::isfinite(*o.step)))
     refuse("step", "a positive time in s or \"auto\"", *o.step);
   if (o.step) check_step("dynamic", *o.step, o.duration);
@@ -42,10 +43,10 @@ void check_options(const DynamicOptions& o) {
   if (is_explicit && o.beta.value_or(0) != 0) refuse("beta", "0 (scheme=\"explicit\")", *o.beta);
   if (!is_explicit && o.beta && !(*o.beta >= 0.25 * (0.5 + o.gamma) * (0.5 + o.gamma) * (1 - 1e-12)))
     refuse("beta", "at least (1/2 + gamma)^2/4, below which steps are only conditionally stable", *o.beta);
-  if (is_explicit && o.hht != 0) refuse("hht", "0 (scheme=\"explicit\")", o.hht);
-  if (!(o.hht <= 0) || o.hht < -1.0 / 3) refuse("hht", "a number from -1/3 to 0", o.hht);
-  if (o.hht != 0 && (o.gamma != 0.5 || o.beta))
-    refuse("hht", "0 beside gamma or beta, which it sets itself", o.hht);
+  if (is_explicit && hht != 0) refuse("hht", "0 (scheme=\"explicit\")", hht);
+  if (!(hht <= 0) || hht < -1.0 / 3) refuse("hht", "a number from -1/3 to 0", hht);
+  if (hht != 0 && (o.gamma != 0.5 || o.beta))
+    refuse("hht", "0 beside gamma or beta, which it sets itself", hht);
   if (!(o.mass_damping >= 0)) refuse("damping.mass", "a rate in 1/s, 0 or more", o.mass_damping);
   if (!(o.stiffness_damping >= 0)) refuse("damping.stiffness", "a time in s, 0 or more", o.stiffness_damping);
   if (!(o.ledger_limit > 0)) refuse("ledger_limit", "a positive number", o.ledger_limit);
@@ -74,7 +75,7 @@ std::string Dynamic::method() const {
   const auto& o = options_;
   std::ostringstream text;
   text << std::boolalpha << (o.scheme == Scheme::explicit_steps ? "explicit" : "implicit") << " with gamma "
-       << number(o.gamma) << ", beta " << number(o.beta.value_or(-1)) << ", hht " << number(o.hht)
+       << number(o.gamma) << ", beta " << number(o.beta.value_or(-1)) << ", hht " << number(o.hht.value_or(0))
        << ", damping " << number(o.mass_damping) << " and " << number(o.stiffness_damping)
        << ", scaled inertia " << scaled_ << ", line search " << o.line_search << ", force " << o.force
        << solver_text(o.solver);
@@ -106,15 +107,15 @@ void Dynamic::begin() {
     warn("jump", "dynamic: a motion is not zero at time 0; the sheet starts with its nodes there");
   const std::vector<double> still(assembly_->unknowns(), 0);
   assembly_->begin_iterate();
-  assembly_->retract(still, 1, targets);
-  assembly_->aim(0);
+  assembly_->apply_increment(still, 1, targets);
+  assembly_->set_time(0);
   if (!assembly_->forces({}))
     throw NumericalFailure("dynamic: the fabric law failed at time 0", 0, assembly_->outcome().element);
   assembly_->commit(0);
   assembly_->external(0, dead_);
   const mechanics::NodalRates rates = initial_rates();
   set_motion(rates);
-  tell_dropped(rates);
+  report_dropped_rates(rates);
   work_.start(*assembly_, dead_);
   now_.driven_kinetic_at_0 = driven_kinetic();
   now_.next_check = duration_ / kChecks;
@@ -154,7 +155,7 @@ std::vector<bool> Dynamic::dropped_nodes(const mechanics::NodalRates& rates,
 }
 
 // Gives one notice for all sets together.
-void Dynamic::tell_dropped(const mechanics::NodalRates& rates) {
+void Dynamic::report_dropped_rates(const mechanics::NodalRates& rates) {
   constexpr std::size_t most = 3;  // number of sets named
   std::array<bool, 3> axes{};
   const auto dropped = dropped_nodes(rates, axes);
@@ -179,12 +180,12 @@ void Dynamic::tell_dropped(const mechanics::NodalRates& rates) {
 
 void Dynamic::watch_jump(const std::vector<double>& from, const std::vector<double>& to, double time,
                          double most) {
-  if (now_.told_jump) return;
+  if (now_.reported_jump) return;
   const auto& motions = assembly_->freedoms().motions;
   for (std::size_t i = 0; i < motions.size(); ++i) {
     const double moved = std::abs(to[i] - from[i]);
     if (motions[i].component > 2 || !(moved > most)) continue;
-    now_.told_jump = true;
+    now_.reported_jump = true;
     return warn("jump", "dynamic: the motion of node " + std::to_string(motions[i].node + 1) + " jumps by " +
                             number(moved) + " m within the step that ends at time " + number(time) +
                             " s: this is an impact, and the energy ledger will show it; use fabric.ramp for "
@@ -258,8 +259,8 @@ mesh::Index Dynamic::suspect() const {
   return most > 0 ? maker : densest;
 }
 
-// Above the stable step the energy grows without limit; other runs may go on with a larger limit.
-std::string Dynamic::remedy(const Energy& e) const {
+// Above the stable step the energy grows without limit; other runs may continue with a larger limit.
+std::string Dynamic::remedy(const EnergyAccount& e) const {
   if (options_.scheme == Scheme::explicit_steps && now_.step > stable_)
     return "step=\"auto\" (the step of " + number(now_.step) + " s is above the stable one, " +
            number(stable_) + " s, of the cloth at rest)";
@@ -288,6 +289,19 @@ double energy_of_rounding(const mechanics::Assembly& assembly, double step) {
   return mass * speed * speed / 2;
 }
 
+// "3.8 % of the external work", or of what the error is compared with in its place.
+std::string Dynamic::share_text(double made, const EnergyAccount& e, double scale) const {
+  const char* of = scale <= work_.largest()            ? "the external work"
+                   : scale <= e.initial                ? "the energy at the start"
+                   : scale <= e.kinetic + e.internal() ? "the energy of the motion and the cloth"
+                   : scale <= energy_of_rest()         ? "the cloth's weight times its thickness"
+                                                       : "what rounding can cause";
+  std::string text = number(100 * made / scale) + " % of " + of;
+  if (scale > work_.largest() && work_.largest() > 0)
+    text += " (" + number(made / work_.largest()) + " times the external work)";
+  return text;
+}
+
 void Dynamic::check() {
   // The cost of a check is small compared with an implicit step, and the energy balance of implicit steps is
   // good from the first one on.
@@ -299,7 +313,7 @@ void Dynamic::check() {
   if (!looks) return;
   watch_shape();
   now_.looked = now_.steps;
-  const Energy e = energy();
+  const EnergyAccount e = energy();
   weigh_inertia(e.kinetic, e.scaled);
   // At the beginning the work is almost zero, so the error is compared with the largest energies of the run,
   // and at least with what rounding can cause, so that rounding is no error before anything moves, and with
@@ -325,14 +339,19 @@ void Dynamic::check() {
     now_.was_over = false;
     return;
   }
-  const std::string share = number(100 * made / scale) + " % of the external work";
-  if (!now_.told_error) {
-    now_.told_error = true;
+  const std::string share = share_text(made, e, scale);
+  const bool begins = std::isfinite(made) && e.surplus() > 0 && begin_to_damp();
+  const std::string damping = begins
+                                  ? "from here on high frequencies are damped (hht=" + number(kDampingAlpha) +
+                                        ", the loss is in energy.damping); "
+                                  : "";
+  if (!now_.reported_error || begins) {
+    now_.reported_error = true;
     now_.began = suspect();
     warn("ledger",
          "dynamic: the ledger's error is " + share + " at time " + number(time()) +
-             " s, most of it about element " + std::to_string(now_.began + 1) +
-             ": repeat with a smaller step to see whether the step is the cause",
+             " s, most of it about element " + std::to_string(now_.began + 1) + ": " + damping +
+             "repeat with a smaller step to see whether the step is the cause",
          now_.began);
   }
   const bool over = !(made <= options_.ledger_limit * scale), twice = now_.was_over;
@@ -366,8 +385,8 @@ void Dynamic::weigh_inertia(double kinetic, double scaled) {
   if (!(scaled > 0) || kinetic <= energy_of_rounding(*assembly_, now_.step) || kinetic <= energy_of_rest())
     return;
   now_.scaled = std::max(now_.scaled, scaled / now_.kinetic);
-  if (now_.told_scaled || now_.scaled <= kHeavy) return;
-  now_.told_scaled = true;
+  if (now_.reported_scaled || now_.scaled <= kHeavy) return;
+  now_.reported_scaled = true;
   warn("inertia",
        "dynamic: " + number(100 * scaled / now_.kinetic) +
            " % of the kinetic energy is in rotary inertia that is scaled up for the step, at time " +

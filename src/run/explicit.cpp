@@ -15,15 +15,15 @@ namespace fabricsh::run {
 
 namespace {
 
-constexpr double kUsual = 0.7;         // share of the nominal step
-constexpr double kOfBound = 0.9;       // share of the bound that holds whatever the mesh and the loads
-constexpr double kSame = 0.995;        // a bound above this share of the nominal step confirms it
-constexpr double kWorthTelling = 0.5;  // a smaller share of the usual step is told, with its cause
-constexpr double kJump = 0.1;          // share of the smallest element: a larger motion in one step is a jump
-constexpr int kStretchEvery = 16;      // number of steps between two checks of the stretch
-constexpr int kLoadsEvery = 256;       // the same of the stiffness of springs and loads
-constexpr int kBlock = 64;             // number of steps of equal size, with contact
-constexpr int kCalm = 4;               // blocks without need of it, after which a halved step is doubled
+constexpr double kUsual = 0.7;             // fraction of the nominal step
+constexpr double kOfBound = 0.9;           // fraction of the bound that holds whatever the mesh and the loads
+constexpr double kSame = 0.995;            // a bound above this fraction of the nominal step confirms it
+constexpr double kReportedFraction = 0.5;  // a smaller fraction of the usual step is reported, with its cause
+constexpr double kJump = 0.1;      // fraction of the smallest element: a larger motion in one step is a jump
+constexpr int kStretchEvery = 16;  // number of steps between two checks of the stretch
+constexpr int kLoadsEvery = 256;   // the same of the stiffness of springs and loads
+constexpr int kBlock = 64;         // number of steps of equal size, with contact
+constexpr int kBarrierFreeBlocks = 4;  // blocks without need of it, after which a halved step is doubled
 constexpr int kHalvings = 12;          // largest number of halvings of the step for contact
 
 }  // namespace
@@ -37,10 +37,10 @@ Explicit::Explicit(std::shared_ptr<model::Model> model, const DynamicOptions& op
   bound_step();
   assembly_->update_in_place();
   if (assembly_->contact() != nullptr) assembly_->contact()->go_explicit();
-  tell_contacts();
+  report_contacts();
   check_stable_step(undamped);
   choose_step();
-  tell_bound();
+  report_step_bound();
   farthest_ = {smallest_, std::numbers::pi / 2};
   list_unknowns();
   set_motion(initial_rates());  // to be read before the first step
@@ -66,7 +66,7 @@ void Explicit::take(const mechanics::Transfer&, const std::vector<double>& rates
   if (!started()) return set_motion(initial_rates());
   const double weight = weight_of_acceleration_, dt = conserved_.dt;
   motion_.start(rates);
-  problem_.aim(committed_time());
+  problem_.set_time(committed_time());
   if (problem_.begin_step() != Answer::ok)
     throw NumericalFailure("dynamic: the fabric law failed where joints changed", committed_time());
   problem_.weigh(motion_.residual());
@@ -93,11 +93,11 @@ void Explicit::bound_step() {
 
 bool Explicit::is_of_waves() const { return kOfBound * bound_ >= kUsual * nominal_; }
 
-void Explicit::tell_bound() {
-  const double share = kOfBound * bound_ / (kUsual * nominal_);
-  if (options_.step || share >= kWorthTelling) return;
+void Explicit::report_step_bound() {
+  const double ratio = kOfBound * bound_ / (kUsual * nominal_);
+  if (options_.step || ratio >= kReportedFraction) return;
   const auto highest = mechanics::fastest_element(*assembly_, scaled_, added_, mechanics::At::trial);
-  warn("step", "dynamic: the step of " + number(now_.step) + " s is " + number(share) +
+  warn("step", "dynamic: the step of " + number(now_.step) + " s is " + number(ratio) +
                    " of what waves in the cloth allow, because of " +
                    (2 * highest.added > highest.rate ? "the springs or loads at "
                                                      : "the shape or the shear stiffness of ") +
@@ -156,7 +156,7 @@ void Explicit::take_options(const DynamicOptions& options) {
 
 void Explicit::begin() {
   Dynamic::begin();
-  problem_.aim(0);
+  problem_.set_time(0);
   if (problem_.begin_step() != Answer::ok || problem_.residual(motion_.residual()) != Answer::ok)
     throw NumericalFailure("dynamic: the fabric law failed at time 0", 0, assembly_->outcome().element);
   motion_.accelerate(assembly_->on_mass().velocity);
@@ -176,7 +176,7 @@ double Explicit::try_step(double limit, StepReport& report) {
     if (now_.steps % kStretchEvery == 0) split();
     const double whole = end_of_step(committed_time(), next_landing(limit), block_step());
     const std::optional<double> size = try_shorter(whole, report);
-    if (size && (!touches || carried(report.step))) return *size;
+    if (size && (!touches || step_acceptable(report.step))) return *size;
     redo(report);
   }
 }
@@ -199,46 +199,46 @@ std::optional<double> Explicit::try_shorter(double size, StepReport& report) {
 void Explicit::open_block() {
   if (!block_.start.empty() && !hooked_ && block_.steps < kBlock) return;
   const bool whole = block_.steps >= kBlock;
-  if (block_.guarded) block_.calm = 0;
-  if (whole && block_.halved > 0 && !block_.guarded && ++block_.calm >= kCalm) {
+  if (block_.guarded) block_.barrier_free_blocks = 0;
+  if (whole && block_.halved > 0 && !block_.guarded && ++block_.barrier_free_blocks >= kBarrierFreeBlocks) {
     --block_.halved;
-    block_.calm = 0;
+    block_.barrier_free_blocks = 0;
   }
   block_.start.clear();
   block_.steps = 0;
   block_.guarded = hooked_ = false;
-  block_.start = mark();
+  block_.start = save_state();
 }
 
 // Whether the step just tried is acceptable: its motion cannot have passed through a surface, and it is
 // stable for the stiffness of contact at its end.
-bool Explicit::carried(double dt) {
+bool Explicit::step_acceptable(double dt) {
   mechanics::Contacts& contact = *assembly_->contact();
-  if (contact.may_have_passed()) return false;
-  return !contact.guarded() || (block_.halved > 0 && dt <= contact.carried_step());
+  if (contact.may_have_passed() || contact.turns_too_far()) return false;
+  return !contact.guarded() || (block_.halved > 0 && dt <= contact.largest_contact_step());
 }
 
 void Explicit::redo(const StepReport& report) {
   if (block_.halved >= kHalvings) give_up(report);
-  Block block;
+  RepeatableBlock block;
   std::swap(block, block_);
-  const Now told = now_;
+  const DynamicState reported = now_;
   go_back(block.start);
-  now_.keep_told(told);  // what was said is not said again
+  now_.keep_reported(reported);  // notices are not repeated
   block_ = std::move(block);
   ++block_.halved;
-  block_.calm = 0;
+  block_.barrier_free_blocks = 0;
   block_.steps = 0;
   block_.guarded = true;
 }
 
-void Explicit::tell_guard() {
+void Explicit::report_guard() {
   const mechanics::Contacts& contact = *std::as_const(*assembly_).contact();
   ++block_.steps;
   if (!contact.guarded()) return;
   block_.guarded = true;
-  if (block_.told) return;
-  block_.told = true;
+  if (block_.reported) return;
+  block_.reported = true;
   const auto nearest = contact.nearest();
   warn("guard",
        "dynamic: at time " + number(time()) + " s " + contact.words(nearest.point) +
@@ -259,8 +259,8 @@ void Explicit::split() {
   now_.step = wanted;
   if (options_.force || wanted <= stable) return;
   now_.step = wanted / std::ceil(wanted / stable);
-  if (now_.told_split) return;
-  now_.told_split = true;
+  if (now_.reported_split) return;
+  now_.reported_split = true;
   warn("step", "dynamic: stretch has brought the stable step to " + number(stable) + " s at time " +
                    number(committed_time()) + " s; the step of " + number(wanted) +
                    " s is split from here on");
@@ -272,7 +272,7 @@ bool Explicit::attempt(double size, StepReport& report) {
   dirty_ = true;
   motion_.show_trial(false);
   trial_time_ = report.time = now;
-  problem_.aim(size);
+  problem_.set_time(size);
   report.step = motion_.dt();
   const auto ends = [this](End end) {
     end_ = end;
@@ -284,7 +284,7 @@ bool Explicit::attempt(double size, StepReport& report) {
   watch_jump(problem_.driven(), problem_.targets(), size, kJump * smallest_);
   if (assembly_->limits() && assembly_->limit_of_terms(motion_.increments(), problem_.targets()) < 1)
     return ends(End::limited);
-  problem_.carry(motion_.along(), motion_.reach());
+  problem_.advance_explicit(motion_.along(), motion_.reach());
   trial_time_ = size;
   assembly_->expect_energies(looks_after(now_.steps + 1, size));
   if (problem_.residual(motion_.residual()) != Answer::ok) return ends(End::forces);
@@ -303,7 +303,7 @@ void Explicit::commit(StepReport& report) {
   if (damps()) now_.loss += motion_.loss();
   if (!assembly_->constant_loads()) dead_ = problem_.external();
   work_.add(*assembly_, dead_);
-  if (assembly_->contact() != nullptr) tell_guard();
+  if (assembly_->contact() != nullptr) report_guard();
   problem_.commit(report.time);
   motion_.commit();
   motion_.show_trial(false);
@@ -311,9 +311,10 @@ void Explicit::commit(StepReport& report) {
   ++now_.steps;
 }
 
-// Of a mode of frequency w the energies at the ends of steps swing by a share of (w dt / 2)^2, though none is
-// made; what stays is v- . M v+ / 2, with the velocities in the middle of the steps before and after, and the
-// potential energy [belytschko2014]. It stays where the step is too long, too: there it says nothing.
+// Of a mode of frequency w the energies at the ends of steps oscillate by a fraction of (w dt / 2)^2, though
+// none is made; what stays is v- . M v+ / 2, with the velocities in the middle of the steps before and after,
+// and the potential energy [belytschko2014]. It also stays bounded where the step is too long, so that it
+// does not show that.
 double Explicit::hidden_energy() const {
   const double dt = conserved_.dt;
   if (!(dt <= bound_of(mechanics::rate_bound(*assembly_, scaled_, added_)))) return 0;
@@ -349,7 +350,7 @@ std::vector<CentralDifferences::Weight> Explicit::added_inertia() const {
 void Explicit::give_up(const StepReport& report) {
   const double now = committed_time();
   Culprit found = stuck() ? Culprit{} : culprit(report.step);
-  // A term that gives its reason knows where.
+  // A term that gives a reason also names the place.
   if (const auto& said = assembly_->outcome(); end_ == End::forces && !said.why.empty())
     found.element = said.element;
   std::string text = "dynamic: stopped at time " + number(now) + " s: ";
@@ -357,9 +358,7 @@ void Explicit::give_up(const StepReport& report) {
   text += number(report.step) + " s";
   if (found.element >= 0) text += ", about element " + std::to_string(found.element + 1);
   if (stuck())
-    text += ".\nTry: more thickness= or stiffness= of m:contact (as it is, it stops cloth that comes with " +
-            number(assembly_->contact()->speed_stopped()) +
-            " m/s); or loads and velocities that are in SI units.";
+    text += ".\nTry: " + against_passing() + "; or loads and velocities that are in SI units.";
   else
     text += ".\nTry: " + found.advice + ".";
   std::string why = text.substr(std::string("dynamic: ").size());
@@ -371,6 +370,25 @@ void Explicit::give_up(const StepReport& report) {
     why +=
         "\nfastest    node " + std::to_string(node + 1) + " with " + number(velocity(node).norm()) + " m/s";
   fail(NumericalFailure(text, now, found.element), why);
+}
+
+// The stiffness that the mesh carries grows with the inverse square of its elements' size, and the speed that
+// is stopped with its inverse. What came has lost speed since: the speed that bodies and nodes still have is
+// the least that it was.
+std::string Explicit::against_passing() const {
+  const auto& contact = *std::as_const(*assembly_).contact();
+  const auto stopped = contact.speed_stopped();
+  if (!std::isfinite(stopped.flat)) return "bodies that meet each other with less speed";
+  std::string text = "more thickness= or stiffness= of m:contact (as it is, it stops cloth that comes with " +
+                     number(stopped.anywhere) + " m/s anywhere, with " + number(stopped.flat) +
+                     " m/s where it meets something flat)";
+  const mesh::Index node = fastest_node();
+  const double speed = std::max(contact.fastest_body(), node >= 0 ? velocity(node).norm() : 0);
+  if (stopped.given || !(speed > stopped.flat)) return text;
+  const double finer = std::ceil(speed / stopped.flat);
+  return "elements that are " + number(finer) + " times as short, " +
+         number(finer * finer * static_cast<double>(model_->mesh().elements.size())) + " in all, for the " +
+         number(speed) + " m/s that there are; " + text;
 }
 
 // Where the reference configuration does not allow the step, its element is named: later all are torn.

@@ -31,6 +31,7 @@ class Explicit final : public Dynamic {
   std::vector<CentralDifferences::Weight> added_inertia() const;
   const mechanics::Motion& motion() const override { return motion_; }
   double hidden_energy() const override;
+  std::string against_passing() const;  // advice where surfaces are pressed to the smallest distance
   std::string against_long_step() const override;
   void memory(Archive& archive) override;
   std::vector<double> unknown_rates() const override { return motion_.velocities(); }
@@ -47,15 +48,15 @@ class Explicit final : public Dynamic {
   // s, with damping by stiffness, which makes a step shorter.
   double damped(double step) const;
   double bound_of(double rate) const { return damped(2 / std::sqrt(rate)); }  // s, of a rate_bound()
-  void tell_bound();
+  void report_step_bound();
   bool is_of_waves() const;  // whether the usual step is that of waves in the cloth, not that of the bound
   void split();              // reduces the step where stretch or loads have made the stable step smaller
   // With contact, steps are made in blocks of equal size. If contact needs a smaller step, the run returns to
   // the start of the block and repeats it with half the step: the step does not follow the gap continuously.
   void open_block();
-  bool carried(double dt);
+  bool step_acceptable(double dt);
   void redo(const StepReport& report);
-  void tell_guard();
+  void report_guard();
   std::optional<double> try_shorter(double size, StepReport& report);
   double block_step() const { return std::ldexp(now_.step, -block_.halved); }  // s
   mesh::Index fastest_node() const;                                            // -1: no node moves
@@ -71,12 +72,13 @@ class Explicit final : public Dynamic {
   bool stuck() const;          // contact cannot hold what is pressed together
   std::string reason() const;  // the meaning of end_ in words
 
-  struct Block {
-    std::string start;  // see Run::mark()
+  struct RepeatableBlock {
+    std::string start;  // see Run::save_state()
     std::int64_t steps = 0;
-    int halved = 0, calm = 0;  // number of halvings; number of blocks since the guard was last needed
-    bool guarded = false, told = false;
-    void keep(Archive& archive) { archive(start, steps, halved, calm, guarded, told); }
+    int halved = 0,
+        barrier_free_blocks = 0;  // number of halvings; number of blocks since the guard was last needed
+    bool guarded = false, reported = false;
+    void keep(Archive& archive) { archive(start, steps, halved, barrier_free_blocks, guarded, reported); }
   } block_;
   double nominal_ = 0, bound_ = 0;  // s: the step of the waves in the cloth; one that no frequency forbids
   std::vector<double> added_;       // see mechanics::added_rates()
@@ -94,7 +96,7 @@ class Explicit final : public Dynamic {
   CentralDifferences motion_;
   std::vector<CentralDifferences::Weight> added_inertia_;
   const std::function<void()> unpolled_;  // no poll, since a step is short
-  Problem problem_;
+  EquilibriumProblem problem_;
   bool dirty_ = false;  // whether the trial state differs from the committed one
   // The reason for which the last attempt ended early.
   enum class End { none, ran_away, limited, forces } end_ = End::none;

@@ -22,7 +22,7 @@ struct PointLook {
 double stiffness_ratio(const law::Law& law, const double* E, const double* state) {
   std::vector<double> next(static_cast<std::size_t>(law::state_size(law)));
   double S[5], C[25];
-  if (law::evaluate(law, law::Step{}, E, state, next.data(), S, C) != law::Outcome::ok) return 0;
+  if (law::evaluate(law, law::Step{}, E, state, next.data(), S, C) != law::Evaluation::ok) return 0;
   Mat3 K;
   const int in_plane[] = {0, 1, 4};
   for (int i = 0; i < 3; ++i)
@@ -57,7 +57,7 @@ double largest_strain(const PointLook& p) {
 
 bool all_slack(const std::vector<PointLook>& points) {
   return std::all_of(points.begin(), points.end(), [](const PointLook& p) {
-    return p.internal.warp == law::Branch::slack && p.internal.weft == law::Branch::slack;
+    return p.internal.warp == law::LoadBranch::slack && p.internal.weft == law::LoadBranch::slack;
   });
 }
 
@@ -75,32 +75,32 @@ std::vector<mesh::Index> elements_about(const mesh::Mesh& mesh, mesh::Index node
 // Names the first element with a switching yarn, and the point; otherwise the point of the first element with
 // the largest strain.
 void name_element(const std::vector<mesh::Index>& about, const Looks& before, const Looks& now,
-                  Blame& blame) {
+                  ResidualSite& site) {
   std::size_t point = 0;
   for (const auto e : about) {
-    for (std::size_t p = 0; p < now[e].size() && blame.yarn.empty(); ++p) {
-      blame.yarn = switching(before[e][p].internal, now[e][p].internal);
+    for (std::size_t p = 0; p < now[e].size() && site.yarn.empty(); ++p) {
+      site.yarn = switching(before[e][p].internal, now[e][p].internal);
       point = p;
     }
-    if (blame.yarn.empty()) continue;
-    blame.element = e;
+    if (site.yarn.empty()) continue;
+    site.element = e;
     break;
   }
-  if (blame.element < 0) {
+  if (site.element < 0) {
     if (about.empty()) return;
-    blame.element = about.front();
-    const auto& points = now[blame.element];
+    site.element = about.front();
+    const auto& points = now[site.element];
     point = static_cast<std::size_t>(
         std::max_element(points.begin(), points.end(),
                          [](const auto& a, const auto& b) { return largest_strain(a) < largest_strain(b); }) -
         points.begin());
   }
-  const PointLook& p = now[blame.element][point];
-  blame.E11 = p.E[0];
-  blame.E22 = p.E[1];
-  blame.E12 = p.E[4] / 2;
-  blame.after = p.internal;
-  blame.before = before[blame.element][point].internal;
+  const PointLook& p = now[site.element][point];
+  site.E11 = p.E[0];
+  site.E22 = p.E[1];
+  site.E12 = p.E[4] / 2;
+  site.after = p.internal;
+  site.before = before[site.element][point].internal;
 }
 
 Looks look_at_all(const mechanics::Assembly& assembly) {
@@ -109,64 +109,65 @@ Looks look_at_all(const mechanics::Assembly& assembly) {
   return all;
 }
 
-void count(const Looks& before, const Looks& now, Blame& blame) {
-  blame.elements = static_cast<std::int64_t>(now.size());
+void count(const Looks& before, const Looks& now, ResidualSite& site) {
+  site.elements = static_cast<std::int64_t>(now.size());
   for (std::size_t e = 0; e < now.size(); ++e) {
     bool switches = false;
     for (std::size_t p = 0; p < now[e].size(); ++p)
       switches = switches || *switching(before[e][p].internal, now[e][p].internal) != '\0';
-    blame.switching += switches ? 1 : 0;
-    blame.slack += all_slack(now[e]) ? 1 : 0;
+    site.switching += switches ? 1 : 0;
+    site.slack += all_slack(now[e]) ? 1 : 0;
   }
 }
 
 }  // namespace
 
-Blame find_blame(mechanics::Assembly& assembly, const mesh::Mesh& mesh, const solver::NewtonResult& last) {
-  Blame blame;
+ResidualSite find_residual_site(mechanics::Assembly& assembly, const mesh::Mesh& mesh,
+                                const solver::NewtonResult& last) {
+  ResidualSite site;
   std::vector<mesh::Index> about;
   const auto x = std::as_const(assembly).state().x();
   const bool no_forces =
       last.status == solver::NewtonStatus::law_failed || last.status == solver::NewtonStatus::broken;
-  if (no_forces) blame.reason = assembly.outcome().why;
+  if (no_forces) site.reason = assembly.outcome().why;
   if (no_forces && assembly.outcome().element >= 0) {
     about = {assembly.outcome().element};
   } else if (last.worst >= 0) {
-    blame.node = assembly.node_of_unknown(last.worst);
-    blame.rotation = assembly.turns(last.worst);
-    blame.x = at(x, blame.node);
-    about = elements_about(mesh, blame.node);
+    site.node = assembly.node_of_unknown(last.worst);
+    site.rotation = assembly.turns(last.worst);
+    site.x = at(x, site.node);
+    about = elements_about(mesh, site.node);
   }
   const auto shape = assembly.shape();
-  blame.inverted = shape.inverted;
-  blame.turned = shape.turned;
+  site.inverted = shape.inverted;
+  site.turned = shape.turned;
   const Looks now = look_at_all(assembly);
   assembly.rollback();
   const Looks before = look_at_all(assembly);
-  name_element(about, before, now, blame);
-  count(before, now, blame);
-  if (blame.element >= 0) {
-    blame.centre = assembly.centre(blame.element);
-    for (const auto& p : look(assembly, blame.element, true))
-      blame.stiffness_ratio = std::max(blame.stiffness_ratio, p.ratio);
+  name_element(about, before, now, site);
+  count(before, now, site);
+  if (site.element >= 0) {
+    site.centre = assembly.centre(site.element);
+    for (const auto& p : look(assembly, site.element, true))
+      site.stiffness_ratio = std::max(site.stiffness_ratio, p.ratio);
   }
-  return blame;
+  return site;
 }
 
-std::string cause(const Blame& blame, const solver::NewtonResult& last) {
-  return blame.reason.empty() ? solver::describe(last.status) : blame.reason;
+std::string cause(const ResidualSite& site, const solver::NewtonResult& last) {
+  return site.reason.empty() ? solver::describe(last.status) : site.reason;
 }
 
 Failure failure_of(const model::Model& model, const mechanics::Assembly& assembly, double time,
-                   std::vector<Try> tries, const Blame& blame, const solver::NewtonResult& last) {
+                   std::vector<Try> tries, const ResidualSite& site, const solver::NewtonResult& last) {
   Failure failure;
   failure.time = time;
   failure.moved = farthest_move(assembly, time, time + (tries.empty() ? 0 : tries.front().step));
   failure.tries = std::move(tries);
-  failure.blame = blame;
+  failure.site = site;
   failure.negative_pivots = last.negative_pivots;
   failure.size = assembly.smallest_size();
-  if (const auto* woven = std::get_if<card::Woven>(&model.card_of(blame.element).law))
+  if (const auto* woven = std::get_if<card::Woven>(&model.card_of(site.element).law))
     failure.tested = woven->tested;
   failure.turned_back = last.status == solver::NewtonStatus::turned_back;
   failure.broken = last.status == solver::NewtonStatus::broken;
@@ -180,24 +181,24 @@ std::string jumping(const Failure& failure) {
 
 std::string headline(const Failure& failure, const solver::NewtonResult& last, double step) {
   const std::string from = failure.broken ? "stopped at time " : "no step beyond time ";
-  return from + number(failure.time) + " s: " + cause(failure.blame, last) + " in a step of " + number(step) +
+  return from + number(failure.time) + " s: " + cause(failure.site, last) + " in a step of " + number(step) +
          " s" + (failure.jumps ? ", the first one, with all of the " + jumping(failure) + " of time 0" : "");
 }
 
 std::string message(const Failure& failure, const solver::NewtonResult& last, double step, double largest,
                     int cuts, double tolerance) {
   return headline(failure, last, step) + " (the largest is " + number(largest) + " s; " +
-         std::to_string(cuts) + " tries)" + describe(failure.blame, last, tolerance) +
+         std::to_string(cuts) + " tries)" + describe(failure.site, last, tolerance) +
          ".\nTry: " + advice(failure).front() + ".";
 }
 
-std::string describe(const Blame& blame, const solver::NewtonResult& last, double tolerance) {
+std::string describe(const ResidualSite& site, const solver::NewtonResult& last, double tolerance) {
   std::string text;
-  if (blame.node >= 0 && !last.residuals.empty())
+  if (site.node >= 0 && !last.residuals.empty())
     text += "; the residual " + number(last.residuals.back()) + " (tolerance " + number(tolerance) +
-            ") sits at node " + std::to_string(blame.node + 1);
-  if (blame.element >= 0) text += ", element " + std::to_string(blame.element + 1);
-  if (!blame.yarn.empty()) text += ", where the " + blame.yarn + " is switching between branches";
+            ") sits at node " + std::to_string(site.node + 1);
+  if (site.element >= 0) text += ", element " + std::to_string(site.element + 1);
+  if (!site.yarn.empty()) text += ", where the " + site.yarn + " is switching between branches";
   return text;
 }
 

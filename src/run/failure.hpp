@@ -1,4 +1,4 @@
-// Why a step failed: where, which yarn, how the iterations went, and what to try.
+// Why a step failed: where, which yarn, the course of the iterations, and what to try.
 #pragma once
 #include <string>
 #include <vector>
@@ -15,7 +15,7 @@ namespace fabricsh::run {
 std::string touching_text(const mechanics::Assembly& assembly);
 
 // The cause of the residual in a failed attempt; to be determined before the state is rolled back.
-struct Blame {
+struct ResidualSite {
   mesh::Index node = -1, element = -1;
   std::string yarn;       // "warp", "weft" or "shear" if its branch changes within the step; or empty
   bool rotation = false;  // of the node's director, not a displacement
@@ -33,12 +33,13 @@ struct Blame {
 
 // Compares the failed iterate with the committed state, which is then restored. Among the elements at the
 // node with the largest residual the first one that switches is named.
-Blame find_blame(mechanics::Assembly& assembly, const mesh::Mesh& mesh, const solver::NewtonResult& last);
+ResidualSite find_residual_site(mechanics::Assembly& assembly, const mesh::Mesh& mesh,
+                                const solver::NewtonResult& last);
 
 // "; the residual 0.1 (tolerance 1e-10) sits at node 3, element 2, where the warp is switching"
-std::string describe(const Blame& blame, const solver::NewtonResult& last, double tolerance);
+std::string describe(const ResidualSite& site, const solver::NewtonResult& last, double tolerance);
 // The reason for the end of the attempt: the term's, or else the solver's.
-std::string cause(const Blame& blame, const solver::NewtonResult& last);
+std::string cause(const ResidualSite& site, const solver::NewtonResult& last);
 
 // One failed attempt at a step.
 struct Try {
@@ -52,7 +53,7 @@ struct Try {
 struct Failure {
   double time = 0;  // s, the last committed time
   std::vector<Try> tries;
-  Blame blame;
+  ResidualSite site;
   std::int64_t negative_pivots = 0;  // of the last tangent
   double moved = 0,
          size = 0;  // m: largest motion of a support in the first attempt; smallest element
@@ -66,11 +67,11 @@ struct Failure {
   bool relaxed = false;  // relaxation has been tried
 };
 
-// What every run that iterates knows of a failed step. time: s, the last committed one.
+// The report of a failed step, for every run that iterates. time: s, the last committed one.
 Failure failure_of(const model::Model& model, const mechanics::Assembly& assembly, double time,
-                   std::vector<Try> tries, const Blame& blame, const solver::NewtonResult& last);
+                   std::vector<Try> tries, const ResidualSite& site, const solver::NewtonResult& last);
 
-// What is there in full at time 0, if anything: "loads", "motion" or "loads and motions".
+// What is at full value at time 0, if anything: "loads", "motion" or "loads and motions".
 std::string jumping(const Failure& failure);
 
 // "no step beyond time 0.1 s: too many iterations in a step of 0.01 s"; or, if the forces cannot be computed

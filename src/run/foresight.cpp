@@ -24,7 +24,7 @@ std::string beyond_text(const Beyond& b) {
 
 namespace {
 
-// Times as shares of the duration. There are several later ones, since a history may be zero again at one.
+// Times as fractions of the duration. There are several later ones, since a history may be zero again at one.
 constexpr double kEarly = 1e-9, kLater[] = {0.37e-3, 0.61e-3, 1e-3};
 
 // The value immediately after time 0; 0 if it begins at zero and grows.
@@ -32,14 +32,14 @@ double jump_of(const model::History& h, double duration) {
   if (const double at_once = h.value(0); at_once != 0) return at_once;
   const double early = h.value(kEarly * duration);
   double later = 0;
-  for (const double share : kLater) later = std::max(later, std::abs(h.value(share * duration)));
+  for (const double fraction : kLater) later = std::max(later, std::abs(h.value(fraction * duration)));
   return std::abs(early) > 0.5 * later ? early : 0;
 }
 
 // Collects the jumps among the histories of a model's loads or motions.
-class Look {
+class JumpFinder {
  public:
-  Look(double duration, std::vector<Jump>& found) : duration_(duration), found_(found) {}
+  JumpFinder(double duration, std::vector<Jump>& found) : duration_(duration), found_(found) {}
   void at(const std::string& what, const model::Components& components, const char* unit) {
     for (std::size_t i = 0; i < 3; ++i)
       if (components[i]) at(what, std::string(1, "xyz"[i]) + " = ", *components[i], unit);
@@ -67,7 +67,7 @@ std::string list(const std::vector<Jump>& all) {
 
 Jumps find_jumps(const model::Model& model, double duration) {
   Jumps jumps;
-  Look loads(duration, jumps.loads), motions(duration, jumps.motions);
+  JumpFinder loads(duration, jumps.loads), motions(duration, jumps.motions);
   const auto of = [](const char* what, const std::string& set) { return what + (" '" + set + "'"); };
   loads.at("gravity", model.gravity(), "m/s^2");
   for (const auto& f : model.forces()) loads.at(of("the force on", f.set), f.total, "N");
@@ -198,7 +198,7 @@ std::string odd_bending(card::Card card, double thickness, const law::Law& law) 
   law::check_bending(card, law, report);
   std::string words;
   for (const auto& item : report.items)
-    if (item.severity == law::Severity::warning)
+    if (item.severity == Severity::warning)
       words += (words.empty() ? "card '" + card.name + "': " : "; ") + item.key + ": " + item.text;
   return words;
 }
@@ -207,6 +207,7 @@ std::string odd_bending(card::Card card, double thickness, const law::Law& law) 
 
 std::string bending_warning(const model::Model& model, const mechanics::Assembly& assembly) {
   std::string words;
+  if (model.membrane()) return words;
   for (std::size_t r = 0; r < model.regions().size() && words.empty(); ++r) {
     const auto& section = model.sections()[r];
     const auto& plies = model.regions()[r].options.plies;
@@ -223,7 +224,7 @@ std::string bending_warning(const model::Model& model, const mechanics::Assembly
 
 namespace {
 
-constexpr double kNoStiffness = 1e-10;  // share of the largest eigenvalue below which a motion is free
+constexpr double kNoStiffness = 1e-10;  // fraction of the largest eigenvalue below which a motion is free
 constexpr double kDriven = 1e-6;        // work of the loads on a mechanism, relative to its upper bound
 
 using Mode = Eigen::Matrix<double, 6, 1>;  // displacement of the centre, m; rotation times the length, m
@@ -239,7 +240,7 @@ class RigidMotions {
     for (std::size_t n = 0; n < count; ++n) length_ = std::max(length_, (at(x, n) - centre_).norm());
     for (std::size_t n = 0; n < count; ++n) add_node(n);
   }
-  void add_spring(const model::Spring& spring, const mesh::NodeSet& nodes) {
+  void add_spring(const model::GroundSpring& spring, const mesh::NodeSet& nodes) {
     for (const auto n : nodes)
       for (int i = 0; i < 3; ++i)
         if (spring.stiffness[static_cast<std::size_t>(i)] > 0)

@@ -13,7 +13,7 @@ namespace fabricsh::run {
 // "the warp of element 12 is strained to E11 = 0.31, the card was tested to 0.26"
 std::string beyond_text(const Beyond& beyond);
 
-// A load or a motion of a support that is there in full at time 0, or at once after it.
+// A load or a motion of a support that is at full value at time 0, or directly after it.
 struct Jump {
   std::string words;  // "gravity (z = -9.81 m/s^2)"
   double value = 0;

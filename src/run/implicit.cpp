@@ -13,12 +13,9 @@ namespace fabricsh::run {
 namespace {
 
 NewmarkScheme scheme_of(const DynamicOptions& o) {
-  NewmarkScheme s{o.gamma, o.beta.value_or(0.25 * (0.5 + o.gamma) * (0.5 + o.gamma)), o.hht};
-  if (o.hht != 0) {  // [hilbert1977]
-    s.gamma = 0.5 - o.hht;
-    s.beta = (1 - o.hht) * (1 - o.hht) / 4;
-  }
-  return s;
+  const double hht = o.hht.value_or(0);
+  if (hht != 0) return NewmarkScheme::of_hht(hht);
+  return {o.gamma, o.beta.value_or(0.25 * (0.5 + o.gamma) * (0.5 + o.gamma)), 0};
 }
 
 StepControl control_of(const DynamicOptions& o, const mechanics::Assembly& assembly) {
@@ -38,9 +35,8 @@ Implicit::Implicit(std::shared_ptr<model::Model> model, const DynamicOptions& op
       control_(control_of(options, *assembly_)) {
   // Damping by stiffness multiplies its matrix, and a solver of one's own may read all of it.
   if (!takes_unsymmetric() && !(options_.stiffness_damping > 0) && !options_.solver) assembly_->keep_upper();
-  if (assembly_->contact() != nullptr)
-    assembly_->contact()->go_implicit(1 / (newmark_.scheme().gamma * (1 + newmark_.scheme().hht)));
-  tell_contacts();
+  if (assembly_->contact() != nullptr) assembly_->contact()->go_implicit(newmark_.weight_of_contact());
+  report_contacts();
   now_.step = control_.current();
   begin_free();
 }
@@ -58,7 +54,7 @@ void Implicit::take(const mechanics::Transfer& change, const std::vector<double>
   if (!started()) return begin_free();
   mechanics::NodalRates velocities = newmark_.velocities();
   if (change.closes()) assembly_->spread_rates(rates, driven_rates(), velocities);
-  problem_.aim(committed_time());
+  problem_.set_time(committed_time());
   if (problem_.begin_step() != Answer::ok)
     throw NumericalFailure("dynamic: the fabric law failed where joints changed", committed_time());
   problem_.start(velocities);
@@ -72,7 +68,7 @@ void Implicit::take_options(const DynamicOptions& options) {
 }
 
 void Implicit::begin() {
-  problem_.aim(0);
+  problem_.set_time(0);
   Dynamic::begin();
 }
 
@@ -84,7 +80,7 @@ void Implicit::set_motion(const mechanics::NodalRates& rates) {
 }
 
 double Implicit::try_step(double limit, StepReport& report) {
-  double size = control_.end(committed_time(), next_landing(limit));
+  double size = control_.end(committed_time(), next_landing(limit, control_.current()));
   const StepControl before = control_;
   tries_.clear();
   while (!attempt(size, report)) {
@@ -93,14 +89,14 @@ double Implicit::try_step(double limit, StepReport& report) {
       control_ = before;  // a failed step leaves no trace
       give_up(report);
     }
-    size = control_.end(committed_time(), next_landing(limit));
+    size = control_.end(committed_time(), next_landing(limit, control_.current()));
   }
   return size;
 }
 
 bool Implicit::attempt(double size, StepReport& report) {
   const double now = committed_time();
-  problem_.aim(size);
+  problem_.set_time(size);
   last_ = newton_.solve(problem_, {options_.tolerance, options_.max_iterations, options_.line_search});
   report.iterations += last_.iterations;
   report.residuals = last_.residuals;
@@ -110,8 +106,8 @@ bool Implicit::attempt(double size, StepReport& report) {
   const bool converged = last_.status == solver::NewtonStatus::converged;
   newmark_.show_trial(converged);
   if (!converged) {
-    blame_ = find_blame(*assembly_, model_->mesh(), last_);
-    tries_.push_back({report.step, last_.status, last_.residuals, blame_.reason});
+    site_ = find_residual_site(*assembly_, model_->mesh(), last_);
+    tries_.push_back({report.step, last_.status, last_.residuals, site_.reason});
   }
   trial_time_ = converged ? size : now;
   return converged;
@@ -125,7 +121,7 @@ void Implicit::commit(StepReport& report) {
   // hold them together, so the balance's work is used.
   double kinetic = 0, work = 0;
   if (damps()) {
-    const bool balances = options_.hht == 0 && assembly_->freedoms().bodies.empty();
+    const bool balances = newmark_.scheme().hht == 0 && assembly_->freedoms().bodies.empty();
     kinetic = newmark_.kinetic();
     work = balances ? newmark_.work_of_acceleration() : problem_.work_of_balance();
     // The accelerations contain the forces of contact, half of whose weight counts at the step's end.
@@ -146,13 +142,28 @@ void Implicit::commit(StepReport& report) {
 
 const mechanics::NodalRates& Implicit::rates() const { return newmark_.velocities(); }
 
+// Average acceleration keeps the energy of linear systems alone: the kinks of a fabric's law feed frequencies
+// that no step resolves, until they carry more than the motion [hughes1978].
+bool Implicit::begin_to_damp() {
+  const bool chosen = options_.hht || options_.beta || options_.gamma != 0.5;
+  if (chosen || now_.damps) return false;
+  now_.damps = true;
+  take_scheme();
+  return true;
+}
+
+void Implicit::take_scheme() {
+  newmark_.set_scheme(now_.damps ? NewmarkScheme::of_hht(kDampingAlpha) : scheme_of(options_));
+  if (assembly_->contact() != nullptr) assembly_->contact()->set_weight(newmark_.weight_of_contact());
+}
+
 void Implicit::give_up(const StepReport& report) {
   const double now = committed_time();
-  Failure failure = failure_of(*model_, *assembly_, now, tries_, blame_, last_);
+  Failure failure = failure_of(*model_, *assembly_, now, tries_, site_, last_);
   failure.dynamic = true;
   const std::string text =
       "dynamic: " + message(failure, last_, report.step, control_.largest(), report.cuts, options_.tolerance);
-  fail(NumericalFailure(text, now, blame_.element, blame_.yarn), run::report(failure));
+  fail(NumericalFailure(text, now, site_.element, site_.yarn), run::report(failure));
 }
 
 void Implicit::memory(Archive& archive) {
@@ -160,6 +171,7 @@ void Implicit::memory(Archive& archive) {
   archive(now_, control_, newmark_);
   problem_.keep(archive);
   newton_.keep(archive);
+  if (archive.reading()) take_scheme();
 }
 
 }  // namespace fabricsh::run

@@ -35,13 +35,15 @@ class Implicit final : public Dynamic {
   void resize() override { problem_.resize(); }
   void take(const mechanics::Transfer& change, const std::vector<double>& rates) override;
   void begin_free();
+  bool begin_to_damp() override;
+  void take_scheme();  // that of the options, or the one that damps
 
   Newmark newmark_;
-  Problem problem_;
+  EquilibriumProblem problem_;
   solver::Newton newton_;
   StepControl control_;
   solver::NewtonResult last_;
-  Blame blame_;
+  ResidualSite site_;
   std::vector<Try> tries_;  // failed attempts at the present step
 };
 

@@ -24,9 +24,9 @@ std::string absolute(const std::string& path) {
 Job::Job(std::shared_ptr<Run> run, std::shared_ptr<Journal> journal, std::int64_t number)
     : run_(std::move(run)), journal_(std::move(journal)), number_(number) {
   listen(make_run_json());
-  run_->when_settled([this](Run&) { tell(&Listener::step, *this); });
+  run_->when_settled([this](Run&) { notify(&Listener::step, *this); });
   run_->on_restore([this](Run&) {
-    tell(&Listener::forget, *this);
+    notify(&Listener::forget, *this);
     for (auto at = listeners_.rbegin(); at != listeners_.rend(); ++at) (*at)->restored(*this);
   });
 }
@@ -67,13 +67,13 @@ void Job::add(std::shared_ptr<Output> output, double every,
 }
 
 void Job::listen(const std::shared_ptr<Listener>& listener) {
-  const auto later = [](Listener::Turn turn, const auto& there) { return turn < there->turn(); };
+  const auto later = [](Listener::ListenerOrder turn, const auto& there) { return turn < there->turn(); };
   listeners_.insert(std::upper_bound(listeners_.begin(), listeners_.end(), listener->turn(), later),
                     listener);
 }
 
-void Job::record(const std::string& path, const std::vector<Column>& columns, double every) {
-  for (const Column& column : columns) {
+void Job::record(const std::string& path, const std::vector<RecordColumn>& columns, double every) {
+  for (const RecordColumn& column : columns) {
     want_plain(column.name + column.unit, "record: field 'columns'");
     if (!column.value) throw Error("record: column '" + column.name + "': expected a function, got none");
   }
@@ -96,7 +96,7 @@ std::shared_ptr<Keeper> Job::checkpoint(const std::string& path, std::optional<d
   system::make_folder_for(path);
   auto lock = journal_->locks.take(path);
   system::remove_leftovers(path);
-  system::AtomicFile{path};  // what would prevent writing it in ten minutes is told now
+  system::AtomicFile{path};  // what would prevent writing it in ten minutes is an error now
   locks_.push_back(std::move(lock));
   paths_.insert(file);
   keepers_.push_back(keeper);
@@ -132,7 +132,7 @@ void Job::begin() {
   std::vector<system::Locks::Lock> locks;
   for (const std::string& path : paths_) locks.push_back(journal_->locks.take(path));
   locks_ = std::move(locks);
-  tell(&Listener::begin, *this);
+  notify(&Listener::begin, *this);
   clock_ = {};
   driving_ = true;
 }
@@ -163,8 +163,8 @@ void Job::advance(double time) {
   };
   try {
     run_->advance(time);
-  } catch (const std::exception& trouble) {
-    leave({trouble.what(), true, true}, guarded);
+  } catch (const std::exception& error) {
+    leave({error.what(), true, true}, guarded);
     throw;
   } catch (...) {  // a hook may throw what is no exception of the standard library
     leave({"an error in a hook", true, true}, guarded);
@@ -184,7 +184,7 @@ Checkpoint Job::now() {
   if (journal_->sign) journal_->sign(c);
   c.seconds = seconds();
   if (caller) c.caller = caller();
-  tell(&Listener::save, c.parts);
+  notify(&Listener::save, c.parts);
   return c;
 }
 

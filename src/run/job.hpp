@@ -35,11 +35,11 @@ struct Journal {
   std::map<std::string, std::map<std::int64_t, format::Json>> folders = {};
   // For finished runs that are to be kept: the file with a checkpoint of the end, to which the checkpoints of
   // the other runs refer.
-  struct Finished {
+  struct FinishedRun {
     std::string file;                     // full path
     std::optional<std::uint64_t> hash{};  // of its content; computed when it is first needed
   };
-  std::map<std::int64_t, Finished> finished = {};
+  std::map<std::int64_t, FinishedRun> finished = {};
   // Another run is about to write this file: a finished run whose checkpoint it is gets a file of its own.
   void make_way(const std::string& file, std::int64_t number);
   // The finished runs but for one, for a checkpoint in the folder. One whose file is gone is no longer kept.
@@ -66,7 +66,6 @@ class Job {
   Job& operator=(const Job&) = delete;
 
   Run& run() const { return *run_; }
-  const std::shared_ptr<Run>& run_pointer() const { return run_; }
   Journal& journal() const { return *journal_; }
   std::int64_t number() const { return number_; }
   double seconds() const { return seconds_ + (driving_ ? clock_.seconds() : 0); }  // s, spent in runs
@@ -75,7 +74,7 @@ class Job {
   // --- outputs. Folders are created. Errors: a path to which this run already writes, a folder that cannot
   // be written, an unknown field; when continuing from a checkpoint, an output that it does not have. every:
   // s between two rows or frames, and the run makes steps end at these times; 0: every step.
-  void record(const std::string& path, const std::vector<Column>& columns, double every = 0);
+  void record(const std::string& path, const std::vector<RecordColumn>& columns, double every = 0);
   void vtk(const std::string& stem, double every = 0, const std::vector<std::string>& fields = {}) {
     vtk(stem, every, VtkContents{fields});
   }
@@ -86,13 +85,13 @@ class Job {
   // Tells a further listener from now on, after those of its turn.
   void listen(const std::shared_ptr<Listener>& listener);
   template <class Event, class... Arguments>
-  void tell(Event event, Arguments&&... arguments) {
+  void notify(Event event, Arguments&&... arguments) {
     for (const auto& listener : listeners_) ((*listener).*event)(arguments...);
   }
   const std::vector<std::shared_ptr<Output>>& outputs() const { return outputs_; }
   const std::vector<std::shared_ptr<Keeper>>& keepers() const { return keepers_; }
   // Whether a new output may replace this one of the same kind and file. Default: if it failed.
-  std::function<bool(const Output&)> replaceable = [](const Output& o) { return o.series->in_trouble(); };
+  std::function<bool(const Output&)> replaceable = [](const Output& o) { return o.series->failed(); };
 
   // --- starting from a checkpoint, before outputs are declared. Errors: a checkpoint of another problem,
   // with the differences; outputs already declared.
@@ -109,7 +108,7 @@ class Job {
   void advance(double time);
   // The parts of advance(), for programs that drive the run themselves.
   void begin();
-  // Each listener is told through `guarded`, which may catch its exceptions.
+  // Each listener is called through `guarded`, which may catch its exceptions.
   using Guarded = std::function<void(const std::function<void()>&)>;
   void leave(const Ending& ending, const Guarded& guarded);
   Ending ending() const;  // of a call that no error has ended

@@ -3,6 +3,7 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
+#include "mechanics/terms/seams.hpp"
 #include "mechanics/terms/tears.hpp"
 #include "run/place_text.hpp"
 #include "run/run.hpp"
@@ -12,7 +13,8 @@ namespace fabricsh::run {
 namespace {
 
 using Edges = std::vector<mechanics::Joints::Edge>;
-constexpr double kWithin = 1e-6;  // mean edges: how far apart nodes are that meet without a distance given
+constexpr double kOvershot = 1.02;  // force over strength to which a step may jump when a yarn breaks
+constexpr double kWithin = 1e-6;    // mean edges: how far apart nodes are that meet without a distance given
 
 // The number of joints at places with several nodes.
 std::size_t count(const mechanics::Joints& joints) {
@@ -24,15 +26,19 @@ std::size_t count(const mechanics::Joints& joints) {
 
 }  // namespace
 
-Edges Run::edges_along(const Along& along, const char* call) const {
+Edges Run::edges_along(const Along& along, const char* call, bool sewn) const {
   const std::string of = std::string(call) + ": ";
   if (stepping_) throw Error(of + "expected between two steps, as in a hook or an event's action");
   const auto& joints = assembly_->joints();
+  if (sewn && !joints.any()) return {};
   if (!joints.any())
-    throw Error(of + "the model has no tearable zone: expected m:tearable(set) before the run");
+    throw Error(of + (assembly_->seams() == nullptr
+                          ? "the model has no tearable zone: expected m:tearable(set) before the run"
+                          : "the model has no tearable zone, and no stitch of a seam is there: expected "
+                            "m:tearable(set) before the run, or the set of a sewn edge"));
   const Edges edges =
       along.set.empty() ? joints.edges_on(along.line) : joints.edges_between(model_->mesh().set(along.set));
-  if (edges.empty())
+  if (edges.empty() && !sewn)
     throw Error(of +
                 (along.set.empty() ? std::string("no edge between two elements of a zone lies on the line")
                                    : "set '" + along.set + "' has no edge between two elements of a zone") +
@@ -41,64 +47,100 @@ Edges Run::edges_along(const Along& along, const char* call) const {
 }
 
 std::size_t Run::cut(const Along& along) {
-  const Edges more = edges_along(along, "cut"), &opened = assembly_->joints().opened();
+  const auto stitches = stitches_along(along);
+  mechanics::Sewn sewn = assembly_->dofs().sewn();
+  std::size_t opened = 0;
+  for (const std::size_t i : stitches) {
+    opened += sewn.parted[i] == 0 ? 1 : 0;
+    sewn.closed[i] = 0;
+    sewn.parted[i] = 1;
+  }
+  const Edges more = edges_along(along, "cut", !stitches.empty()),
+              &opened_before = assembly_->joints().opened();
   Edges all;
-  std::set_union(opened.begin(), opened.end(), more.begin(), more.end(), std::back_inserter(all));
+  std::set_union(opened_before.begin(), opened_before.end(), more.begin(), more.end(),
+                 std::back_inserter(all));
   const std::size_t before = count(assembly_->joints());
+  if (opened > 0) resew(std::move(sewn), 0);
   rejoin(std::move(all), 0);
-  return count(assembly_->joints()) - before;
+  return count(assembly_->joints()) - before + opened;
 }
 
 std::size_t Run::join(const Along& along, std::optional<double> within) {
-  const Edges less = edges_along(along, "join"), &opened = assembly_->joints().opened();
+  const double near = within.value_or(kWithin * assembly_->dofs().length());
+  const auto stitches = stitches_along(along);
+  mechanics::Sewn sewn = assembly_->dofs().sewn();
+  std::size_t closed = 0;
+  for (const std::size_t i : stitches) {
+    if (sewn.parted[i] == 0 || assembly_->seams()->has_burst(i)) continue;
+    ++closed;
+    sewn.closed[i] = assembly_->dofs().seams()[assembly_->dofs().stitches()[i].seam].stiffness ? 0 : 1;
+    sewn.parted[i] = 0;
+  }
+  const Edges less = edges_along(along, "join", !stitches.empty()), &opened = assembly_->joints().opened();
   Edges all;
   std::set_difference(opened.begin(), opened.end(), less.begin(), less.end(), std::back_inserter(all));
   const std::size_t before = count(assembly_->joints());
   try {
-    rejoin(std::move(all), within.value_or(kWithin * assembly_->dofs().length()));
+    if (closed > 0) {
+      assembly_->seams()->decide_turning(sewn);
+      resew(std::move(sewn), near);
+    }
+    rejoin(std::move(all), near);
   } catch (const Error& error) {
     throw Error(std::string("join: ") + error.what());
   }
-  return before - count(assembly_->joints());
+  return before - count(assembly_->joints()) + closed;
 }
 
+// Where a joint opens its forces stay, so that in steps that iterate whatever breaks with it does so in the
+// same state. Explicit steps go on and break the next ones in theirs.
 void Run::tear() {
   mechanics::Tears* const tears = assembly_->tears();
   if (tears == nullptr) return;
-  const auto worst = tears->worst();
-  if (!(worst.share >= 1)) return;
   const double step = tear_step();
-  if (!(step > 0)) {
-    const std::string text = "at time " + number(time()) + " s the " + worst.yarn + " about " +
-                             place_text(worst.at) + " has reached its strength, " + number(worst.strength) +
-                             " N/m: a tear that runs away has no balance next to this one";
-    fail(NumericalFailure(std::string(kind()) + ": " + text +
-                              ".\nTry: fabric.dynamic with scheme=\"explicit\", which shows where it goes.",
-                          time()),
-         text);
+  while (tears->worst().share >= 1) {
+    Edges all = tears->let_go(step);
+    const Edges& opened = assembly_->joints().opened();
+    all.insert(all.end(), opened.begin(), opened.end());
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    rejoin(std::move(all), 0);
+    if (step > 0) return;
   }
-  Edges all = tears->let_go(step);
-  const Edges& opened = assembly_->joints().opened();
-  all.insert(all.end(), opened.begin(), opened.end());
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
-  rejoin(std::move(all), 0);
+}
+
+void Run::refuse_runaway() {
+  const auto worst = assembly_->tears()->worst();
+  if (!(worst.share > kOvershot)) return;
+  const std::string text = "at time " + number(time()) + " s the force on the " + worst.yarn + " about " +
+                           place_text(worst.at) + " jumps to " + number(worst.share) +
+                           " times its strength, " + number(worst.strength) +
+                           " N/m, however short the step: the tear runs away";
+  fail(NumericalFailure(std::string(kind()) + ": " + text +
+                            ".\nTry: fabric.dynamic with scheme=\"explicit\", which shows where it goes.",
+                        time()),
+       text);
 }
 
 // Velocities and positions stay as they are where joints open.
-void Run::rejoin(Edges edges, double within) {
+void Run::change(const std::function<std::optional<mechanics::Transfer>()>& made) {
   const std::vector<double> rates = unknown_rates();
-  const Energy before = energy();
-  const auto change = assembly_->open(std::move(edges), within);
+  const EnergyAccount before = energy();
+  const auto change = made();
   if (!change) return;
   resize();
   take(*change, rates.empty() ? rates : change->apply(rates));
   hooked_ = true;
   averages_.clear();
   if (!started_ || !change->closes()) return;
-  const Energy after = energy();
+  const EnergyAccount after = energy();
   assembly_->lose(before.kinetic - after.kinetic);
   work_.add(after.internal() - before.internal());
+}
+
+void Run::rejoin(Edges edges, double within) {
+  change([&] { return assembly_->open(std::move(edges), within); });
 }
 
 }  // namespace fabricsh::run

@@ -37,7 +37,7 @@ void Keeper::write(Job& job) {
   const std::size_t step = run.steps().size();
   if (step == written_ && !forced_) return;
   try {
-    job.tell(&Listener::sync);
+    job.notify(&Listener::sync);
     Checkpoint c = job.now();
     const std::string file = std::filesystem::absolute(path_).lexically_normal().string();
     job.journal().make_way(file, job.number());

@@ -1,4 +1,4 @@
-// Checkpoints, written while a run goes.
+// Checkpoints, written during a run.
 #pragma once
 #include <chrono>
 #include <functional>
@@ -16,13 +16,15 @@ class Keeper final : public Listener {
   // every: s of simulated time, 0: every step; minutes: of real time; at least one is given.
   Keeper(std::string path, std::optional<double> every, std::optional<double> minutes);
   // Adds parts to the checkpoint with this path; called for each checkpoint.
-  void keep_also(std::function<void(std::vector<Checkpoint::Part>&)> parts) { also_ = std::move(parts); }
+  void keep_also(std::function<void(std::vector<Checkpoint::CheckpointPart>&)> parts) {
+    also_ = std::move(parts);
+  }
   const std::string& path() const { return path_; }
-  Turn turn() const override { return Turn::checkpoint; }
+  ListenerOrder turn() const override { return ListenerOrder::checkpoint; }
   void step(Job& job) override;  // writes a checkpoint if one is due. Error: names the file and the reason
   void restored(Job& job) override;  // writes one if there is one, or if the run started from one
   void end(Job& job, const Ending& ending) override;
-  void save(std::vector<Checkpoint::Part>& parts) override {
+  void save(std::vector<Checkpoint::CheckpointPart>& parts) override {
     if (also_) also_(parts);
   }
   bool holds_end(const Run& run) const;  // the file has the present state of the run
@@ -35,7 +37,7 @@ class Keeper final : public Listener {
   void write(Job& job);
   std::string path_;
   std::optional<double> every_, minutes_;
-  std::function<void(std::vector<Checkpoint::Part>&)> also_;
+  std::function<void(std::vector<Checkpoint::CheckpointPart>&)> also_;
   double next_ = 0;  // s
   bool forced_ = false, silent_ = false;
   std::size_t written_ = static_cast<std::size_t>(-1);  // the step of the last checkpoint

@@ -20,29 +20,29 @@ struct Ending {
 
 class Listener {
  public:
-  // Who is told first: a checkpoint counts what outputs have written, a report states how all that went.
-  enum class Turn { output, checkpoint, report, watch };
+  // The order of calls: a checkpoint counts what outputs have written, a report states their success.
+  enum class ListenerOrder { output, checkpoint, report, watch };
 
   Listener() = default;
   virtual ~Listener() = default;
   Listener(const Listener&) = delete;
   Listener& operator=(const Listener&) = delete;
-  virtual Turn turn() const = 0;
+  virtual ListenerOrder turn() const = 0;
 
   // Fires when a call is about to drive the run and its files are locked. If one throws, no step is made.
   virtual void begin(Job&) {}
   // Fires after each committed step, when its frames are written and its hooks and events are done: the state
   // can be saved. If one throws, the call ends at the committed state.
   virtual void step(Job&) {}
-  // Fires when a call has ended, in whatever way. All are told, even if some throw.
+  // Fires when a call has ended, in whatever way. All are called, even if some throw.
   virtual void end(Job&, const Ending&) {}
-  // Fire when the run has returned to an earlier state: first all forget what belongs to later steps, then,
+  // Fire when the run has returned to an earlier state: first all discard what belongs to later steps, then,
   // in the opposite order, files may be cut. So a checkpoint is replaced before the rows that it counts go.
   virtual void forget(Job&) {}
   virtual void restored(Job&) {}
-  // Fire when a checkpoint is written: files are forced to the disk, then all add what they need to go on.
+  // Fire when a checkpoint is written: files are forced to the disk, then all add what they need to continue.
   virtual void sync() {}
-  virtual void save(std::vector<Checkpoint::Part>&) {}
+  virtual void save(std::vector<Checkpoint::CheckpointPart>&) {}
 };
 
 // The one that writes run.json in the folders of the outputs.

@@ -11,18 +11,20 @@ namespace fabricsh::run {
 
 namespace {
 
-struct Pair {
+struct NodeRates {
   Vec3 v, a;
 };
 
-Pair update(const NewmarkScheme& s, double dt, const Vec3& increment, const Vec3& v, const Vec3& a) {
+NodeRates update(const NewmarkScheme& s, double dt, const Vec3& increment, const Vec3& v, const Vec3& a) {
   const Vec3 now = (increment - dt * v - dt * dt * (0.5 - s.beta) * a) / (s.beta * dt * dt);
   return {v + dt * ((1 - s.gamma) * a + s.gamma * now), now};
 }
 
 }  // namespace
 
-Vec3 carry(const Vec3& u, const Vec3& d, const Vec3& e) { return u - u.dot(e) / (1 + d.dot(e)) * (d + e); }
+Vec3 parallel_transport(const Vec3& u, const Vec3& d, const Vec3& e) {
+  return u - u.dot(e) / (1 + d.dot(e)) * (d + e);
+}
 
 Vec3 arc(const Vec3& d, const Vec3& e) {
   const double along = d.dot(e);
@@ -61,13 +63,14 @@ void Newmark::update() {
       update_rigid(n, x, old);
       continue;
     }
-    const Pair node =
+    const NodeRates node =
         run::update(scheme_, dt(), at(x, n) - at(old, n), at(before_.v.x, n), at(before_.a.x, n));
     at(trial_.v.x, n) = node.v;
     at(trial_.a.x, n) = node.a;
     const Vec3 d0 = at(old_d, n), d1 = at(d, n);
-    const Pair turn = run::update(scheme_, dt(), carry(arc(d0, d1), d0, d1),
-                                  carry(at(before_.v.d, n), d0, d1), carry(at(before_.a.d, n), d0, d1));
+    const NodeRates turn = run::update(scheme_, dt(), parallel_transport(arc(d0, d1), d0, d1),
+                                       parallel_transport(at(before_.v.d, n), d0, d1),
+                                       parallel_transport(at(before_.a.d, n), d0, d1));
     at(trial_.v.d, n) = turn.v;
     at(trial_.a.d, n) = turn.a;
   }
@@ -89,7 +92,7 @@ void Newmark::update_rigid(std::size_t node, std::span<const double> now, std::s
 // The arms are those of the middle of the step: with the midpoint's rule for the velocities, the change of
 // the body's momentum and angular momentum is the impulse of the forces, and that of its energy their work
 // [gonzalez1996; betsch2001].
-std::array<double, 6> Newmark::rate_of_momentum(const mechanics::Body& body) const {
+std::array<double, 6> Newmark::rate_of_momentum(const mechanics::RigidBody& body) const {
   const auto& state = std::as_const(assembly_).state();
   const auto x = state.x(), d = state.d(), old = state.committed_kinematics();
   const auto old_d = old.subspan(x.size());
@@ -165,8 +168,10 @@ double Newmark::work_on_mass(double factor, const mechanics::NodalRates& before,
   }
   const auto old_d = old.subspan(n);
   for (std::size_t k = 0; k < state.nodes(); ++k) {
-    const Vec3 from = at(old_d, k), to = at(state.d(), k), turned = carry(arc(from, to), from, to);
-    work += factor * rotary[k] * (carry(at(before.d, k), from, to) + at(after.d, k)).dot(turned) / 2;
+    const Vec3 from = at(old_d, k), to = at(state.d(), k),
+               turned = parallel_transport(arc(from, to), from, to);
+    work +=
+        factor * rotary[k] * (parallel_transport(at(before.d, k), from, to) + at(after.d, k)).dot(turned) / 2;
   }
   for (const auto& m : assembly_.freedoms().motions) {
     if (m.component > 2) continue;

@@ -3,7 +3,7 @@
 //   x+ = x + dt v + dt^2 ((1/2 - beta) a + beta a+),   v+ = v + dt ((1 - gamma) a + gamma a+)
 //   M a+ = (1 + alpha) f(x+) - alpha f(x),   f = f_ext - f_int - C v
 //
-// The forces of contact act with their value at the end of the step alone [kane1999]: their share of the
+// The forces of contact act with their value at the end of the step alone [kane1999]: their part of the
 // acceleration counts 1/gamma times at its end and not at all at its beginning, so that
 //
 //   v+ = ... + dt M^-1 f_contact(x+),   x+ = ... + dt^2 beta / gamma M^-1 f_contact(x+).
@@ -11,7 +11,8 @@
 // Without other losses (gamma = 1/2, beta = 1/4) their work is f_contact(x+) (x+ - x), which a convex energy
 // never exceeds: contact cannot make energy, whatever the step.
 //
-// On the sphere of directors the increment is an arc from d to d+, along which vectors at d are carried.
+// On the sphere of directors the increment is an arc from d to d+, along which vectors are moved by
+// parallel_transport().
 //
 // The nodes of rigid bodies have accelerations towards the axis of rotation that no force on the unknowns
 // shows, and the formulas above would make energy of their errors. Bodies therefore follow the midpoint's
@@ -30,6 +31,9 @@ namespace fabricsh::run {
 
 struct NewmarkScheme {
   double gamma = 0.5, beta = 0.25, hht = 0;
+
+  // Second order accurate and damping high frequencies most [hilbert1977].
+  static NewmarkScheme of_hht(double alpha) { return {0.5 - alpha, (1 - alpha) * (1 - alpha) / 4, alpha}; }
 };
 
 // Velocities and accelerations of all nodes, 3 per node, global; those of directors are tangent to the
@@ -44,9 +48,12 @@ class Newmark final : public mechanics::Motion {
   Newmark(mechanics::Assembly& assembly, const mechanics::Inertia& inertia, const NewmarkScheme& scheme);
 
   const NewmarkScheme& scheme() const { return scheme_; }
+  void set_scheme(const NewmarkScheme& scheme) { scheme_ = scheme; }  // from the next step on
   const mechanics::Inertia& inertia() const { return inertia_; }
   const NodalMotion& committed() const { return before_; }
   const NodalMotion& trial() const { return trial_; }
+  // Of the forces of contact in the scheme's balance, with which they count once at the step's end.
+  double weight_of_contact() const { return 1 / (scheme_.gamma * (1 + scheme_.hht)); }
   // Whether velocities are those of a complete trial step, to be read before the commit.
   void show_trial(bool tried) { tried_ = tried; }
   const mechanics::NodalRates& velocities() const { return (tried_ ? trial_ : before_).v; }
@@ -54,7 +61,7 @@ class Newmark final : public mechanics::Motion {
   void start(const mechanics::NodalRates& velocities);
   void set_accelerations(mechanics::NodalRates a) { before_.a = std::move(a); }  // at the start
   // N and N m: the change of a rigid body's momentum and angular momentum in the step, over its length.
-  std::array<double, 6> rate_of_momentum(const mechanics::Body& body) const;
+  std::array<double, 6> rate_of_momentum(const mechanics::RigidBody& body) const;
   // Computes the trial motion after dt() from the increment between committed and trial configuration.
   void update();
   // Commits the trial motion. targets: of the driven freedoms at `time`; their displacements get the rate of
@@ -93,7 +100,7 @@ class Newmark final : public mechanics::Motion {
 };
 
 // Parallel transport of the tangent vector u from d to e along their arc; unit vectors, e != -d.
-Vec3 carry(const Vec3& u, const Vec3& d, const Vec3& e);
+Vec3 parallel_transport(const Vec3& u, const Vec3& d, const Vec3& e);
 // The arc from d to e as a tangent vector at d, rad.
 Vec3 arc(const Vec3& d, const Vec3& e);
 

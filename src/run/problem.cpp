@@ -10,8 +10,8 @@
 
 namespace fabricsh::run {
 
-Problem::Problem(mechanics::Assembly& assembly, mechanics::Motion* motion, Newmark* newmark,
-                 double small_time, const Poll& poll)
+EquilibriumProblem::EquilibriumProblem(mechanics::Assembly& assembly, mechanics::Motion* motion,
+                                       Newmark* newmark, double small_time, const Poll& poll)
     : assembly_(assembly),
       motion_(motion == nullptr ? still_ : *motion),
       newmark_(newmark),
@@ -22,7 +22,7 @@ Problem::Problem(mechanics::Assembly& assembly, mechanics::Motion* motion, Newma
   resize();
 }
 
-void Problem::resize() {
+void EquilibriumProblem::resize() {
   if (iterates())
     for (auto* v : {&product_, &ahead_, &balance_})
       v->assign(static_cast<std::size_t>(assembly_.unknowns()), 0);
@@ -30,31 +30,32 @@ void Problem::resize() {
   lumped_.clear();
 }
 
-Problem::Problem(mechanics::Assembly& assembly, double small_time, const Poll& poll)
-    : Problem(assembly, nullptr, nullptr, small_time, poll) {
+EquilibriumProblem::EquilibriumProblem(mechanics::Assembly& assembly, double small_time, const Poll& poll)
+    : EquilibriumProblem(assembly, nullptr, nullptr, small_time, poll) {
   assembly.external(0, external_);  // a history that is not finite is refused before the run begins
 }
-Problem::Problem(mechanics::Assembly& assembly, Newmark& newmark, const Poll& poll)
-    : Problem(assembly, &newmark, &newmark, 0, poll) {}
-Problem::Problem(mechanics::Assembly& assembly, mechanics::Motion& motion, const Poll& poll)
-    : Problem(assembly, &motion, nullptr, 0, poll) {}
+EquilibriumProblem::EquilibriumProblem(mechanics::Assembly& assembly, Newmark& newmark, const Poll& poll)
+    : EquilibriumProblem(assembly, &newmark, &newmark, 0, poll) {}
+EquilibriumProblem::EquilibriumProblem(mechanics::Assembly& assembly, mechanics::Motion& motion,
+                                       const Poll& poll)
+    : EquilibriumProblem(assembly, &motion, nullptr, 0, poll) {}
 
 // --- steps
 
-void Problem::aim(double time) {
-  aimed_ = time;
+void EquilibriumProblem::set_time(double time) {
+  trial_time_ = time;
   motion_.set_dt(time - std::as_const(assembly_).state().time());
   targets_ = assembly_.targets(time);
   if (external_.empty() || !assembly_.constant_loads()) assembly_.external(time, external_);
-  assembly_.aim(time);
+  assembly_.set_time(time);
 }
 
-void Problem::start() {
+void EquilibriumProblem::start() {
   memory_.driven = targets_;
   remember();
 }
 
-void Problem::start(const mechanics::NodalRates& velocities) {
+void EquilibriumProblem::start(const mechanics::NodalRates& velocities) {
   newmark_->start(velocities);
   balance(0, 0, balance_);
   newmark_->set_accelerations(accelerations(balance_));
@@ -62,7 +63,7 @@ void Problem::start(const mechanics::NodalRates& velocities) {
 }
 
 // Of all nodes, from forces on the unknowns: M a = r with the mass matrix on the unknowns, with ties L^T M L.
-mechanics::NodalRates Problem::accelerations(std::span<const double> r) {
+mechanics::NodalRates EquilibriumProblem::accelerations(std::span<const double> r) {
   linear::Matrix M(assembly_.pattern());
   assembly_.add_diagonal(newmark_->inertia().mass(), newmark_->inertia().rotary(), M);
   std::vector<double> a(r.size(), 0);
@@ -74,7 +75,7 @@ mechanics::NodalRates Problem::accelerations(std::span<const double> r) {
   return accelerations;
 }
 
-void Problem::commit(double time) {
+void EquilibriumProblem::commit(double time) {
   assembly_.commit(time);
   if (newmark_ != nullptr) {
     newmark_->commit(time, targets_);
@@ -85,7 +86,7 @@ void Problem::commit(double time) {
 }
 
 // A step has the forces of contact at its end alone: the next one begins without them.
-void Problem::forget_contact() {
+void EquilibriumProblem::forget_contact() {
   if (contact() == nullptr || contact()->touching_now() == 0) return;
   const double gamma = newmark_->scheme().gamma;
   std::vector<double> without(balance_.size()), push(balance_.size());
@@ -100,8 +101,8 @@ void Problem::forget_contact() {
   newmark_->take_off(accelerations);
 }
 
-// Stores what the next step needs of this one, for example to recognise a reversal.
-void Problem::remember() {
+// Stores the data of this step that the next one needs, for example to recognise a reversal.
+void EquilibriumProblem::remember() {
   if (!iterates()) return;
   if (newmark_ != nullptr) {
     balance(0, 0, balance_);
@@ -116,7 +117,7 @@ void Problem::remember() {
 }
 
 // Stores the forces F^ of the step, of which the first one has no earlier.
-void Problem::remember_bodies() {
+void EquilibriumProblem::remember_bodies() {
   const double alpha = newmark_->scheme().hht;
   const auto& before = memory_.balance.empty() ? balance_ : memory_.balance;
   memory_.on_bodies.clear();
@@ -126,44 +127,44 @@ void Problem::remember_bodies() {
       memory_.on_bodies.push_back((1 + alpha) * balance_[i] - alpha * before[i]);
 }
 
-void Problem::keep(Archive& archive) {
+void EquilibriumProblem::keep(Archive& archive) {
   archive(memory_);
-  if (archive.reading()) aim(std::as_const(assembly_).state().time());
+  if (archive.reading()) set_time(std::as_const(assembly_).state().time());
 }
 
-void Problem::mark() {
+void EquilibriumProblem::save_iterate() {
   const auto k = std::as_const(assembly_).state().kinematics();
   kept_.assign(k.begin(), k.end());
 }
 
-void Problem::return_to_mark() {
+void EquilibriumProblem::restore_iterate() {
   std::copy(kept_.begin(), kept_.end(), assembly_.state().kinematics().begin());
   assembly_.state().touch();
 }
 
-law::Step Problem::step(law::AtSwitch at) const {
+law::Step EquilibriumProblem::step(law::AtSwitch at) const {
   const double now = std::as_const(assembly_).state().time();
-  return {now, aimed_ - now, at};
+  return {now, trial_time_ - now, at};
 }
 
-Answer Problem::begin_step() { return made(assembly_.begin_step()); }
+Answer EquilibriumProblem::begin_step() { return made(assembly_.begin_step()); }
 
 // --- forces
 
 // f_ext - f_int - C v - inertia M a on the unknowns, with the forces of contact `contact` times.
-void Problem::balance(double inertia, double contact, std::span<double> r) {
+void EquilibriumProblem::balance(double inertia, double contact, std::span<double> r) {
   if (newmark_ == nullptr) {
     assembly_.residual(external_, r);
   } else {
     const auto on = assembly_.on_mass();
     const auto& motion = newmark_->trial();
     const auto &mass = newmark_->inertia().mass(), &rotary = newmark_->inertia().rotary();
-    const double share = inertia * on.acceleration;
+    const double part = inertia * on.acceleration;
     on_x_.resize(external_.size());
     on_d_.resize(external_.size());
     const auto& freedoms = assembly_.freedoms();
     for (std::size_t i = 0; i < external_.size(); ++i) {
-      const double own = freedoms.body(static_cast<mechanics::Index>(i / 3)) < 0 ? share : 0;
+      const double own = freedoms.body(static_cast<mechanics::Index>(i / 3)) < 0 ? part : 0;
       on_x_[i] = external_[i] - mass[i / 3] * (on.velocity * motion.v.x[i] + own * motion.a.x[i]);
       on_d_[i] = -rotary[i / 3] * (on.velocity * motion.v.d[i] + own * motion.a.d[i]);
     }
@@ -177,7 +178,7 @@ void Problem::balance(double inertia, double contact, std::span<double> r) {
 }
 
 // The residual of the scheme; for Newmark (1 + alpha) f+ - alpha f - M a+.
-void Problem::weigh(std::span<double> r) {
+void EquilibriumProblem::weigh(std::span<double> r) {
   if (newmark_ == nullptr) return balance(0, 1, r);
   newmark_->update();
   const double alpha = newmark_->scheme().hht;
@@ -187,7 +188,7 @@ void Problem::weigh(std::span<double> r) {
 }
 
 // The inertia of rigid bodies, see newmark.hpp; r has the forces F^+ on their unknowns.
-void Problem::move_bodies(std::span<double> r) {
+void EquilibriumProblem::move_bodies(std::span<double> r) {
   const auto& bodies = assembly_.freedoms().bodies;
   const double gamma = newmark_->scheme().gamma, on = assembly_.on_mass().acceleration;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -200,7 +201,7 @@ void Problem::move_bodies(std::span<double> r) {
 }
 
 // The tangent of the scheme from that of the forces: weighted, with damping and inertia.
-void Problem::close(linear::Matrix& K) {
+void EquilibriumProblem::close(linear::Matrix& K) {
   if (weight() != 1)
     for (double& k : K.value) k *= weight();
   assembly_.add_resistance(K);
@@ -220,27 +221,29 @@ void Problem::close(linear::Matrix& K) {
   assembly_.add_diagonal(on_x, on_d, K);
 }
 
-double Problem::work_of_balance() {
+double EquilibriumProblem::work_of_balance() {
   balance(0, 0, balance_);
   return motion_.work(memory_.balance, balance_);
 }
 
 // The largest of the unknowns' residuals and of those of free bodies (unknown -1).
-std::pair<double, solver::Index> Problem::largest(std::span<const double> r) const {
+std::pair<double, solver::Index> EquilibriumProblem::largest(std::span<const double> r) const {
   const auto found = assembly_.largest_residual(r);
   const double bodies = assembly_.largest_body_residual();
   return bodies > found.first ? std::pair<double, solver::Index>(bodies, -1) : found;
 }
 
-double Problem::force_scale() const {
+double EquilibriumProblem::force_scale() const {
   const double inertia = newmark_ == nullptr ? 0 : newmark_->largest_inertia();
-  return std::max({memory_.peak, assembly_.largest_force(), inertia});
+  const auto* contact = std::as_const(assembly_).contact();
+  const double bodies = newmark_ == nullptr || contact == nullptr ? 0 : contact->largest_body_force();
+  return std::max({memory_.peak, assembly_.largest_force(), inertia, bodies});
 }
 
 // --- Newton
 
 // Sets the increments of the driven degrees of freedom in the step.
-void Problem::lead_to_targets() {
+void EquilibriumProblem::lead_to_targets() {
   for (std::size_t i = 0; i < lead_.size(); ++i) lead_[i] = targets_[i] - memory_.driven[i];
   if (newmark_ == nullptr) return;
   for (double& l : lead_) l /= motion_.dt();
@@ -248,7 +251,7 @@ void Problem::lead_to_targets() {
   for (double& l : lead_) l *= motion_.dt();
 }
 
-Answer Problem::predict(linear::Matrix& K, std::span<double> r, std::span<double> lead) {
+Answer EquilibriumProblem::predict(linear::Matrix& K, std::span<double> r, std::span<double> lead) {
   assembly_.rollback();
   assembly_.begin_iterate();
   lead_to_targets();
@@ -263,26 +266,26 @@ Answer Problem::predict(linear::Matrix& K, std::span<double> r, std::span<double
   return Answer::ok;
 }
 
-Answer Problem::residual(std::span<double> r) {
+Answer EquilibriumProblem::residual(std::span<double> r) {
   if (poll_) poll_();
   if (!assembly_.forces(step())) return made(false);
   weigh(r);
   return Answer::ok;
 }
 
-Answer Problem::tangent(linear::Matrix& K) {
+Answer EquilibriumProblem::tangent(linear::Matrix& K) {
   if (!assembly_.tangent(step(), K, {}, {})) return made(false);
   close(K);
   return Answer::ok;
 }
 
-double Problem::turn_of(std::span<const double> delta) const {
+double EquilibriumProblem::turn_of(std::span<const double> delta) const {
   mechanics::NodalRates way;
   assembly_.spread_rates(delta, std::vector<double>(lead_.size(), 0), way);
   return assembly_.largest_turn(way);
 }
 
-Answer Problem::extrapolated_tangent(linear::Matrix& K) {
+Answer EquilibriumProblem::extrapolated_tangent(linear::Matrix& K) {
   if (!assembly_.tangent(step(), K, {}, {}, true)) return made(false);
   close(K);
   return Answer::ok;
@@ -290,7 +293,7 @@ Answer Problem::extrapolated_tangent(linear::Matrix& K) {
 
 // --- path following
 
-Answer Problem::start(linear::Matrix& K, std::span<double> r, std::span<double> q) {
+Answer EquilibriumProblem::start(linear::Matrix& K, std::span<double> r, std::span<double> q) {
   assembly_.rollback();
   assembly_.begin_iterate();
   look_ahead();
@@ -300,26 +303,26 @@ Answer Problem::start(linear::Matrix& K, std::span<double> r, std::span<double> 
   return answer;
 }
 
-Answer Problem::tangent_and_rate(linear::Matrix& K, std::span<double> q) {
+Answer EquilibriumProblem::tangent_and_rate(linear::Matrix& K, std::span<double> q) {
   look_ahead();
   return tangent_and_rate(law::AtSwitch::loading, K, q);
 }
 
-double Problem::product(std::span<const double> a, std::span<const double> b) const {
+double EquilibriumProblem::product(std::span<const double> a, std::span<const double> b) const {
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i)
     if (!assembly_.turns(static_cast<mechanics::Index>(i))) sum += a[i] * b[i];
   return sum;
 }
 
-void Problem::set_push(const std::vector<double>& to, const std::vector<double>& from) {
+void EquilibriumProblem::set_push(const std::vector<double>& to, const std::vector<double>& from) {
   push_.resize(to.size());
   for (std::size_t i = 0; i < to.size(); ++i) push_[i] = to[i] - from[i];
 }
 
-// The changes of supports and dead loads within a small time after the one aimed at.
-void Problem::look_ahead() {
-  const double later = aimed_ + small_time_;
+// The changes of supports and dead loads within a small time after the trial time.
+void EquilibriumProblem::look_ahead() {
+  const double later = trial_time_ + small_time_;
   const auto moved = assembly_.targets(later);
   for (std::size_t i = 0; i < lead_.size(); ++i) lead_[i] = moved[i] - targets_[i];
   assembly_.external(later, later_external_);
@@ -327,14 +330,14 @@ void Problem::look_ahead() {
 }
 
 // K and q = dr/dt at fixed unknowns. Coupling with the driven freedoms comes from the tangent, the rate of
-// follower loads from a difference of forces. Leaves the forces of the time aimed at.
-Answer Problem::tangent_and_rate(law::AtSwitch at, linear::Matrix& K, std::span<double> q) {
+// follower loads from a difference of forces. Leaves the forces of the trial time.
+Answer EquilibriumProblem::tangent_and_rate(law::AtSwitch at, linear::Matrix& K, std::span<double> q) {
   const bool follower = !assembly_.symmetric_loads();
   if (follower) {
-    assembly_.aim(aimed_ + small_time_);
+    assembly_.set_time(trial_time_ + small_time_);
     const bool done = assembly_.forces(step(at));
     assembly_.residual(later_external_, ahead_);
-    assembly_.aim(aimed_);
+    assembly_.set_time(trial_time_);
     if (!done) return made(false);
   }
   if (!assembly_.tangent(step(at), K, lead_, product_)) return made(false);
@@ -345,7 +348,7 @@ Answer Problem::tangent_and_rate(law::AtSwitch at, linear::Matrix& K, std::span<
 }
 
 // Whether this step moves supports and loads in the opposite direction to the last one.
-bool Problem::reverses() const {
+bool EquilibriumProblem::reverses() const {
   double along = 0;
   for (std::size_t i = 0; i < memory_.lead.size(); ++i) along += memory_.lead[i] * lead_[i];
   for (std::size_t i = 0; i < memory_.push.size(); ++i) along += memory_.push[i] * push_[i];

@@ -1,5 +1,5 @@
 // The problem as the solvers see it: the sum of the terms with a time scheme. Supports and loads are those of
-// the time given to aim(); forces, tangent and motion are those of a step to it from the committed
+// the time given to set_time(); forces, tangent and motion are those of a step to it from the committed
 // configuration.
 //
 // It serves quasi-static steps, Newmark's method, and central differences, which need no matrix.
@@ -14,20 +14,20 @@
 
 namespace fabricsh::run {
 
-class Problem final : public solver::PathProblem {
+class EquilibriumProblem final : public solver::PathProblem {
  public:
   using Poll = std::function<void()>;  // if set, called before each evaluation of forces; may throw
   // Quasi-static. small_time: s, for rates by differences in path following.
-  Problem(mechanics::Assembly& assembly, double small_time, const Poll& poll);
+  EquilibriumProblem(mechanics::Assembly& assembly, double small_time, const Poll& poll);
   // For Newmark's method; and for a scheme that does not solve for unknowns. Keeps a reference to the motion.
-  Problem(mechanics::Assembly& assembly, Newmark& newmark, const Poll& poll);
-  Problem(mechanics::Assembly& assembly, mechanics::Motion& motion, const Poll& poll);
-  ~Problem() override { assembly_.set_motion(nullptr); }
-  Problem(const Problem&) = delete;
-  Problem& operator=(const Problem&) = delete;
+  EquilibriumProblem(mechanics::Assembly& assembly, Newmark& newmark, const Poll& poll);
+  EquilibriumProblem(mechanics::Assembly& assembly, mechanics::Motion& motion, const Poll& poll);
+  ~EquilibriumProblem() override { assembly_.set_motion(nullptr); }
+  EquilibriumProblem(const EquilibriumProblem&) = delete;
+  EquilibriumProblem& operator=(const EquilibriumProblem&) = delete;
 
   const mechanics::Motion& motion() const { return motion_; }
-  double time() const { return aimed_; }                                // s, aimed at
+  double time() const { return trial_time_; }                           // s, of the trial
   const std::vector<double>& external() const { return external_; }     // dead loads then, N, 3 per node
   const std::vector<double>& targets() const { return targets_; }       // of the driven freedoms at that time
   const std::vector<double>& driven() const { return memory_.driven; }  // at the last commit
@@ -39,7 +39,9 @@ class Problem final : public solver::PathProblem {
   Answer begin_step();
   void commit(double time);  // the trial state; the terms then account for it in finish_step()
   // Makes the whole step, in which the unknowns move by `reach` times `along`.
-  void carry(std::span<const double> along, double reach) { assembly_.carry(along, reach, targets_); }
+  void advance_explicit(std::span<const double> along, double reach) {
+    assembly_.advance_explicit(along, reach, targets_);
+  }
   // The numbers of unknowns have changed. Forces of earlier steps are forgotten.
   void resize();
   // The residual of the forces as they are.
@@ -51,24 +53,24 @@ class Problem final : public solver::PathProblem {
   void at_kink(bool kink) { memory_.kink = kink; }
 
   // --- interface of the solvers
-  void aim(double time) override;
+  void set_time(double time) override;
   solver::Index size() const override { return assembly_.unknowns(); }
   Answer predict(linear::Matrix& K, std::span<double> r, std::span<double> lead) override;
-  void retract(std::span<const double> delta, double scale) override {
-    assembly_.retract(delta, scale, targets_);
+  void apply_increment(std::span<const double> delta, double scale) override {
+    assembly_.apply_increment(delta, scale, targets_);
   }
   double limit(std::span<const double> delta) override { return assembly_.limit(delta, targets_); }
   bool finish_direction(const Solve& solve, std::span<double> delta) override {
     return assembly_.finish_direction(solve, weight(), delta);
   }
   void accept() override { assembly_.begin_iterate(); }
-  bool arrived() const override { return assembly_.arrived(); }
+  bool at_target() const override { return assembly_.at_target(); }
   Answer residual(std::span<double> r) override;
   Answer tangent(linear::Matrix& K) override;
   double turn_of(std::span<const double> delta) const override;
   Answer extrapolated_tangent(linear::Matrix& K) override;
-  void mark() override;
-  void return_to_mark() override;
+  void save_iterate() override;
+  void restore_iterate() override;
   Answer start(linear::Matrix& K, std::span<double> r, std::span<double> q) override;
   Answer tangent_and_rate(linear::Matrix& K, std::span<double> q) override;
   double product(std::span<const double> a, std::span<const double> b) const override;
@@ -77,8 +79,9 @@ class Problem final : public solver::PathProblem {
   double rounding_floor(const linear::Matrix& K) const override { return assembly_.rounding_floor(K); }
 
  private:
-  Problem(mechanics::Assembly& assembly, mechanics::Motion* motion, Newmark* newmark, double small_time,
-          const Poll& poll);  // motion: null: none
+  EquilibriumProblem(mechanics::Assembly& assembly, mechanics::Motion* motion, Newmark* newmark,
+                     double small_time,
+                     const Poll& poll);  // motion: null: none
   // The present step as passed to the law.
   law::Step step(law::AtSwitch at = law::AtSwitch::loading) const;
   Answer made(bool done) const { return done ? Answer::ok : assembly_.outcome().answer; }
@@ -99,15 +102,15 @@ class Problem final : public solver::PathProblem {
   bool reverses() const;
 
   mechanics::Assembly& assembly_;
-  mechanics::Still still_;
+  mechanics::QuasiStatic still_;
   mechanics::Motion& motion_;
   Newmark* newmark_;  // null for other schemes
   const Poll& poll_;
-  double small_time_, aimed_ = 0;
+  double small_time_, trial_time_ = 0;
   std::vector<double> product_, ahead_, later_external_, push_, kept_, balance_, on_x_, on_d_;
   std::vector<double> lead_, targets_, external_;
   std::vector<double> lumped_;           // mass of each unknown, kg and kg m^2, once it is needed
-  struct Memory {                        // the data of earlier steps that the next one needs
+  struct StepMemory {                    // the data of earlier steps that the next one needs
     std::vector<double> driven, lead;    // at the last commit; change in the last step
     std::vector<double> external, push;  // dead loads likewise
     std::vector<double> balance;         // forces without inertia and contact then, per unknown, N and N m

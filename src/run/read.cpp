@@ -143,7 +143,7 @@ namespace {
 // The nodes or elements of the set over which the mean of a field is taken.
 std::vector<mesh::Index> inside(const model::Model& model, const ResultField& field, const std::string& set) {
   const auto& nodes = model.mesh().set(set);
-  const bool nodal = field.place == Place::node;
+  const bool nodal = field.place == FieldPlace::node;
   const std::vector<mesh::Index> all = nodal ? nodes : model.mesh().elements_in(nodes);
   if (all.empty()) throw Error("mean: set '" + set + "' holds no " + (nodal ? "node" : "whole element"));
   return all;
@@ -169,7 +169,7 @@ std::vector<mesh::Index> all_of(const Run& run, const FieldPart& part, const std
   return all;
 }
 
-// Each place counts once, however many nodes it has.
+// Each position counts once, whatever the number of its nodes.
 double mean_of_places(const Run& run, const FieldPart& part, const std::vector<mesh::Index>& nodes) {
   const mesh::Mesh& mesh = run.model().mesh();
   std::map<mesh::Index, std::pair<double, int>> at_place;
@@ -195,7 +195,7 @@ double Run::mean(const std::string& name, const std::string& set) const {
   const FieldPart part = number_of(*this, name);
   const auto all = all_of(*this, part, set);
   const mesh::Mesh& mesh = model_->mesh();
-  if (mesh.whole && part.field->place == Place::node) return mean_of_places(*this, part, all);
+  if (mesh.whole && part.field->place == FieldPlace::node) return mean_of_places(*this, part, all);
   double sum = 0, values[5];
   for (const auto i : all) {
     part.field->values(*this, i, part.ply, values);
@@ -208,9 +208,9 @@ std::vector<double> Run::field(const std::string& name) const {
   return values_of(*this, find_field(*this, name));
 }
 
-Energy Run::energy() const {
+EnergyAccount Run::energy() const {
   static const std::set<std::string> named = {"friction", "impact", "warp", "weft", "shear", "bending"};
-  Energy sum;
+  EnergyAccount sum;
   double others = 0;  // J, dissipated by terms that a program has added
   for (const auto& energy : assembly_->energies()) {
     if (energy.account == mechanics::Account::stored) sum.stored += energy.value;
@@ -257,7 +257,7 @@ double Run::energy_of_rest() const {
   return std::accumulate(masses.begin(), masses.end(), 0.0) * g.norm() * thickness;
 }
 
-double Run::imbalance(const Energy& sum, double scale) const {
+double Run::imbalance(const EnergyAccount& sum, double scale) const {
   constexpr double small = 1e-3;
   const double whole = std::abs(sum.surplus());
   return whole <= small * scale ? whole : std::min(whole, std::abs(sum.surplus() + hidden_energy()));

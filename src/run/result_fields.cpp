@@ -30,7 +30,7 @@ double thickness(const model::Model& model, mesh::Index e, const std::string& pl
   return plies.empty() ? model.thickness_of(e) : plies[static_cast<std::size_t>(number)].thickness;
 }
 
-struct Table {
+struct ResultFieldTable {
   std::vector<ResultField> rows;
   Members members;
 
@@ -44,8 +44,8 @@ struct Table {
     };
     rows.push_back({std::move(name),
                     std::move(unit),
-                    Shape::vector,
-                    Place::node,
+                    FieldShape::vector,
+                    FieldPlace::node,
                     std::move(sentence),
                     std::move(components),
                     values,
@@ -69,36 +69,38 @@ struct Table {
         throw Error("field '" + name + "': nothing touches in this model (see model:contact)");
       *out = (run.assembly().contact()->*what)(i);
     };
-    rows.push_back({name, std::move(unit), Shape::scalar, Place::node, std::move(sentence), {name}, values});
+    rows.push_back(
+        {name, std::move(unit), FieldShape::scalar, FieldPlace::node, std::move(sentence), {name}, values});
     rows.back().touching = true;
   }
   void joined() {
     const auto values = [](const Run& run, mesh::Index i, const std::string&, double* out) {
-      *out = run.assembly().joints().is_open(i) ? 1 : 0;
+      *out = run.assembly().joints().is_open(i) || run.assembly().dofs().has_parted(i) ? 1 : 0;
     };
-    rows.push_back({"joint_open",
-                    "",
-                    Shape::scalar,
-                    Place::node,
-                    "1 where a joint of a tearable zone is open, 0 elsewhere",
-                    {"joint_open"},
-                    values});
+    rows.push_back(
+        {"joint_open",
+         "",
+         FieldShape::scalar,
+         FieldPlace::node,
+         "1 where a joint of a tearable zone is open, or a seam has been opened or has burst; 0 elsewhere",
+         {"joint_open"},
+         values});
     rows.back().usual = false;
   }
-  void average(std::string name, std::string unit, Shape shape, std::string sentence, Names components,
+  void average(std::string name, std::string unit, FieldShape shape, std::string sentence, Names components,
                const Members& what, Names labels) {
     members.insert(members.end(), what.begin(), what.end());
     const auto values = [what](const Run& run, mesh::Index e, const std::string& ply, double* out) {
       const V& v = run.elements(ply)[e];
       for (const auto member : what) *out++ = v.*member;
     };
-    rows.push_back({std::move(name), std::move(unit), shape, Place::element, std::move(sentence),
+    rows.push_back({std::move(name), std::move(unit), shape, FieldPlace::element, std::move(sentence),
                     std::move(components), values, std::move(labels)});
     rows.back().by_ply = true;
   }
   // Of yarns, which plies with different axes have each for itself.
   void of_yarns(std::string name, std::string sentence, Names components, const Members& what) {
-    average(std::move(name), "", Shape::pair, std::move(sentence), std::move(components), what,
+    average(std::move(name), "", FieldShape::pair, std::move(sentence), std::move(components), what,
             {"warp", "weft"});
     rows.back().of_yarns = true;
   }
@@ -109,7 +111,8 @@ struct Table {
       if (ply.empty() || number >= 0) v = run.assembly().yarns(e, number).*which;
       std::copy_n(v.data(), 3, out);
     };
-    rows.push_back({std::move(name), "", Shape::vector, Place::element, std::move(sentence), {}, values});
+    rows.push_back(
+        {std::move(name), "", FieldShape::vector, FieldPlace::element, std::move(sentence), {}, values});
     rows.back().by_ply = true;
   }
   // A scalar of elements, written to files only on request.
@@ -117,8 +120,13 @@ struct Table {
               std::function<double(const Run&, mesh::Index)> value) {
     const auto values = [value = std::move(value)](const Run& run, mesh::Index e, const std::string&,
                                                    double* out) { *out = value(run, e); };
-    rows.push_back(
-        {name, std::move(unit), Shape::scalar, Place::element, std::move(sentence), {name}, values});
+    rows.push_back({name,
+                    std::move(unit),
+                    FieldShape::scalar,
+                    FieldPlace::element,
+                    std::move(sentence),
+                    {name},
+                    values});
     rows.back().usual = false;
   }
   void torn(const std::string& name, int family) {
@@ -137,8 +145,13 @@ struct Table {
       const double t = thickness(run.model(), e, ply);
       *out = std::isnan(t) ? t : value(run.elements(ply)[e], t);
     };
-    rows.push_back(
-        {name, std::move(unit), Shape::scalar, Place::element, std::move(sentence), {name}, values});
+    rows.push_back({name,
+                    std::move(unit),
+                    FieldShape::scalar,
+                    FieldPlace::element,
+                    std::move(sentence),
+                    {name},
+                    values});
     rows.back().usual = false;
     rows.back().by_ply = true;
   }
@@ -165,8 +178,8 @@ double shear_angle(const V& v) {
   return std::asin(sine) * (180 / std::numbers::pi);
 }
 
-Table make_table() {
-  Table t;
+ResultFieldTable make_table() {
+  ResultFieldTable t;
   t.nodal("displacement", "m", "from the reference position", {"ux", "uy", "uz"}, &NodeValues::u, "u");
   t.nodal("velocity", "m/s", "of a run in motion; zero in statics", {"vx", "vy", "vz"}, &NodeValues::v, "v");
   t.rows.back().moving = true;
@@ -187,16 +200,16 @@ Table make_table() {
   t.joined();
   t.torn("rupture_warp", 0);
   t.torn("rupture_weft", 1);
-  t.average("E", "", Shape::tensor, "Green-Lagrange strain, tensor components",
+  t.average("E", "", FieldShape::tensor, "Green-Lagrange strain, tensor components",
             {"E11", "E22", "E23", "E13", "E12"}, {&V::E11, &V::E22, &V::E23, &V::E13, &V::E12},
             {"E11", "E22", "E23", "E13", "E12"});
-  t.average("S", "Pa", Shape::tensor, "2nd Piola-Kirchhoff stress", {"S11", "S22", "S23", "S13", "S12"},
+  t.average("S", "Pa", FieldShape::tensor, "2nd Piola-Kirchhoff stress", {"S11", "S22", "S23", "S13", "S12"},
             {&V::S11, &V::S22, &V::S23, &V::S13, &V::S12}, {"S11", "S22", "S23", "S13", "S12"});
   t.of_yarns("residual", "strain that a yarn keeps when it is unloaded", {"residual1", "residual2"},
              {&V::residual1, &V::residual2});
   t.of_yarns("slack", "strain by which a slack yarn is below its residual strain", {"slack1", "slack2"},
              {&V::slack1, &V::slack2});
-  t.average("energy", "J/m^3", Shape::pair, "per reference volume: stored, and dissipated so far",
+  t.average("energy", "J/m^3", FieldShape::pair, "per reference volume: stored, and dissipated so far",
             {"stored", "dissipated"}, {&V::stored, &V::dissipated}, {"stored", "dissipated"});
   t.direction("warp", "unit vector along the deformed warp", &std::pair<Vec3, Vec3>::first);
   t.direction("weft", "unit vector along the deformed weft", &std::pair<Vec3, Vec3>::second);
@@ -223,31 +236,31 @@ Table make_table() {
   t.scalar("beyond", "",
            "largest strain so far over the tested strain of the card: 1.2 is 20 % beyond; 0 where the card "
            "states none",
-           [](const Run& run, mesh::Index e) { return run.assembly().share(e); });
+           [](const Run& run, mesh::Index e) { return run.assembly().strain_ratio(e); });
   t.scalar("region", "", "number of the body or region that the element belongs to, in their order",
            [](const Run& run, mesh::Index e) { return run.model().region_of(e) + 1.0; });
   t.rows.back().continuous = false;
   return t;
 }
 
-const Table& table() {
-  static const Table t = make_table();
+const ResultFieldTable& table() {
+  static const ResultFieldTable t = make_table();
   return t;
 }
 
-std::size_t items(const Run& run, Place place) {
+std::size_t items(const Run& run, FieldPlace place) {
   const auto& mesh = run.model().mesh();
-  return place == Place::node ? mesh.nodes.size() : mesh.elements.size();
+  return place == FieldPlace::node ? mesh.nodes.size() : mesh.elements.size();
 }
 
 }  // namespace
 
-const char* name(Place place) {
+const char* name(FieldPlace place) {
   static constexpr std::array words = {"node", "point", "element", "facet"};
   return words.at(static_cast<std::size_t>(place));
 }
 
-const char* name(Shape shape) {
+const char* name(FieldShape shape) {
   static constexpr std::array words = {"number", "pair", "vector", "symmetric tensor"};
   return words.at(static_cast<std::size_t>(shape));
 }
@@ -282,12 +295,17 @@ std::vector<const ResultField*> fields_of(const Run& run) {
   return all;
 }
 
-ResultField field_of(const mechanics::Shown& shown) {
+ResultField field_of(const mechanics::TermField& shown) {
   const auto value = [value = shown.value](const Run&, mesh::Index i, const std::string&, double* out) {
     *out = value(i);
   };
-  return {shown.name,     shown.unit,   Shape::scalar, shown.of_elements ? Place::element : Place::node,
-          shown.sentence, {shown.name}, value};
+  return {shown.name,
+          shown.unit,
+          FieldShape::scalar,
+          shown.of_elements ? FieldPlace::element : FieldPlace::node,
+          shown.sentence,
+          {shown.name},
+          value};
 }
 
 namespace {
@@ -359,12 +377,12 @@ FieldPart find_field(const std::string& name) {
 }
 
 Names scalar_names() {
-  Names names = scalar_names(Place::element);
-  for (const std::string& name : scalar_names(Place::node)) names.push_back(name);
+  Names names = scalar_names(FieldPlace::element);
+  for (const std::string& name : scalar_names(FieldPlace::node)) names.push_back(name);
   return names;
 }
 
-Names scalar_names(Place place) {
+Names scalar_names(FieldPlace place) {
   Names names;
   for (const ResultField& field : result_fields())
     if (field.place == place) names.insert(names.end(), field.components.begin(), field.components.end());
@@ -374,7 +392,7 @@ Names scalar_names(Place place) {
 Names field_names() {
   Names names = scalar_names();
   for (const ResultField& field : result_fields())
-    if (field.shape != Shape::scalar) names.push_back(field.name);
+    if (field.shape != FieldShape::scalar) names.push_back(field.name);
   return names;
 }
 

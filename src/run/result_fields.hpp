@@ -14,18 +14,18 @@ namespace fabricsh::run {
 class Run;
 struct ElementValues;
 
-enum class Place { node, point, element, facet };
+enum class FieldPlace { node, point, element, facet };
 // Number of values: 1; 2, mostly for warp and weft; 3, global; 5, symmetric tensor in material axes without
 // 33, in the order 11 22 23 13 12 (files have six, in VTK's order).
-enum class Shape { scalar, pair, vector, tensor };
-const char* name(Place place);
-const char* name(Shape shape);
+enum class FieldShape { scalar, pair, vector, tensor };
+const char* name(FieldPlace place);
+const char* name(FieldShape shape);
 
 struct ResultField {
   std::string name;  // also the name of the array in a file
   std::string unit;  // SI; empty: dimensionless
-  Shape shape;
-  Place place;
+  FieldShape shape;
+  FieldPlace place;
   std::string sentence;
   // Names of its single values, each of which is available alone: "E11". A scalar has its own name; empty:
   // only the whole field is available.
@@ -48,7 +48,7 @@ const std::vector<ResultField>& result_fields();
 bool has(const Run& run, const ResultField& field);
 // Those of result_fields(), whether the run has them or not, and those that its added terms show.
 std::vector<const ResultField*> fields_of(const Run& run);
-ResultField field_of(const mechanics::Shown& shown);
+ResultField field_of(const mechanics::TermField& shown);
 
 // A field, or one of its values; of one ply, or of all together.
 struct FieldPart {
@@ -71,7 +71,7 @@ void check_mean(const Run& run, const std::string& name, const std::string& set)
 
 // Names of single values, then those of whole fields.
 std::vector<std::string> scalar_names();
-std::vector<std::string> scalar_names(Place place);
+std::vector<std::string> scalar_names(FieldPlace place);
 std::vector<std::string> field_names();
 
 // A field, or one of its values, for all nodes or elements.

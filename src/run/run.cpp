@@ -9,6 +9,7 @@
 #include "base/number.hpp"
 #include "geometry/node_view.hpp"
 #include "mechanics/terms/contact.hpp"
+#include "mechanics/terms/seams.hpp"
 #include "mechanics/terms/tears.hpp"
 #include "run/failure.hpp"
 #include "run/foresight.hpp"
@@ -21,7 +22,7 @@ namespace {
 
 // The tested range of a card is the mean strain of a strip between grips. In a simulation of that test some
 // elements are strained one or two per cent more, which is not reported.
-constexpr double told_share = 1.02;
+constexpr double kBeyondTested = 1.02;
 
 // What the further nodes of tearable zones take; empty: there are none.
 std::string zones_text(const model::Model& model) {
@@ -50,6 +51,8 @@ Run::Run(std::shared_ptr<model::Model> model, double duration, std::shared_ptr<N
   if (const std::string words = zones_text(*model_); !words.empty()) notices_->once(words, words);
   if (assembly_->tears() != nullptr)
     for (const std::string& words : assembly_->tears()->describe()) notices_->once(words, words);
+  if (assembly_->seams() != nullptr)
+    for (const std::string& words : assembly_->seams()->describe()) notices_->once(words, words);
   if (const std::string words = bending_warning(*model_, *assembly_); !words.empty()) {
     notices_->once("bending of card " + model_->card().name, "warning: " + words);
     note("bending", words);
@@ -58,7 +61,7 @@ Run::Run(std::shared_ptr<model::Model> model, double duration, std::shared_ptr<N
 
 Run::~Run() = default;
 
-void Run::tell_contacts() {
+void Run::report_contacts() {
   if (const auto* contact = std::as_const(*assembly_).contact())
     for (const std::string& words : contact->describe())
       notices_->once("contact " + words, "contact: " + words);
@@ -71,11 +74,11 @@ void Run::add(std::unique_ptr<mechanics::Term> term) {
                 (std::string(kind()) == "static" ? ", or the option linear = unsymmetric" : ""));
   const auto shows = term->shows();
   std::set<std::string> names;
-  for (const mechanics::Shown& shown : shows)
+  for (const mechanics::TermField& shown : shows)
     if (is_field(*this, shown.name) || !names.insert(shown.name).second)
       throw Error(std::string("a term '") + term->name() + "': its field '" + shown.name +
                   "' has the name of another field");
-  for (const mechanics::Shown& shown : shows)
+  for (const mechanics::TermField& shown : shows)
     shown_.push_back(std::make_shared<const ResultField>(field_of(shown)));
   assembly_->add(std::move(term));
 }
@@ -127,13 +130,13 @@ void Run::start() {
   if (started_) return;
   for (const std::string& words : idle_loads(*model_, *assembly_, duration_)) {
     const std::string text = "warning: " + std::string(kind()) + ": " + words;
-    told_idle_ ? note("idle", text) : warn("idle", text);
+    warned_idle_ ? note("idle", text) : warn("idle", text);
   }
   if (const std::string words = moved_bodies_text(*model_); !words.empty()) {
     const std::string text = std::string(kind()) + ": " + words;
-    told_idle_ ? note("jump", text) : warn("jump", text);
+    warned_idle_ ? note("jump", text) : warn("jump", text);
   }
-  told_idle_ = true;
+  warned_idle_ = true;
   begin();
   initial_energy_ = energy().kinetic + energy().internal();
   for (auto& event : events_) {
@@ -185,6 +188,19 @@ double Run::next_landing(double limit) const {
   return landing;
 }
 
+double Run::next_landing(double limit, double step) {
+  const double now = committed_time(), landing = next_landing(limit);
+  const auto* contact = std::as_const(*assembly_).contact();
+  if (contact == nullptr) return landing;
+  const double whole = std::min(landing, now + step), end = contact->follows(whole);
+  if (end >= whole) return landing;
+  const std::string text = std::string(kind()) +
+                           ": contact follows the bodies that turn or fly in steps of " + number(end - now) +
+                           " s from time " + number(now) + " s on";
+  notices_->once("contact follows", text);
+  return end;
+}
+
 bool Run::is_kink(double time) const {
   return std::any_of(kinks_.begin(), kinks_.end(),
                      [&](double t) { return std::abs(t - time) <= same_time * duration_; });
@@ -193,7 +209,7 @@ bool Run::is_kink(double time) const {
 void Run::fail(NumericalFailure failure, const std::string& why) {
   std::string strained;
   if (const auto far = beyond())
-    strained = "\nbeyond     " + beyond_text(*far) + ", " + number(far->share) + " times as far, at " +
+    strained = "\nbeyond     " + beyond_text(*far) + ", " + number(far->strain_ratio) + " times as far, at " +
                number(far->time) + " s";
   why_ = failure.why = std::string(kind()) + ": " + why + strained + touching_text(*assembly_) +
                        "\nrun        to " + number(duration_) + " s, card " + model_->card().name + ", " +
@@ -222,6 +238,8 @@ void Run::advance_to(double limit) {
   reports_.push_back(std::move(report));
   watch_strain();
   tear();
+  burst();
+  sew();
   for (auto& event : events_) event.settle();
   hooked_ = hooked_ || !events_.empty();
   mark_due();
@@ -233,35 +251,35 @@ void Run::advance_to(double limit) {
 
 void Run::watch_strain() {
   constexpr double reached = 1 + 1e-6;
-  const double share = assembly_->largest_share(), before = beyond_.share;
-  if (!(share > std::max(reached, before))) return;
+  const double strain_ratio = assembly_->largest_strain_ratio(), before = beyond_.strain_ratio;
+  if (!(strain_ratio > std::max(reached, before))) return;
   const mechanics::Strained most = assembly_->most_strained();
   const char* const yarns[] = {"warp", "weft", "shear"};
   const double first = before > 0 ? beyond_.first : time();
-  beyond_ = {share, yarns[most.yarn], most.element, time(), first, most.strain, most.tested};
-  if (stops_beyond_ && before <= told_share && share > told_share)
+  beyond_ = {strain_ratio, yarns[most.yarn], most.element, time(), first, most.strain, most.tested};
+  if (stops_beyond_ && before <= kBeyondTested && strain_ratio > kBeyondTested)
     stop("strain beyond what was tested: " + beyond_text(beyond_));
-  if (warned("beyond") || before > told_share || share <= told_share) return;
+  if (warned("beyond") || before > kBeyondTested || strain_ratio <= kBeyondTested) return;
   const std::string text =
       "warning: " + std::string(kind()) + ": at time " + number(time()) + " s " + beyond_text(beyond_) +
       ", about " + place_text(assembly_->centre(most.element)) +
       ": from here on the card extrapolates; warned once, the largest excess is in a.beyond and run.json";
-  told_beyond_ ? note("beyond", text, most.element) : warn("beyond", text, most.element);
-  told_beyond_ = true;
+  warned_beyond_ ? note("beyond", text, most.element) : warn("beyond", text, most.element);
+  warned_beyond_ = true;
 }
 
 void Run::watch_shape() {
-  const bool told_inverted = warned("inverted"), told_turned = warned("director");
-  if (told_inverted && told_turned) return;
+  const bool warned_inverted = warned("inverted"), warned_turned = warned("director");
+  if (warned_inverted && warned_turned) return;
   const auto shape = assembly_->shape();
   const std::string then = " at time " + number(time()) + " s: the results from here on are " +
                            (moves() ? "doubtful" : "not valid");
-  if (!told_inverted && shape.inverted >= 0)
+  if (!warned_inverted && shape.inverted >= 0)
     warn("inverted",
          "warning: " + std::string(kind()) + ": element " + model_->element_name(shape.inverted) +
              " is turned inside out" + then,
          shape.inverted);
-  if (!told_turned && shape.turned >= 0)
+  if (!warned_turned && shape.turned >= 0)
     warn("director",
          "warning: " + std::string(kind()) + ": the director at node " + std::to_string(shape.turned + 1) +
              ", about " + place_text(at(std::as_const(*assembly_).state().x(), shape.turned)) +
@@ -301,7 +319,7 @@ double Run::elements_beyond() const {
   if (!beyond()) return 0;
   const auto all = assembly_->elements();
   mesh::Index count = 0;
-  for (mesh::Index e = 0; e < all; ++e) count += assembly_->share(e) > 1 ? 1 : 0;
+  for (mesh::Index e = 0; e < all; ++e) count += assembly_->strain_ratio(e) > 1 ? 1 : 0;
   return static_cast<double>(count) / static_cast<double>(all);
 }
 
@@ -339,7 +357,7 @@ double Run::land(double size, StepReport& report) {
     for (auto& event : events_) measure(event);
     if (beyond->crossed()) jumped.push_back(&*beyond);
   }
-  const double shorter = land_at_limit(size, report);
+  const double shorter = land_at_break(land_at_limit(size, report), report);
   if (shorter != size)
     for (auto& event : events_) measure(event);
   return shorter;
@@ -347,16 +365,18 @@ double Run::land(double size, StepReport& report) {
 
 // Where the run is to stop beyond the tested range, the step ends right behind it.
 double Run::land_at_limit(double size, StepReport& report) {
-  constexpr double tolerance = 1e-4, aim = told_share * (1 + 2 * tolerance);
-  if (!stops_beyond_ || beyond_.share > told_share || !(assembly_->largest_share() > aim)) return size;
-  Event limit{[](Run& run) { return run.assembly_->largest_share() - aim; }, tolerance, {}};
-  limit.last = beyond_.share - aim;
-  limit.largest = aim;
+  constexpr double tolerance = 1e-4, limit_ratio = kBeyondTested * (1 + 2 * tolerance);
+  if (!stops_beyond_ || beyond_.strain_ratio > kBeyondTested ||
+      !(assembly_->largest_strain_ratio() > limit_ratio))
+    return size;
+  Event limit{[](Run& run) { return run.assembly_->largest_strain_ratio() - limit_ratio; }, tolerance, {}};
+  limit.last = beyond_.strain_ratio - limit_ratio;
+  limit.largest = limit_ratio;
   limit.side = -1;
   measure(limit);
   if (limit.near()) return size;
   if (committed_time() > 0) return search(limit, size, report);
-  // Loads or motions that are there at time 0 strain the cloth no less in a shorter step.
+  // Loads or motions at full value at time 0 strain the cloth no less in a shorter step.
   const auto try_size = [&](double s) {
     if (!attempt(s, report)) give_up(report);
     measure(limit);
@@ -366,6 +386,22 @@ double Run::land_at_limit(double size, StepReport& report) {
   const bool jump = limit.crossed();
   try_size(to);
   return jump ? size : search(limit, size, report);
+}
+
+// A yarn breaks at its strength, not at what the end of a step happens to reach. Where the force jumps, as
+// over a tear that runs, there is no such step.
+double Run::land_at_break(double size, StepReport& report) {
+  constexpr double tolerance = 1e-4, limit_ratio = 1 + tolerance;
+  const mechanics::Tears* const tears = std::as_const(*assembly_).tears();
+  if (tears == nullptr || tear_step() > 0 || !(tears->worst().share > limit_ratio + tolerance)) return size;
+  Event breaks{[tears](Run&) { return tears->worst().share - limit_ratio; }, tolerance, {}};
+  breaks.last = std::min(0.0, tears->committed_share() - limit_ratio);
+  breaks.largest = limit_ratio;
+  breaks.side = -1;
+  measure(breaks);
+  const double landed = search(breaks, size, report);
+  refuse_runaway();
+  return landed;
 }
 
 // The Illinois variant of regula falsi for the size of the step; each trial is a full solution from the

@@ -97,14 +97,14 @@ class Run {
   // numbers (NaN). Without one all plies together, their components in the axes that they have in common,
   // or else in those of the section.
   const std::vector<ElementValues>& elements(const std::string& ply = {}) const;
-  Energy energy() const;
+  EnergyAccount energy() const;
   // How far the run has exceeded the tested range of its card; empty: it has not, or the card does not state
   // it.
   std::optional<Beyond> beyond() const {
-    return beyond_.share > 1 ? std::optional<Beyond>(beyond_) : std::nullopt;
+    return beyond_.strain_ratio > 1 ? std::optional<Beyond>(beyond_) : std::nullopt;
   }
 
-  // The share of the elements that have exceeded it, 0 to 1.
+  // The fraction of the elements that have exceeded it, 0 to 1.
   double elements_beyond() const;
   // Stops the run at the first step that exceeds the tested range.
   void stop_beyond() { stops_beyond_ = true; }
@@ -127,7 +127,7 @@ class Run {
   Notices& notices() { return *notices_; }
   virtual const char* kind() const = 0;    // "static", "dynamic"
   virtual std::string method() const = 0;  // all options on which the state depends, as text
-  // Kernels of the linear algebra, on which the bits of a solution depend; empty: nothing is solved.
+  // Kernels of the linear algebra, on which the rounding of a solution depends; empty: nothing is solved.
   virtual std::string kernels() const { return {}; }
   // Settings that may change during a run. Errors: out of range, or not valid for this kind of run.
   struct Settings {
@@ -140,10 +140,10 @@ class Run {
   virtual void keep_settings(Archive& archive) = 0;
   virtual bool moves() const { return false; }    // whether there are velocities
   virtual double tolerance() const { return 0; }  // of a step's residual; 0: not used
-  // The largest share so far of the kinetic energy that is in scaled rotary inertia.
+  // The largest fraction so far of the kinetic energy that is in scaled rotary inertia.
   virtual double scaled_share() const { return 0; }
 
-  // A copy of the whole state. restore() returns to it and continues with the same bits. Errors: a snapshot
+  // A copy of the whole state. restore() returns to it and continues bit for bit. Errors: a snapshot
   // of another run; restore called by a hook.
   struct Snapshot;
   std::shared_ptr<const Snapshot> snapshot();
@@ -160,9 +160,9 @@ class Run {
       const char* kind);
 
   // What each contact was taken for; once the kind of run is known.
-  void tell_contacts();
+  void report_contacts();
 
-  // Whether tangents need not be symmetric: no matrix is solved with, or by a solver for unsymmetric ones.
+  // True if no solver requires symmetric tangents: none is used, or one for unsymmetric matrices.
   virtual bool takes_unsymmetric() const = 0;
 
   // --- joints. The rates of the unknowns in the committed state; empty: there are none.
@@ -171,7 +171,7 @@ class Run {
   virtual void resize() {}
   // Afterwards: continues from the committed state with these rates of the unknowns.
   virtual void take(const mechanics::Transfer& change, const std::vector<double>& rates) = 0;
-  // s, with which strings between the lips of a tear must be stable; 0: this kind of run cannot tear.
+  // s, with which strings between the lips of a tear must be stable; 0: steps are not explicit.
   virtual double tear_step() const { return 0; }
 
   // --- to be defined by a kind of run. A step's size is the time at its end; along an arc, its length.
@@ -202,7 +202,7 @@ class Run {
   double energy_of_rest() const;
   // J, of an energy that is made or lost. Where the sum is off by more than a thousandth of `scale`, what
   // only swings between the ends of the steps is left out.
-  virtual double imbalance(const Energy& sum, double scale) const;
+  virtual double imbalance(const EnergyAccount& sum, double scale) const;
   virtual double relaxed() const { return 0; }      // J, taken away by relaxation
   virtual double driven_work() const { return 0; }  // J, external work not contained in work_
   virtual void check() {}                           // after a step and its hooks; may throw
@@ -214,10 +214,12 @@ class Run {
   virtual void memory(Archive& archive) = 0;
 
   // The state between two hooks, for returning to it within the same run and discarding later steps.
-  std::string mark();
-  void go_back(const std::string& mark);
+  std::string save_state();
+  void go_back(const std::string& save_state);
 
   double next_landing(double limit) const;  // the next kink, hook or limit
+  // The same, or earlier: where contact follows the bodies no farther in a step of this length, s.
+  double next_landing(double limit, double step);
   double committed_time() const { return std::as_const(*assembly_).state().time(); }
   bool is_kink(double time) const;
   void rollback();  // the trial state
@@ -285,10 +287,19 @@ class Run {
   double land(double size, StepReport& report);  // shortens the step to the first event in it
   double search(Event& event, double size, StepReport& report);
   double land_at_limit(double size, StepReport& report);  // of the tested range, with stop_beyond
+  double land_at_break(double size, StepReport& report);  // of the next yarn, in steps that iterate
   void mark_due();
-  std::vector<mechanics::Joints::Edge> edges_along(const Along& along, const char* call) const;
+  std::vector<mechanics::Joints::Edge> edges_along(const Along& along, const char* call, bool sewn) const;
   void rejoin(std::vector<mechanics::Joints::Edge> edges, double within);
-  void tear();  // opens the joints whose yarns have reached their strength in the committed state
+  void resew(mechanics::Sewn next, double within);
+  // Changes the joints by a function that returns what becomes of the unknowns, or nothing.
+  void change(const std::function<std::optional<mechanics::Transfer>()>& made);
+  std::vector<std::size_t> stitches_along(const Along& along) const;
+  void burst();  // opens the stitches that have reached their strength in the committed state
+  void sew();    // closes the seams whose edges have been drawn together
+  [[noreturn]] void refuse_burst();
+  void tear();            // opens the joints whose yarns have reached their strength in the committed state
+  void refuse_runaway();  // throws where a yarn's force is beyond its strength in the trial state
   void keep_assembly(Archive& archive);
   void keep(Archive& archive);
   void keep_motion(Archive& archive);
@@ -311,7 +322,8 @@ class Run {
   std::shared_ptr<std::vector<Warning>> warnings_ = std::make_shared<std::vector<Warning>>();
   std::uint64_t thrown_ = 0;  // number of warnings up to the last one that was thrown
   bool stops_beyond_ = false, strict_ = false;
-  bool told_beyond_ = false, told_idle_ = false;  // said by this object, whatever state it has returned to
+  bool warned_beyond_ = false,
+       warned_idle_ = false;  // said by this object, whatever state it has returned to
   struct Averages {
     std::uint64_t version = 0;
     std::vector<ElementValues> values;

@@ -35,7 +35,7 @@ format::Json beyond_json(const Run& run) {
   const auto far = run.beyond();
   if (!far) return {};
   format::Json json = format::Json::object();
-  json.set("share", far->share).set("yarn", far->yarn).set("element", far->element + 1);
+  json.set("share", far->strain_ratio).set("yarn", far->yarn).set("element", far->element + 1);
   json.set("time", far->time).set("first", far->first).set("elements", run.elements_beyond());
   return json.set("strain", far->strain).set("tested", far->tested);
 }
@@ -94,7 +94,7 @@ void write(const Job& job, const std::string& status) {
 }
 
 class RunJson final : public Listener {
-  Turn turn() const override { return Turn::report; }
+  ListenerOrder turn() const override { return ListenerOrder::report; }
   void begin(Job& job) override {
     if (job.seconds() == 0) write(job, "running");
   }

@@ -27,7 +27,7 @@ void Run::keep(Archive& archive) {
   keep_assembly(archive);
   if (archive.reading()) {
     trial_time_ = committed_time();
-    assembly_->aim(trial_time_);
+    assembly_->set_time(trial_time_);
   }
   archive.section("ledger", [&] { archive(dead_, initial_energy_, work_, reports_); });
   archive.section("progress",
@@ -43,18 +43,18 @@ void Run::keep_motion(Archive& archive) {
   memory(archive);
   if (!archive.reading()) return;
   trial_time_ = committed_time();
-  assembly_->aim(trial_time_);
+  assembly_->set_time(trial_time_);
   reports_.resize(steps);
 }
 
-std::string Run::mark() {
+std::string Run::save_state() {
   Archive archive;
   keep_motion(archive);
   return archive.bytes();
 }
 
-void Run::go_back(const std::string& mark) {
-  Archive archive(mark);
+void Run::go_back(const std::string& save_state) {
+  Archive archive(save_state);
   keep_motion(archive);
 }
 

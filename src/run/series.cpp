@@ -6,10 +6,10 @@ namespace fabricsh::run {
 
 void Series::frame(const run::Run& run) {
   if (!steps_.empty() && run.steps().size() == steps_.back()) return;
-  in_trouble_ = true;
+  failed_ = true;
   remove_forgotten();
   write(run);
-  in_trouble_ = false;
+  failed_ = false;
   steps_.push_back(run.steps().size());
 }
 
@@ -47,7 +47,7 @@ void Output::end(Job& job, const Ending& ending) {
 
 void Output::forget(Job& job) { series->forget(job.run().steps().size()); }
 
-void Output::save(std::vector<Checkpoint::Part>& parts) {
+void Output::save(std::vector<Checkpoint::CheckpointPart>& parts) {
   Archive place;
   series->keep(place);
   parts.push_back({kind, path, place.bytes()});

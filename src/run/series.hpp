@@ -26,7 +26,7 @@ class Series {
   void extra_frame(const run::Run& run);
   void go_on();
   virtual std::vector<std::string> lost() const { return {}; }  // files missing when the series was continued
-  bool in_trouble() const { return in_trouble_; }               // writing the last frame failed
+  bool failed() const { return failed_; }                       // writing the last frame failed
   void forget(std::size_t step);  // no longer counts the frames after a step; their files stay
   void remove_forgotten() { cut(steps_.size()); }
   virtual void sync() = 0;  // forces the files to the disk
@@ -46,10 +46,10 @@ class Series {
  private:
   std::vector<std::size_t> steps_;  // the steps of the frames
   bool extra_ = false;              // whether the last frame is an extra one
-  bool in_trouble_ = false;
+  bool failed_ = false;
 };
 
-struct Column {
+struct RecordColumn {
   std::string name;
   std::function<double(const Run&)> value;
   std::string unit = {};  // in the heading, after the name; empty: none
@@ -57,7 +57,7 @@ struct Column {
 
 // A table in CSV, a row per frame: the time and the values of the columns. Errors: a folder that cannot be
 // written; two columns of one name; a table to be continued that has been changed.
-std::shared_ptr<Series> make_table(const std::string& path, std::vector<Column> columns, Archive* from);
+std::shared_ptr<Series> make_table(const std::string& path, std::vector<RecordColumn> columns, Archive* from);
 // A series for ParaView: a .vtu per frame, and the .pvd that lists them. Errors: as above.
 std::shared_ptr<Series> make_vtk(const std::string& stem, VtkContents contents, Archive* from);
 
@@ -71,13 +71,13 @@ struct Output final : Listener {
   std::shared_ptr<Series> series = nullptr;
   std::size_t hook = 0;
 
-  Turn turn() const override { return Turn::output; }
+  ListenerOrder turn() const override { return ListenerOrder::output; }
   void begin(Job&) override { series->go_on(); }
   void end(Job& job, const Ending& ending) override;
   void forget(Job& job) override;
   void restored(Job&) override { series->remove_forgotten(); }
   void sync() override { series->sync(); }
-  void save(std::vector<Checkpoint::Part>& parts) override;
+  void save(std::vector<Checkpoint::CheckpointPart>& parts) override;
 };
 
 }  // namespace fabricsh::run

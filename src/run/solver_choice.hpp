@@ -10,8 +10,8 @@
 namespace fabricsh::run {
 
 struct SolverChoice {
-  std::string name;  // for the checkpoint, which another solver refuses: its bits would be others
-  // symmetric: the matrices are, and hold their entries on both sides of the diagonal all the same.
+  std::string name;  // for checkpoints: a restart with another solver is refused, since results would differ
+  // symmetric: whether the matrices are; both triangles are stored even if they are.
   std::function<std::unique_ptr<linear::LinearSolver>(bool symmetric)> make;
 };
 

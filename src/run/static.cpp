@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <sstream>
 
 #include "base/error.hpp"
 #include "base/number.hpp"
+#include "geometry/box.hpp"
 #include "mechanics/terms/contact.hpp"
 #include "run/settings.hpp"
 
@@ -37,7 +39,7 @@ void check_options(const StaticOptions& o) {
 }
 
 bool takes_symmetric(const StaticOptions& o, const mechanics::Assembly& assembly) {
-  return o.linear == Linear::symmetric || (o.linear == Linear::automatic && assembly.symmetric());
+  return o.linear == Symmetry::symmetric || (o.linear == Symmetry::automatic && assembly.symmetric());
 }
 
 StepControl control_of(const StaticOptions& o, const mechanics::Assembly& assembly) {
@@ -48,9 +50,9 @@ StepControl control_of(const StaticOptions& o, const mechanics::Assembly& assemb
 }
 
 constexpr double kLedger =
-    0.05;  // share of the external work taken by relaxation above which a warning says so
+    0.05;  // fraction of the external work taken by relaxation above which a warning says so
 
-constexpr double kDissipated = 0.01;  // such a share of what the cloth has dissipated
+constexpr double kDissipated = 0.01;  // such a fraction of what the cloth has dissipated
 
 // Relaxation is tried, if it is permitted, where a cut would make the step smaller than this part of the
 // largest. Cuts of earlier steps count: in front of a load that jumps every step needs some, and none many.
@@ -59,7 +61,7 @@ constexpr double kPatience = 0.125;
 // Where the deck leaves the default: a step with more is better cut.
 constexpr int kNewtonIterations = 50;
 
-// Cuts after which Newton's method tries a step; where it gets to must be stable, too.
+// Cuts after which Newton's method tries a step; the equilibrium that it reaches must be stable, too.
 constexpr int kOtherWay = 3;
 
 // Cuts of a step after which it leaves an unstable equilibrium in whatever direction.
@@ -88,13 +90,13 @@ Static::Static(std::shared_ptr<model::Model> model, const StaticOptions& options
       now_{control_of(options, *assembly_)} {
   check_options(options_);
   check_bodies();
-  problem_ = std::make_unique<Problem>(*assembly_, 1e-7 * options_.duration, poll_);
+  problem_ = std::make_unique<EquilibriumProblem>(*assembly_, 1e-7 * options_.duration, poll_);
   if (options_.stabilise > 0)
     stabilisation_ =
         &assembly_->add(std::make_unique<mechanics::Stabilisation>(*assembly_, options_.stabilise));
   auto linear = make_solver(options_.solver, !takes_unsymmetric());
   if (!takes_unsymmetric() && !options_.solver) assembly_->keep_upper();  // one of the user's may read both
-  if (options_.control == Control::arc && assembly_->hangs_on_time())
+  if (options_.control == Control::arc && assembly_->is_rate_dependent())
     throw Error(
         "static: field 'control': \"arc\" follows the path of the loads, not the time: expected \"load\" "
         "with a card whose stress changes in time");
@@ -108,7 +110,7 @@ Static::Static(std::shared_ptr<model::Model> model, const StaticOptions& options
     if (bends_by_itself(*model_))
       descent_ = std::make_unique<solver::Descent>(make_solver(options_.solver, !takes_unsymmetric()));
   }
-  tell_contacts();
+  report_contacts();
 }
 
 Static::~Static() = default;
@@ -150,7 +152,7 @@ void Static::keep_settings(Archive& archive) {
 }
 
 void Static::begin() {
-  problem_->aim(0);
+  problem_->set_time(0);
   problem_->start();
   dead_ = problem_->external();
   work_.start(*assembly_, dead_);
@@ -173,7 +175,7 @@ double Static::no_size() const { return arc_ ? 0 : committed_time(); }
 double Static::tried_size(double size) const { return arc_ ? now_.tried_length : size; }
 
 double Static::plan(double limit) {
-  now_.landing = next_landing(limit);
+  now_.landing = next_landing(limit, now_.step.current());
   if (arc_) return now_.arc_length;
   return now_.step.end(committed_time(), now_.landing);
 }
@@ -191,7 +193,7 @@ class Static::Trace {
 
  private:
   Static& run_;
-  const Now now_;
+  const StaticState now_;
   double factor_;
   bool kept_ = false;
 };
@@ -213,7 +215,7 @@ double Static::try_step(double limit, StepReport& report) {
     tried = tried || short_of_patience;
     if ((short_of_patience || !possible) && rescue(whole, report)) {
       size = whole;
-      if (descent_) now_.step = control;  // the whole step was no trouble for it: the cuts say nothing
+      if (descent_) now_.step = control;  // it made the whole step, so that the cuts do not limit the next
       break;
     }
     if (!possible) give_up(report);
@@ -261,7 +263,7 @@ bool Static::attempt(double size, StepReport& report) {
     now_.tried_length = arc.length;
     return finish(arc, arc.time, report);
   }
-  problem_->aim(size);
+  problem_->set_time(size);
   const auto solve = [&] {
     if (!has_energy_) return newton_->solve(*problem_, options);
     auto result = stable_->solve(*problem_, options);
@@ -272,7 +274,7 @@ bool Static::attempt(double size, StepReport& report) {
   return finish(options_.method == Method::relaxation ? relax(options) : solve(), size, report);
 }
 
-// A shorter step has no less of the loads that are there at time 0, so cutting does not help. An overdamped
+// Loads at full value at time 0 are the same in a shorter step, so cutting does not help. An overdamped
 // motion goes to where they leave the cloth, with any card; and it sees at once that cloth at rest stays so
 // under loads that do not change, where Newton's method may swing between branches.
 bool Static::settle_jump(double size, StepReport& report) {
@@ -284,15 +286,15 @@ bool Static::settle_jump(double size, StepReport& report) {
     return false;
   settling_ = true;
   const solver::NewtonResult last = last_;
-  const Blame blame = blame_;
+  const ResidualSite site = site_;
   const std::size_t tried = tries_.size();
   solver::Descent descent(make_solver(options_.solver, !takes_unsymmetric()));
-  problem_->aim(size);
+  problem_->set_time(size);
   const bool solved = finish(descent.solve(*problem_, {options_.tolerance, many_descents}), size, report);
   if (!solved) {  // as if it had not been tried
     rollback();
     last_ = last;
-    blame_ = blame;
+    site_ = site;
     tries_.resize(tried);
     report.residuals = last_.residuals;
     report.negative_pivots = last_.negative_pivots;
@@ -312,7 +314,7 @@ bool Static::settle_jump(double size, StepReport& report) {
 
 bool Static::rescue(double size, StepReport& report) {
   if (options_.method != Method::either) return false;
-  problem_->aim(size);
+  problem_->set_time(size);
   return finish(relax({options_.tolerance, options_.max_iterations, options_.line_search, problem_->size()}),
                 size, report);
 }
@@ -332,11 +334,11 @@ solver::NewtonResult Static::relax(solver::NewtonOptions options) {
   options.max_iterations = many_iterations;
   result = relaxation_->solve(*problem_, coarse);
   while (result.status == solver::NewtonStatus::converged && coarse.tolerance > options_.tolerance) {
-    problem_->mark();
+    problem_->save_iterate();
     auto polished = newton_->correct(*problem_, options);
     polished.iterations += result.iterations;
     if (polished.status == solver::NewtonStatus::converged) return polished;
-    problem_->return_to_mark();
+    problem_->restore_iterate();
     coarse.tolerance = std::max(options_.tolerance, 1e-2 * coarse.tolerance);
     result = relaxation_->go_on(*problem_, coarse);
     result.iterations += polished.iterations;
@@ -374,8 +376,8 @@ bool Static::finish(const solver::NewtonResult& result, double end, StepReport& 
     last_.status = solver::NewtonStatus::inverted;
   const bool converged = last_.status == solver::NewtonStatus::converged;
   if (!converged) {
-    blame_ = find_blame(*assembly_, model_->mesh(), last_);
-    tries_.push_back({report.step, last_.status, last_.residuals, blame_.reason});
+    site_ = find_residual_site(*assembly_, model_->mesh(), last_);
+    tries_.push_back({report.step, last_.status, last_.residuals, site_.reason});
   }
   trial_time_ = converged ? end : committed_time();
   return converged;
@@ -396,7 +398,7 @@ void Static::commit(StepReport& report) {
   problem_->commit(report.time);
   if (stabilisation_ != nullptr) stabilisation_->adapt(damped, work_.total() - before);
   grow(report);
-  tell(report);
+  report_notices(report);
 }
 
 // Adapts the step to the iterations of the last one: after many iterations it becomes smaller, after few it
@@ -421,22 +423,22 @@ void Static::grow_arc(const StepReport& report) {
   const double factor =
       std::clamp(std::sqrt(wanted_iterations / std::max(1.0, 1.0 * last_.iterations)), 0.5, 1.5);
   now_.longest_length = std::max(now_.longest_length, now_.tried_length);
-  // A step shortened to a landing says nothing about the right length.
+  // A step shortened to end at a given time does not determine the next length.
   const bool landed = std::abs(report.time - now_.landing) <= same_time * options_.duration;
   now_.arc_length = factor * (landed && report.cuts == 0 ? std::max(now_.tried_length, now_.arc_length)
                                                          : now_.tried_length);
 }
 
-void Static::tell(const StepReport& report) {
-  if (report.negative_pivots > 0 && !now_.told_pivots) {
-    now_.told_pivots = true;
+void Static::report_notices(const StepReport& report) {
+  if (report.negative_pivots > 0 && !now_.reported_pivots) {
+    now_.reported_pivots = true;
     warn("pivots", "static: the tangent has " + std::to_string(report.negative_pivots) +
                        " negative pivots at time " + number(report.time) +
                        " s: a limit or bifurcation point has been passed");
   }
   const double lost = stabilisation_ == nullptr ? 0 : stabilisation_->lost();
-  if (lost > 0.01 * work_.largest() && !now_.told_damping) {
-    now_.told_damping = true;
+  if (lost > 0.01 * work_.largest() && !now_.reported_damping) {
+    now_.reported_damping = true;
     warn("stabilise", "static: stabilisation has taken " + number(100 * lost / work_.largest()) +
                           " % of the external work by time " + number(report.time) +
                           " s: use smaller steps or a smaller 'stabilise'");
@@ -444,9 +446,23 @@ void Static::tell(const StepReport& report) {
 }
 
 double Static::internal() const {
-  const Energy e = energy();
+  const EnergyAccount e = energy();
   return e.internal() + e.damping;
 }
+
+namespace {
+
+// J: what rounding can store in cloth without load. A wave crosses less than the whole cloth in a stable
+// step, so that the mass times the square of that speed is above its stiffness; strains are rounded to 1e-12
+// at most.
+double energy_of_rounding(const mechanics::Assembly& assembly) {
+  const auto& masses = assembly.nodal_mass();
+  const double mass = std::accumulate(masses.begin(), masses.end(), 0.0);
+  const double speed = box_of(assembly.reference()).size().norm() / assembly.cloth().stable_step(true);
+  return mass * std::pow(1e-12 * speed, 2) / 2;
+}
+
+}  // namespace
 
 // The balance of a path of equilibria: loads and supports do as much work as cloth stores and dissipates, or
 // more where it falls or snaps, or where the step does not follow a stiffening; relaxation takes that away.
@@ -459,7 +475,8 @@ void Static::check_balance() {
                                  [](const auto& n) { return n.turn_axis.has_value(); });
   if (turns || (!model_->moments().empty() && !free.bodies.empty())) return;
   const double made = now_.made, scale = std::max({work_.largest(), now_.internal, energy_of_rest()});
-  if (!(scale > 0) || made <= options_.ledger_limit * scale) return;
+  if (!(scale > 0) || made <= options_.ledger_limit * scale || scale <= energy_of_rounding(*assembly_))
+    return;
   const std::string text =
       "stopped at time " + number(time()) + " s: cloth stores " + number(100 * made / scale) +
       " % more energy than loads and supports can have given it, as after a jump to another shape"
@@ -469,19 +486,20 @@ void Static::check_balance() {
 }
 
 // Says at the end how much of the work relaxation has taken away, if the cloth has dissipated something: else
-// the shape is a function of the loads, whatever the way. A load that is there from the beginning does more
-// work than the cloth stores, which says nothing about the steps.
+// the shape is a function of the loads, whatever the way. A load that is present from the beginning does more
+// work than the cloth stores, which is no measure of the steps.
 void Static::check() {
   watch_shape();
   check_balance();
   if (now_.jumps && reports_.size() == 1) now_.jumped = now_.relaxed;
   const bool end = stopped() || std::abs(time() - duration_) <= same_time * duration_;
   const double lost = now_.relaxed - now_.jumped, scale = std::max(work_.largest(), energy_of_rest());
-  if (!end || now_.told_error || !(scale > 0) || lost <= kLedger * scale) return;
+  if (!end || now_.reported_error || !(scale > 0) || lost <= kLedger * scale) return;
   if (energy().dissipated <= kDissipated * scale) return;
-  now_.told_error = true;
+  now_.reported_error = true;
   warn("relaxed",
-       "static: relaxation has taken " + number(100 * lost / scale) + " % of the external work by time " +
+       "static: relaxation has taken " + number(100 * lost / scale) + " % of the " +
+           (scale > work_.largest() ? "cloth's weight times its thickness" : "external work") + " by time " +
            number(time()) + " s, in " + std::to_string(reports_.size()) +
            " steps: the cloth fell or snapped on the way, or its stiffness changes much within a "
            "step; where yarns dissipate, repeat with smaller steps to see whether the result depends "
@@ -490,7 +508,7 @@ void Static::check() {
 
 void Static::give_up(const StepReport& report) {
   const double now = committed_time();
-  Failure failure = failure_of(*model_, *assembly_, now, tries_, blame_, last_);
+  Failure failure = failure_of(*model_, *assembly_, now, tries_, site_, last_);
   failure.mechanism = find_mechanism(*model_, *assembly_, {now + report.step, options_.duration});
   failure.arc = arc_ != nullptr;
   failure.jumps = now_.jumps && reports_.empty();
@@ -500,7 +518,7 @@ void Static::give_up(const StepReport& report) {
   failure.stabilised = stabilisation_ != nullptr;
   const std::string text =
       "static: " + message(failure, last_, report.step, now_.step.largest(), report.cuts, options_.tolerance);
-  fail(NumericalFailure(text, now, blame_.element, blame_.yarn), run::report(failure));
+  fail(NumericalFailure(text, now, site_.element, site_.yarn), run::report(failure));
 }
 
 void Static::take(const mechanics::Transfer& change, const std::vector<double>&) {

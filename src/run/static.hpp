@@ -16,13 +16,13 @@
 
 namespace fabricsh::run {
 
-enum class Linear { automatic, symmetric, unsymmetric };  // automatic: symmetric if law and loads are
+enum class Symmetry { automatic, symmetric, unsymmetric };  // automatic: symmetric if law and loads are
 // load: a step has a given end time. arc: a step has a given length along the path, and time, on which loads
 // and supports depend, is computed; it decreases after a limit point. The run ends when time first reaches
 // the duration.
 enum class Control { load, arc };
 // relaxation: every step by dynamic relaxation, completed by Newton's method; where cloth has bending of its
-// own, whose softness dynamic relaxation does not get through, by an overdamped motion in implicit steps.
+// own, whose low rigidity makes dynamic relaxation converge too slowly, by overdamped implicit steps.
 // either: Newton's method, and relaxation for a step that fails after a few cuts.
 enum class Method { newton, relaxation, either };
 
@@ -36,7 +36,7 @@ struct StaticOptions {
   int max_cuts = 12;  // halvings of one step before the run fails
   bool line_search = true;
   double min_step = 0;  // s: smallest size of a step
-  Linear linear = Linear::automatic;
+  Symmetry linear = Symmetry::automatic;
   Control control = Control::load;
   Method method = Method::newton;
   // Viscous forces c m dx/dt on the nodes; c is chosen so that a step dissipates this fraction of its work.
@@ -69,7 +69,7 @@ class Static final : public Run {
   double largest_step() const override { return options_.step.value_or(options_.duration / 20); }
   double no_size() const override;
   double relaxed() const override { return now_.relaxed; }
-  double imbalance(const Energy&, double) const override { return now_.made; }
+  double imbalance(const EnergyAccount&, double) const override { return now_.made; }
   double tried_size(double size) const override;
   void commit(StepReport& report) override;
   [[noreturn]] void give_up(const StepReport& report) override;
@@ -90,16 +90,16 @@ class Static final : public Run {
   solver::NewtonResult relax(solver::NewtonOptions options);
   solver::NewtonResult complete(const solver::NewtonResult& relaxed, const solver::NewtonOptions& options);
   bool finish(const solver::NewtonResult& result, double end, StepReport& report);
-  void tell(const StepReport& report);  // gives notices
-  void check_balance();                 // stops the run if energy was made from nothing
-  double internal() const;              // J, of the trial state; see Now
-  bool turns_inside_out() const;        // whether an element or a director does that had not before
+  void report_notices(const StepReport& report);  // gives notices
+  void check_balance();                           // stops the run if energy was made from nothing
+  double internal() const;                        // J, of the trial state; see Now
+  bool turns_inside_out() const;                  // whether an element or a director does that had not before
   void note_shape();
 
   StaticOptions options_;
   const StaticOptions given_;
   const bool has_energy_;  // whether the law's forces have one, which a search for equilibrium can lower
-  std::unique_ptr<Problem> problem_;
+  std::unique_ptr<EquilibriumProblem> problem_;
   mechanics::Stabilisation* stabilisation_ = nullptr;  // a term of the assembly; null: none
   std::unique_ptr<solver::TrustRegion> stable_;        // each is created if it is used
   // For laws without an energy; for others it completes dynamic relaxation, and tries steps that have been
@@ -109,23 +109,23 @@ class Static final : public Run {
   std::unique_ptr<solver::Relaxation> relaxation_;
   std::unique_ptr<solver::Descent> descent_;  // in its place, where cloth has bending of its own
   solver::NewtonResult last_;
-  Blame blame_;
+  ResidualSite site_;
   std::vector<Try> tries_;  // failed attempts at the present step
   bool settling_ = false;   // whether settle_jump() has tried to relax the present step
-  struct Now {              // the variables of the run
+  struct StaticState {      // the variables of the run
     StepControl step;
     double arc_length = 0, tried_length = 0, longest_length = 0, landing = 0;  // along an arc
-    bool told_pivots = false, told_damping = false, told_error = false;
+    bool reported_pivots = false, reported_damping = false, reported_error = false;
     bool jumps = false;                     // whether loads or motions begin with a jump at time 0
     bool settled = false;                   // whether that first step was relaxed
     bool inverted = false, turned = false;  // whether an element or a director of the committed state is
-    double relaxed = 0;                     // J, see Energy
+    double relaxed = 0;                     // J, see EnergyAccount
     double made = 0;                        // J, stored beyond what loads and supports can have given
     double jumped = 0;    // J, the part of it in the first step of loads that begin with a jump
     double internal = 0;  // J, stored, dissipated and lost to damping in the committed state
     void keep(Archive& archive) {
-      archive(step, arc_length, tried_length, longest_length, landing, told_pivots, told_damping, told_error,
-              jumps, settled, inverted, turned, relaxed, made, jumped, internal);
+      archive(step, arc_length, tried_length, longest_length, landing, reported_pivots, reported_damping,
+              reported_error, jumps, settled, inverted, turned, relaxed, made, jumped, internal);
     }
   } now_;
 };

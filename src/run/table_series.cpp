@@ -6,9 +6,9 @@ namespace fabricsh::run {
 
 namespace {
 
-std::vector<std::string> headings(const std::vector<Column>& columns) {
+std::vector<std::string> headings(const std::vector<RecordColumn>& columns) {
   std::vector<std::string> words = {"time (s)"};
-  for (const Column& column : columns)
+  for (const RecordColumn& column : columns)
     words.push_back(column.unit.empty() ? column.name : column.name + " (" + column.unit + ")");
   return words;
 }
@@ -23,7 +23,7 @@ format::CsvPlace place_in(Archive& from, std::size_t frames) {
 
 class TableSeries final : public Series {
  public:
-  TableSeries(const std::string& path, std::vector<Column> columns, Archive* from)
+  TableSeries(const std::string& path, std::vector<RecordColumn> columns, Archive* from)
       : Series(from),
         columns_(std::move(columns)),
         writer_(from == nullptr ? format::CsvWriter(path, headings(columns_))
@@ -33,7 +33,7 @@ class TableSeries final : public Series {
  private:
   void write(const Run& run) override {
     std::vector<double> values = {run.time()};
-    for (const Column& column : columns_) values.push_back(column.value(run));
+    for (const RecordColumn& column : columns_) values.push_back(column.value(run));
     writer_.row(values);
   }
   void cut(std::size_t rows) override { writer_.keep(rows); }
@@ -42,13 +42,14 @@ class TableSeries final : public Series {
     archive(place);
   }
 
-  std::vector<Column> columns_;
+  std::vector<RecordColumn> columns_;
   format::CsvWriter writer_;
 };
 
 }  // namespace
 
-std::shared_ptr<Series> make_table(const std::string& path, std::vector<Column> columns, Archive* from) {
+std::shared_ptr<Series> make_table(const std::string& path, std::vector<RecordColumn> columns,
+                                   Archive* from) {
   return std::make_shared<TableSeries>(path, std::move(columns), from);
 }
 

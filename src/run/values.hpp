@@ -22,7 +22,7 @@ struct NodeValues {
   Vec3 x, X, u, v, n;  // current, reference, displacement (m), velocity (m/s; zero in statics), director
 };
 
-struct Energy {  // J
+struct EnergyAccount {  // J
   double kinetic = 0, stored = 0, dissipated = 0, external = 0;
   double damping = 0;  // to viscous forces, and to the integrator if it damps (gamma > 1/2, hht < 0)
   double relaxed = 0;  // taken away by relaxation in static runs: what loads did more than cloth stores
@@ -47,13 +47,13 @@ struct Energy {  // J
 
 // Where a run exceeded the tested range of its card most.
 struct Beyond {
-  double share = 0;               // strain over tested strain: 1.2 is 20 % beyond; 0: never above 1
+  double strain_ratio = 0;        // strain over tested strain: 1.2 is 20 % beyond; 0: never above 1
   std::string yarn;               // "warp", "weft", "shear"
   std::int64_t element = -1;      // numbered from 0
-  double time = 0;                // s, of the share above
-  double first = 0;               // s, when the share first exceeded 1 anywhere
+  double time = 0;                // s, of the ratio above
+  double first = 0;               // s, when the ratio first exceeded 1 anywhere
   double strain = 0, tested = 0;  // E11, E22 or |E12| (tensor) there, and the tested strain of the card
-  void keep(Archive& archive) { archive(share, yarn, element, time, first, strain, tested); }
+  void keep(Archive& archive) { archive(strain_ratio, yarn, element, time, first, strain, tested); }
 };
 
 // Report of a committed step.

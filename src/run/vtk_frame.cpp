@@ -46,7 +46,7 @@ format::Array chosen(const Run& run, const std::vector<std::string>& fields, con
   for (const std::string& name : fields) {
     const FieldPart part = find_field(run, name);
     if (part.field != &field || part.ply != ply) continue;
-    whole = whole || part.component < 0 || field.size() == 1 || field.shape == Shape::vector;
+    whole = whole || part.component < 0 || field.size() == 1 || field.shape == FieldShape::vector;
     if (std::find(numbers.begin(), numbers.end(), part.component) == numbers.end())
       numbers.push_back(part.component);
   }
@@ -80,7 +80,7 @@ format::Array array_of(const Run& run, const FieldPart& part) {
                       field.labels,
                       false,
                       field.unit};
-  return field.shape == Shape::tensor ? six(std::move(array)) : array;
+  return field.shape == FieldShape::tensor ? six(std::move(array)) : array;
 }
 
 void check_fields(const Run& run, const VtkContents& contents, const std::string& call) {
@@ -107,8 +107,8 @@ void VtkFrame::add_field(const Run& run, const VtkContents& contents, const Resu
   if (ply.empty() && !has(run, field)) return;
   format::Array array = chosen(run, contents.fields, field, ply);
   if (array.components == 0) return;
-  if (field.place == Place::node) return grid_.point_data.push_back(std::move(array));
-  if (contents.averaged && field.continuous) add_average(run, array, field.shape == Shape::vector);
+  if (field.place == FieldPlace::node) return grid_.point_data.push_back(std::move(array));
+  if (contents.averaged && field.continuous) add_average(run, array, field.shape == FieldShape::vector);
   grid_.cell_data.push_back(std::move(array));
 }
 

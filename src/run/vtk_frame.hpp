@@ -23,7 +23,7 @@ class VtkFrame {
   VtkFrame(const Run& run, const VtkContents& contents);
   VtkFrame(const VtkFrame&) = delete;
   VtkFrame& operator=(const VtkFrame&) = delete;
-  const format::Grid& grid() const { return grid_; }
+  const format::VtuGrid& grid() const { return grid_; }
 
  private:
   void add_field(const Run& run, const VtkContents& contents, const ResultField& field,
@@ -31,7 +31,7 @@ class VtkFrame {
   void add_average(const Run& run, format::Array array, bool directions);
   void add_sets(const Run& run);
   std::vector<Vec3> points_;
-  format::Grid grid_;
+  format::VtuGrid grid_;
 };
 
 // Error, of the call's name: a name that is no field's.

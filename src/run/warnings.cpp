@@ -16,10 +16,11 @@ constexpr WarningKind kinds[] = {
     {"pivots", "the path of a static run has passed a limit or bifurcation point"},
     {"relaxed", "relaxation took a noticeable part of a static run's work, or its first step"},
     {"stabilise", "stabilisation has taken a noticeable part of the work"},
-    {"jump", "a load or motion is there at once, not ramped"},
+    {"jump", "a load or motion is at full value at once, not ramped"},
     {"step", "the explicit step is near the stable one, or is split because stretch has shortened that"},
     {"inertia", "much of the kinetic energy is in rotary inertia that is scaled up for the step"},
     {"guard", "contact is pressed so far that a barrier keeps the surfaces apart"},
+    {"seam", "edges that are sewn had not met when their time was over"},
     {"dropped", "an initial velocity is dropped along supports"},
     {"idle", "supports take up the whole of a load"},
     {"bending", "the bending rigidity of the card is far from that of cloth"},
@@ -28,6 +29,7 @@ constexpr WarningKind kinds[] = {
     {"mesh", "the file of a mesh was cut short or holds what is left out"},
     {"restart", "the run was continued from the checkpoint of another deck"},
     {"lost", "an output of the restarted run is gone"},
+    {"retired", "an argument of an earlier release has no effect any more"},
     {"deck", "the deck or a virtual test has said it with fabric.warn"},
 };
 

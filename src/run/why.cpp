@@ -16,11 +16,11 @@ constexpr double kWideRatio = 1e6;  // of stiffnesses: above it Newton's steps l
 constexpr double kBeyond = 1.5;     // factor on the tested strain
 constexpr std::size_t kShown = 8;   // number of residuals and attempts shown
 
-const char* branch_word(law::Branch branch) {
+const char* branch_word(law::LoadBranch branch) {
   switch (branch) {
-    case law::Branch::virgin:
+    case law::LoadBranch::virgin:
       return "loading";
-    case law::Branch::unloading:
+    case law::LoadBranch::unloading:
       return "unloading";
     default:
       return "slack";
@@ -75,20 +75,20 @@ std::string tested_text(double strain, double tested) {
 }
 
 double beyond(const Failure& f) {
-  const auto share = [](double strain, double tested) { return tested > 0 ? strain / tested : 0; };
-  return std::max({share(f.blame.E11, f.tested.warp), share(f.blame.E22, f.tested.weft),
-                   share(std::abs(f.blame.E12), f.tested.shear)});
+  const auto ratio = [](double strain, double tested) { return tested > 0 ? strain / tested : 0; };
+  return std::max({ratio(f.site.E11, f.tested.warp), ratio(f.site.E22, f.tested.weft),
+                   ratio(std::abs(f.site.E12), f.tested.shear)});
 }
 
 std::string switch_text(const Failure& f) {
   std::string text;
-  const auto add = [&](const char* yarn, law::Branch before, law::Branch after) {
+  const auto add = [&](const char* yarn, law::LoadBranch before, law::LoadBranch after) {
     text += (text.empty() ? "" : ", ") + std::string(yarn) + " " + branch_word(before);
     if (before != after) text += " -> " + std::string(branch_word(after));
   };
-  add("warp", f.blame.before.warp, f.blame.after.warp);
-  add("weft", f.blame.before.weft, f.blame.after.weft);
-  add("shear", f.blame.before.shear, f.blame.after.shear);
+  add("warp", f.site.before.warp, f.site.after.warp);
+  add("weft", f.site.before.weft, f.site.after.weft);
+  add("shear", f.site.before.shear, f.site.after.shear);
   return text;
 }
 
@@ -131,13 +131,13 @@ void advise_on_tangent(const Failure& f, std::vector<std::string>& all) {
                                   ? "method=\"relaxation\" for folds, wrinkles and snaps"
                                   : "stabilise=true or fabric.dynamic for wrinkles and snaps") +
                   ", control=\"arc\" for a limit point (the last tangent has " + pivots + ")");
-  if (f.blame.inverted >= 0)
+  if (f.site.inverted >= 0)
     all.push_back(std::string(f.moved > 0 ? "less stroke" : "less load") +
-                  ", or a finer mesh there (element " + std::to_string(f.blame.inverted + 1) +
+                  ", or a finer mesh there (element " + std::to_string(f.site.inverted + 1) +
                   " is turned inside out)");
-  if (f.blame.turned >= 0)
+  if (f.site.turned >= 0)
     all.push_back("a smaller step, or a finer mesh there (the director at node " +
-                  std::to_string(f.blame.turned + 1) + " is turned over, the elements about it are sound)");
+                  std::to_string(f.site.turned + 1) + " is turned over, the elements about it are sound)");
 }
 
 void advise_on_iterations(const Failure& f, std::vector<std::string>& all) {
@@ -155,14 +155,14 @@ void advise_on_iterations(const Failure& f, std::vector<std::string>& all) {
   if (f.moved > f.size && f.tries.size() < 4)
     all.push_back("a smaller step, or more max_cuts (a support moves by " + number(f.moved) +
                   " m in a step, an element is " + number(f.size) + " m)");
-  if (f.blame.switching > 0 && course == Course::swings)
+  if (f.site.switching > 0 && course == Course::swings)
     all.push_back(std::string(f.stabilised || f.dynamic ? "a smaller step"
                               : f.relaxed               ? "stabilise=true"
                               : f.bends                 ? "method=\"relaxation\""
                                                         : "stabilise=true, or method=\"either\"") +
-                  " (" + std::to_string(f.blame.switching) + " of " + std::to_string(f.blame.elements) +
+                  " (" + std::to_string(f.site.switching) + " of " + std::to_string(f.site.elements) +
                   " elements switch branches, the residual swings)");
-  if (last.status == solver::NewtonStatus::law_failed && f.blame.reason.empty())
+  if (last.status == solver::NewtonStatus::law_failed && f.site.reason.empty())
     all.push_back("a smaller step, and a check of the units of loads and motions (a strain is not finite)");
 }
 
@@ -170,15 +170,15 @@ void advise_on_cloth(const Failure& f, std::vector<std::string>& all) {
   if (beyond(f) > kBeyond)
     all.push_back("a check of the card, card:check(), and of the units of the stroke (strained " +
                   number(beyond(f)) + " times as far as it was tested)");
-  if (f.blame.stiffness_ratio > kWideRatio && !f.dynamic)
+  if (f.site.stiffness_ratio > kWideRatio && !f.dynamic)
     all.push_back(std::string("fabric.dynamic with damping") +
                   (f.relaxed ? "" : ", or method=\"relaxation\"") + " (one direction of element " +
-                  std::to_string(f.blame.element + 1) + " is " + number(f.blame.stiffness_ratio) +
+                  std::to_string(f.site.element + 1) + " is " + number(f.site.stiffness_ratio) +
                   " times as stiff as another)");
-  if (2 * f.blame.slack > f.blame.elements && !f.dynamic)
+  if (2 * f.site.slack > f.site.elements && !f.dynamic)
     all.push_back(std::string(f.bends && !f.relaxed ? "method=\"relaxation\"" : "stabilise=true") +
-                  ", or fabric.dynamic (" + std::to_string(f.blame.slack) + " of " +
-                  std::to_string(f.blame.elements) + " elements are slack both ways)");
+                  ", or fabric.dynamic (" + std::to_string(f.site.slack) + " of " +
+                  std::to_string(f.site.elements) + " elements are slack both ways)");
 }
 
 }  // namespace
@@ -230,14 +230,14 @@ std::string report(const Failure& f) {
   const std::size_t from = f.tries.size() > kShown ? f.tries.size() - kShown : 0;
   if (from > 0) text += "tried      " + std::to_string(from) + " larger steps\n";
   for (std::size_t i = from; i < f.tries.size(); ++i) text += "tried      " + try_text(f.tries[i]) + "\n";
-  const Blame& b = f.blame;
+  const ResidualSite& b = f.site;
   if (f.jumps)
     text += "jump       " + full_text(f.jump) +
             " there in full at time 0: the first step goes from cloth without load to all of it, and what is "
             "said below is of that attempt\n";
   if (b.node >= 0)
-    text += "node       " + std::to_string(b.node + 1) + " at " + place_text(b.x) +
-            " carries the residual, " + (b.rotation ? "as a moment on its director" : "as a force") + "\n";
+    text += "node       " + std::to_string(b.node + 1) + " at " + place_text(b.x) + " has the residual, " +
+            (b.rotation ? "as a moment on its director" : "as a force") + "\n";
   if (!b.reason.empty()) text += "reason     " + b.reason + "\n";
   if (b.element >= 0) {
     text += "element    " + std::to_string(b.element + 1) + " about " + place_text(b.centre) + "\n";

@@ -54,8 +54,8 @@ void check(double thickness, double offset) {
 
 // Adds the points of a ply between zeta = low and zeta = high.
 void add_points(Section& s, const card::Card& card, int points, double low, double high, double angle,
-                int ply) {
-  const auto law = law::compile(card);
+                int ply, bool transverse_shear = true) {
+  const auto law = law::compile(card, transverse_shear);
   s.symmetric = s.symmetric && law::symmetric(*law);
   for (const auto& [zeta, weight] : gauss_legendre(points)) {
     const double half = (high - low) / 2;
@@ -85,13 +85,13 @@ constexpr double kFibre = 1500;  // kg/m3: what cloth is made of (cotton 1540, p
 constexpr double kLikely = 0.75, kFullest = 0.95;  // of the thickness: what fibres fill at most
 
 // The thickness that the fibres fill: at most three quarters of the sheet if their density is not given.
-double fibre_of(const card::Card& card, double thickness) {
+double solid_thickness_of(const card::Card& card, double thickness) {
   const double filled = card.density / card.fibre_density.value_or(kFibre);
   return thickness * std::min(filled, card.fibre_density ? kFullest : kLikely);
 }
 
 // A sheet that is thicker than its card says is thicker in the same proportion at every pressure.
-law::Pressed pressed(const card::Card& card, double thickness) {
+law::CompressionCurve pressed(const card::Card& card, double thickness) {
   return {card.compression, card.thickness, thickness / card.thickness};
 }
 
@@ -102,14 +102,31 @@ bool Section::turned_plies() const {
                      [this](const Point& p) { return p.angle != points.front().angle; });
 }
 
-Section integrated(const card::Card& card, double thickness, int points, double offset) {
+namespace {
+
+// A section of one card without its points.
+Section plain_section(const card::Card& card, double thickness, double offset) {
   check(thickness, offset);
   Section s;
   s.thickness = thickness;
   s.offset = offset;
   s.areal_mass = card.density * thickness;
-  s.fibre = fibre_of(card, thickness);
+  s.solid_thickness = solid_thickness_of(card, thickness);
   s.compression = law::pressed_together({pressed(card, thickness)});
+  return s;
+}
+
+}  // namespace
+
+Section membrane(const card::Card& card, double thickness) {
+  Section s = plain_section(card, thickness, 0);
+  add_points(s, card, 1, -1, 1, 0, 0, false);
+  find_plain(s);
+  return s;
+}
+
+Section integrated(const card::Card& card, double thickness, int points, double offset) {
+  Section s = plain_section(card, thickness, offset);
   add_points(s, card, card.bending ? 1 : points, -1, 1, 0, 0);
   if (card.bending) add_bending(s, card);
   find_plain(s);
@@ -119,7 +136,7 @@ Section integrated(const card::Card& card, double thickness, int points, double 
 Section stacked(const std::vector<Ply>& plies, int points, double offset) {
   if (plies.empty()) throw Error("layers: expected at least one layer");
   Section s;
-  std::vector<law::Pressed> parts;
+  std::vector<law::CompressionCurve> parts;
   for (std::size_t i = 0; i < plies.size(); ++i) {
     const std::string name = "layers: layer " + std::to_string(i + 1) + ": ";
     if (!(plies[i].thickness > 0) || !std::isfinite(plies[i].thickness))
@@ -128,7 +145,7 @@ Section stacked(const std::vector<Ply>& plies, int points, double offset) {
       throw Error(name + "a card with its own bending rigidity can't be one of several layers");
     s.thickness += plies[i].thickness;
     s.areal_mass += plies[i].card.density * plies[i].thickness;
-    s.fibre += fibre_of(plies[i].card, plies[i].thickness);
+    s.solid_thickness += solid_thickness_of(plies[i].card, plies[i].thickness);
     parts.push_back(pressed(plies[i].card, plies[i].thickness));
   }
   s.compression = law::pressed_together(parts);

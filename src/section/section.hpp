@@ -28,10 +28,10 @@ struct Point {
 };
 
 struct Section {
-  double thickness = 0;   // m
-  double offset = 0;      // zeta_bar of the reference surface; z = (t/2)(zeta - zeta_bar)
-  double areal_mass = 0;  // kg/m^2
-  double fibre = 0;       // m, what the fibres alone fill: how thin it can be pressed at most
+  double thickness = 0;        // m
+  double offset = 0;           // zeta_bar of the reference surface; z = (t/2)(zeta - zeta_bar)
+  double areal_mass = 0;       // kg/m^2
+  double solid_thickness = 0;  // m, what the fibres alone fill: how thin it can be pressed at most
   // Thickness (m) ascending and pressure (Pa) where it is pressed flat; empty: not measured.
   std::vector<std::pair<double, double>> compression;
   double density = 0;  // kg/m^3
@@ -73,6 +73,10 @@ Section stacked(const std::vector<Ply>& plies, int points, double offset);
 // A section with Gauss-Legendre points through the thickness (share/doc/theory.md,
 // 3). Errors: a card refused by its law; points outside 1..9.
 Section integrated(const card::Card& card, double thickness, int points, double offset);
+
+// A membrane: one point in the middle, without transverse shear; the card's own bending does not count.
+// Errors: as for integrated().
+Section membrane(const card::Card& card, double thickness);
 
 // Nodes and weights of the n-point Gauss-Legendre rule on [-1, 1], 1 <= n <= 9.
 std::vector<std::pair<double, double>> gauss_legendre(int n);

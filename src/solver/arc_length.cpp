@@ -16,7 +16,8 @@ bool ArcLength::factorise() {
 }
 
 // Along delta_t by the given length, in the last step's direction; limited by the largest time step.
-ArcLength::Step ArcLength::predictor(const PathProblem& problem, const ArcOptions& arc, ArcResult& result) {
+ArcLength::ArcStep ArcLength::predictor(const PathProblem& problem, const ArcOptions& arc,
+                                        ArcResult& result) {
   const double speed = std::sqrt(problem.product(delta_t_, delta_t_));
   result.length = arc.length;
   double dt = speed > 0 && arc.length > 0 ? arc.length / speed : arc.largest_step;
@@ -27,8 +28,8 @@ ArcLength::Step ArcLength::predictor(const PathProblem& problem, const ArcOption
   return {back ? -dt : dt, dt > 0};
 }
 
-ArcLength::Step ArcLength::correction(const PathProblem& problem, const ArcOptions& arc,
-                                      const ArcResult& result) const {
+ArcLength::ArcStep ArcLength::correction(const PathProblem& problem, const ArcOptions& arc,
+                                         const ArcResult& result) const {
   if (result.landed) return {arc.landing - result.time, true};
   const double along = problem.product(increment_, delta_t_);
   const double excess = problem.product(increment_, increment_) - result.length * result.length;
@@ -42,10 +43,10 @@ ArcLength::Step ArcLength::correction(const PathProblem& problem, const ArcOptio
 // that there is no residual to reduce; it is taken as far as the problem's limit allows.
 Searched ArcLength::move(PathProblem& problem, double from, double step, bool search) {
   for (std::size_t i = 0; i < delta_.size(); ++i) delta_[i] = delta_r_[i] + step * delta_t_[i];
-  problem.aim(from + step);  // the limit refers to the whole step
-  const auto move_by = [&](double a) -> Tried {
-    if (a != 1) problem.aim(from + a * step);
-    problem.retract(delta_, a);
+  problem.set_time(from + step);  // the limit refers to the whole step
+  const auto move_by = [&](double a) -> TriedFraction {
+    if (a != 1) problem.set_time(from + a * step);
+    problem.apply_increment(delta_, a);
     const Answer answer = checked(problem.residual(trial_r_), trial_r_);
     return {answer, answer == Answer::ok ? dot(delta_r_, trial_r_) : 0};
   };
@@ -53,7 +54,7 @@ Searched ArcLength::move(PathProblem& problem, double from, double step, bool se
   const Searched found = line_search(dot(delta_r_, r_), how, move_by);
   if (found.answer != Answer::ok) return found;
   r_.swap(trial_r_);
-  for (std::size_t i = 0; i < delta_.size(); ++i) increment_[i] += found.share * delta_[i];
+  for (std::size_t i = 0; i < delta_.size(); ++i) increment_[i] += found.fraction * delta_[i];
   problem.accept();
   return found;
 }
@@ -76,13 +77,13 @@ ArcResult ArcLength::solve(PathProblem& problem, const NewtonOptions& options, c
   const auto unknowns = static_cast<std::size_t>(problem.size());
   for (auto* v : {&r_, &trial_r_, &q_, &delta_r_, &delta_t_, &delta_}) v->resize(unknowns);
   increment_.assign(unknowns, 0.0);
-  problem.aim(arc.time);
+  problem.set_time(arc.time);
   if (const Answer answer = problem.start(K_, r_, q_); answer != Answer::ok) return stop(status_of(answer));
   for (int i = 0; i < options.max_iterations; ++i) {
     if (!factorise()) return stop(NewtonStatus::singular);
     ++result.iterations;
     result.negative_pivots = linear_->report().negative_pivots;
-    Step step = i == 0 ? predictor(problem, arc, result) : correction(problem, arc, result);
+    ArcStep step = i == 0 ? predictor(problem, arc, result) : correction(problem, arc, result);
     if (!step.possible) return stop(NewtonStatus::diverged);
     // Histories may have a kink at the landing: no iterate goes beyond it, and no tiny remainder is left.
     const double left = 1e-6 * (arc.landing - arc.time);
@@ -91,9 +92,9 @@ ArcResult ArcLength::solve(PathProblem& problem, const NewtonOptions& options, c
       step.time = arc.landing - result.time;
     }
     if (!(result.time + step.time > 0)) return stop(NewtonStatus::turned_back);
-    const auto [share, answer] = move(problem, result.time, step.time, options.line_search && i > 0);
+    const auto [fraction, answer] = move(problem, result.time, step.time, options.line_search && i > 0);
     if (answer != Answer::ok) return stop(status_of(answer));
-    result.time = result.landed && share == 1 ? arc.landing : result.time + share * step.time;
+    result.time = result.landed && fraction == 1 ? arc.landing : result.time + fraction * step.time;
     if (i == 0) predicted_ = increment_;
     const auto [size, where] = problem.largest(r_);
     if (!std::isfinite(size)) return stop(NewtonStatus::diverged);

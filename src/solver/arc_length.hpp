@@ -14,8 +14,8 @@ namespace fabricsh::solver {
 
 class PathProblem : public Problem {
  public:
-  virtual void aim(double time) = 0;  // time of the supports and loads for the next start() or retract()
-  // At the committed configuration and the time last given to aim(): K, r and q = dr/dt.
+  virtual void set_time(double time) = 0;  // of supports and loads, for the next start() or increment
+  // At the committed configuration and the time last given to set_time(): K, r and q = dr/dt.
   virtual Answer start(Matrix& K, std::span<double> r, std::span<double> q) = 0;
   virtual Answer tangent_and_rate(Matrix& K, std::span<double> q) = 0;  // at the trial configuration
   // Scalar product by which lengths are measured: displacements only, no rotations.
@@ -54,13 +54,13 @@ class ArcLength {
   }
 
  private:
-  struct Step {  // of the predictor or of one correction
+  struct ArcStep {  // of the predictor or of one correction
     double time = 0;
     bool possible = true;
   };
   bool factorise();
-  Step predictor(const PathProblem& problem, const ArcOptions& arc, ArcResult& result);
-  Step correction(const PathProblem& problem, const ArcOptions& arc, const ArcResult& result) const;
+  ArcStep predictor(const PathProblem& problem, const ArcOptions& arc, ArcResult& result);
+  ArcStep correction(const PathProblem& problem, const ArcOptions& arc, const ArcResult& result) const;
   bool followed(const PathProblem& problem) const;
   Searched move(PathProblem& problem, double from, double step, bool search);
 

@@ -9,33 +9,33 @@
 namespace fabricsh::solver {
 
 struct LineSearch {
-  bool on = true;       // off: the first share at which the forces can be evaluated is taken
-  bool shorten = true;  // where the forces cannot be evaluated, try a quarter of the share, repeatedly
-  double largest = 1;   // share to begin with; 0: no share is possible
+  bool on = true;       // off: the first fraction at which the forces can be evaluated is taken
+  bool shorten = true;  // where the forces cannot be evaluated, try a quarter of the fraction, repeatedly
+  double largest = 1;   // fraction to begin with; 0: none is possible
 };
 
-// The result at one share: g, if the forces could be evaluated.
-struct Tried {
+// The result at one fraction of the step: g, if the forces could be evaluated.
+struct TriedFraction {
   Answer answer = Answer::ok;
   double g = 0;
 };
 
-// The last share tried, and its result.
+// The last fraction tried, and its result.
 struct Searched {
-  double share = 0;
+  double fraction = 0;
   Answer answer = Answer::ok;
 };
 
-// try_share(a) moves by a * delta and returns g(a). While g has the sign of g(0), the whole
-// share is taken, since the next iteration continues from there. After ten attempts the
-// last one is taken. If the search ends with an answer other than ok, no share can be used.
-template <class TryShare>
-Searched line_search(double g0, const LineSearch& how, TryShare try_share) {
+// try_fraction(a) moves by a * delta and returns g(a). While g has the sign of g(0), the whole
+// fraction is taken, since the next iteration continues from there. After ten attempts the
+// last one is taken. If the search ends with an answer other than ok, no fraction can be used.
+template <class TryFraction>
+Searched line_search(double g0, const LineSearch& how, TryFraction try_fraction) {
   constexpr int tries = 10;
   double a = how.largest;
   if (!(a > 0)) return {0, Answer::cut};
   for (int i = 0; i < tries; ++i) {
-    const Tried tried = try_share(a);
+    const TriedFraction tried = try_fraction(a);
     if (tried.answer == Answer::broken) return {a, Answer::broken};
     if (tried.answer == Answer::cut) {
       if (!how.shorten) break;

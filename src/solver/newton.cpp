@@ -54,14 +54,14 @@ bool Newton::direction(Problem& problem) {
 
 // On return r_ is the residual at the trial configuration.
 Answer Newton::search(Problem& problem, bool search) {
-  const auto try_share = [&](double a) -> Tried {
-    problem.retract(delta_, a);
+  const auto try_fraction = [&](double a) -> TriedFraction {
+    problem.apply_increment(delta_, a);
     const Answer answer = checked(problem.residual(trial_r_), trial_r_);
     if (answer != Answer::ok) return {answer};
     r_.swap(trial_r_);
     return {answer, dot(delta_, r_)};
   };
-  return line_search(dot(delta_, r_), {search, true, problem.limit(delta_)}, try_share).answer;
+  return line_search(dot(delta_, r_), {search, true, problem.limit(delta_)}, try_fraction).answer;
 }
 
 namespace {
@@ -107,7 +107,7 @@ NewtonResult Newton::iterate(Problem& problem, const NewtonOptions& options, boo
     const double relative = compared(size, problem.force_scale());
     result.residuals.push_back(relative);
     result.worst = where;
-    if (problem.arrived() && (relative <= options.tolerance || size <= problem.rounding_floor(K_)))
+    if (problem.at_target() && (relative <= options.tolerance || size <= problem.rounding_floor(K_)))
       return stop(NewtonStatus::converged);
     if (!(relative < 1e12)) return stop(NewtonStatus::diverged);
     if (const Answer answer = problem.tangent(K_); answer != Answer::ok) return stop(status_of(answer));

@@ -20,8 +20,8 @@ using linear::LinearSolver;
 using linear::Matrix;
 
 // A problem as the solver sees it: unknowns, forces, tangent, and a way to update
-// the configuration (directors live on a sphere, so the update is a retraction,
-// not a sum). There are three configurations: committed, iterate and trial.
+// the configuration (directors lie on a sphere, so an increment is applied by a
+// rotation, not a sum). There are three configurations: committed, iterate and trial.
 class Problem {
  public:
   virtual ~Problem() = default;
@@ -31,17 +31,17 @@ class Problem {
   // Sets iterate = trial = committed.
   virtual Answer predict(Matrix& K, std::span<double> r, std::span<double> lead) = 0;
   // trial = iterate moved by scale * delta, with the supports at their targets.
-  virtual void retract(std::span<const double> delta, double scale) = 0;
-  // The share of a step from the iterate along delta that is safe, at most 1. At 0
-  // the step must be cut. (The supports go to their targets whatever the share.)
+  virtual void apply_increment(std::span<const double> delta, double scale) = 0;
+  // The fraction of a step from the iterate along delta that is safe, at most 1. At 0
+  // the step must be cut. (The supports go to their targets whatever the fraction.)
   virtual double limit(std::span<const double> /*delta*/) { return 1; }
   // A direction delta = K^-1 r, to which the problem adds what it solves for beside the matrix; solve: K x =
   // b. False: there is none.
   using Solve = std::function<bool(std::span<const double> b, std::span<double> x)>;
   virtual bool finish_direction(const Solve& /*solve*/, std::span<double> /*delta*/) { return true; }
   virtual void accept() = 0;  // iterate = trial
-  // Whether all that moves by shares has reached its prescribed position; none converges before.
-  virtual bool arrived() const { return true; }
+  // Whether all that moves by fractions has reached its prescribed position; none converges before.
+  virtual bool at_target() const { return true; }
   virtual Answer residual(std::span<double> r) = 0;  // r = f_ext - f_int at the trial configuration
   virtual Answer tangent(Matrix& K) = 0;             // at the trial configuration
   // The tangent at the trial configuration for the stresses of the strains that the step from the iterate
@@ -49,8 +49,8 @@ class Problem {
   virtual Answer extrapolated_tangent(Matrix& K) { return tangent(K); }
   // rad: the largest turn that a step along delta makes, of a director, or of a mean edge by its end.
   virtual double turn_of(std::span<const double> delta) const = 0;
-  virtual void mark() = 0;            // stores the iterate
-  virtual void return_to_mark() = 0;  // trial = the iterate stored last
+  virtual void save_iterate() = 0;     // stores the iterate
+  virtual void restore_iterate() = 0;  // trial = the iterate stored last
   // The largest entry of a residual in N (moments are divided by
   // the problem's length), and the unknown that has it (-1: none).
   virtual std::pair<double, Index> largest(std::span<const double> r) const = 0;
@@ -83,8 +83,8 @@ enum class NewtonStatus {
 };
 const char* describe(NewtonStatus status);
 NewtonStatus status_of(Answer answer);  // for an answer that is not ok
-// A residual over the force that it is compared with, both in N. A load that is there before any force has
-// been is its own measure: 1.
+// A residual over the force that it is compared with, both in N. Without a reference force the relative
+// residual is 1.
 inline double compared(double size, double scale) { return size == 0 ? 0 : scale > 0 ? size / scale : 1; }
 // Turns ok into a failure if the residual is not finite.
 Answer checked(Answer answer, std::span<const double> r);
@@ -93,7 +93,7 @@ struct NewtonResult {
   NewtonStatus status = NewtonStatus::too_many_iterations;
   int iterations = 0;             // linear solves
   std::vector<double> residuals;  // relative, after each solve
-  Index worst = -1;               // unknown that carries the largest residual
+  Index worst = -1;               // unknown with the largest residual
   Index negative_pivots = 0;      // of the last tangent that was factorised
 };
 

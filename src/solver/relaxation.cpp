@@ -32,7 +32,7 @@ NewtonResult Relaxation::solve(Problem& problem, const RelaxationOptions& option
     result.status = status_of(answer);
     return result;
   }
-  problem.retract(velocity_, 0);
+  problem.apply_increment(velocity_, 0);
   return go_on(problem, options);
 }
 
@@ -58,7 +58,7 @@ NewtonResult Relaxation::go_on(Problem& problem, const RelaxationOptions& option
     const double relative = size == 0 ? 0 : size / problem.force_scale();
     result.worst = where;
     if (!std::isfinite(size) || !(relative < 1e12)) return stop(NewtonStatus::diverged);
-    if (problem.arrived() && (relative <= options.tolerance || size <= rounding)) {
+    if (problem.at_target() && (relative <= options.tolerance || size <= rounding)) {
       result.residuals.push_back(relative);
       return stop(NewtonStatus::converged);
     }
@@ -82,11 +82,11 @@ NewtonResult Relaxation::go_on(Problem& problem, const RelaxationOptions& option
       if (const Answer answer = masses(problem); answer != Answer::ok) return stop(status_of(answer));
     }
     if (starts) continue;
-    const double share = problem.limit(velocity_);
-    if (!(share > 0)) return stop(NewtonStatus::law_failed);
-    problem.retract(velocity_, share);
+    const double fraction = problem.limit(velocity_);
+    if (!(fraction > 0)) return stop(NewtonStatus::law_failed);
+    problem.apply_increment(velocity_, fraction);
     problem.accept();
-    if (share < 1) {  // as far as is safe, then from rest: to continue would meet the same limit
+    if (fraction < 1) {  // as far as is safe, then from rest: to continue would meet the same limit
       std::fill(velocity_.begin(), velocity_.end(), 0.0);
       before = 0;
       starts = true;

@@ -27,7 +27,7 @@ constexpr double kNudge = 1e-2, kLeastNudge = 5e-7;  // rad, of the step away fr
 constexpr double kSame = 0.999;  // ratio of two works from which on neither side is preferred
 constexpr double kGone = 1e3;  // growth of what rounding makes, with the coordinates, of a part that has gone
 
-struct Step {
+struct TrialStep {
   double work = 0;   // delta . r at its beginning, J
   double turn = 0;   // rad, of the whole of delta
   double drop = 0;   // J, energy that it takes away
@@ -60,18 +60,18 @@ class Walk {
   bool factorise(double m);
   bool factorise_definite();
   bool is_free();
-  bool find_direction(Step& step);
-  double next_factor(const Step& step);
-  double work_at(double share, Step& step);
-  void evaluate(Step& step);
-  void search(double share, Step& step);
-  bool is_lowest(const Step& step) const;
-  bool accepts(const Step& step) const;
-  void adapt(const Step& step);
+  bool find_direction(TrialStep& step);
+  double next_factor(const TrialStep& step);
+  double work_at(double fraction, TrialStep& step);
+  void evaluate(TrialStep& step);
+  void search(double fraction, TrialStep& step);
+  bool is_lowest(const TrialStep& step) const;
+  bool accepts(const TrialStep& step) const;
+  void adapt(const TrialStep& step);
   Answer move_on();
   Answer renew_tangent();
   NewtonStatus make_step();
-  bool reject(const Step& step);
+  bool reject(const TrialStep& step);
   bool return_to_best();
   bool stable();
   enum class Saddle { left, none, stays };
@@ -117,7 +117,7 @@ bool Walk::factorise_definite() {
 
 // The factor after a direction that turns by more than the radius: the softest part turns by c / (k + m),
 // with c and k from the last two such directions.
-double Walk::next_factor(const Step& step) {
+double Walk::next_factor(const TrialStep& step) {
   double next = m_ == 0 ? next_m_ : m_ * step.turn / radius_;
   if (long_turn_ > step.turn && m_ > long_m_) {
     const double k = (m_ * step.turn - long_m_ * long_turn_) / (long_turn_ - step.turn);
@@ -135,7 +135,7 @@ bool Walk::is_free() {
 }
 
 // Sets delta_, regularised as far as is needed. False: no regularisation helps, or too many iterations.
-bool Walk::find_direction(Step& step) {
+bool Walk::find_direction(TrialStep& step) {
   const auto with = [this](std::span<const double> b, std::span<double> x) { return solve(b, x); };
   long_turn_ = 0;
   for (double next = m_;;) {
@@ -147,63 +147,63 @@ bool Walk::find_direction(Step& step) {
     if (!definite || (K_.size() > 0 && !solve(r_, delta_))) continue;
     if (!problem_.finish_direction(with, delta_) || !all_finite(delta_)) continue;
     step.work = dot(delta_, r_);
-    if (!(step.work > 0) && problem_.arrived()) continue;
+    if (!(step.work > 0) && problem_.at_target()) continue;
     step.turn = problem_.turn_of(delta_);
     if (step.turn <= 1.5 * radius_) return true;
     next = next_factor(step);
   }
 }
 
-// Goes along delta_ by a share; returns the work of the forces there along it.
-double Walk::work_at(double share, Step& step) {
-  problem_.retract(delta_, share);
+// Moves along delta_ by a fraction; returns the work of the forces there along delta_.
+double Walk::work_at(double fraction, TrialStep& step) {
+  problem_.apply_increment(delta_, fraction);
   step.answer = checked(problem_.residual(trial_r_), trial_r_);
   return step.answer == Answer::ok ? dot(delta_, trial_r_) : 0;
 }
 
 // Goes along delta_ as far as is safe. The energy that this takes away is the work of the forces along the
 // step, by Simpson's rule, which is exact for stresses that are linear in the Green-Lagrange strains.
-void Walk::evaluate(Step& step) {
-  const double share = problem_.limit(delta_);
-  if (!(share > 0)) return;
-  if (step.turn * share < kLinear) return search(share, step);
-  const double half = work_at(share / 2, step);
+void Walk::evaluate(TrialStep& step) {
+  const double fraction = problem_.limit(delta_);
+  if (!(fraction > 0)) return;
+  if (step.turn * fraction < kLinear) return search(fraction, step);
+  const double half = work_at(fraction / 2, step);
   if (step.answer != Answer::ok) return;
-  const double end = work_at(share, step);
-  step.drop = share * (step.work + 4 * half + end) / 6;
+  const double end = work_at(fraction, step);
+  step.drop = fraction * (step.work + 4 * half + end) / 6;
   double damped = 0;
   for (std::size_t i = 0; i < delta_.size(); ++i) damped += m_ * D_[i] * delta_[i] * delta_[i];
-  const double model = share * (step.work - share / 2 * (step.work - damped));
+  const double model = fraction * (step.work - fraction / 2 * (step.work - damped));
   step.ratio = model > 0 ? step.drop / model : 0;
 }
 
 // A short step changes the forces linearly but for switches of yarns, which the line search finds.
-void Walk::search(double share, Step& step) {
+void Walk::search(double fraction, TrialStep& step) {
   double end = 0;
-  const auto found = line_search(step.work, {true, true, share}, [&](double s) -> Tried {
+  const auto found = line_search(step.work, {true, true, fraction}, [&](double s) -> TriedFraction {
     end = work_at(s, step);
     return {step.answer, end};
   });
   step.answer = found.answer;
-  step.drop = found.share * (step.work + end) / 2;
+  step.drop = found.fraction * (step.work + end) / 2;
   step.ratio = step.drop > 0 || step.work == 0 ? 1 : 0;
 }
 
 // Whether the step ends below the least energy so far, by more than rounding.
-bool Walk::is_lowest(const Step& step) const {
+bool Walk::is_lowest(const TrialStep& step) const {
   return trials_ == 0 ? step.ratio > kLeast : step.drop - level_ > kLeast * step.drop;
 }
 
 // While something besides the supports is on its way it does work on the rest, and energies say nothing.
-bool Walk::accepts(const Step& step) const {
+bool Walk::accepts(const TrialStep& step) const {
   if (step.answer != Answer::ok) return false;
-  if (!problem_.arrived() || !options_.line_search) return true;
+  if (!problem_.at_target() || !options_.line_search) return true;
   if (is_lowest(step)) return true;
   return watches_ && trials_ < kTrials;
 }
 
-// The radius by how well the quadratic model foretold the energy, and m for a step of that size.
-void Walk::adapt(const Step& step) {
+// The radius by how well the quadratic model predicted the energy, and m for a step of that size.
+void Walk::adapt(const TrialStep& step) {
   const bool lowest = is_lowest(step);
   trials_ = lowest ? 0 : trials_ + 1;
   level_ = lowest ? 0 : level_ - step.drop;
@@ -220,14 +220,14 @@ Answer Walk::move_on() {
   const Answer answer = problem_.extrapolated_tangent(K_);
   problem_.accept();
   linear::absolute_sums(K_, D_);
-  if (trials_ == 0) problem_.mark();
+  if (trials_ == 0) problem_.save_iterate();
   return answer;
 }
 
 // The plain tangent at the iterate, with its residual.
 Answer Walk::renew_tangent() {
   std::fill(delta_.begin(), delta_.end(), 0.0);
-  problem_.retract(delta_, 0);
+  problem_.apply_increment(delta_, 0);
   Answer answer = checked(problem_.residual(r_), r_);
   if (answer == Answer::ok) answer = problem_.tangent(K_);
   linear::absolute_sums(K_, D_);
@@ -236,7 +236,7 @@ Answer Walk::renew_tangent() {
 
 // To the configuration of least energy so far, where from now on every step must lower it.
 bool Walk::return_to_best() {
-  problem_.return_to_mark();
+  problem_.restore_iterate();
   problem_.accept();
   watches_ = false;
   trials_ = 0;
@@ -246,7 +246,7 @@ bool Walk::return_to_best() {
 }
 
 // Prepares another attempt. False: there is none.
-bool Walk::reject(const Step& step) {
+bool Walk::reject(const TrialStep& step) {
   if (trials_ > 0) return return_to_best();
   watches_ = false;
   radius_ = std::min(radius_, step.turn) / 2;
@@ -257,7 +257,7 @@ bool Walk::reject(const Step& step) {
 // converged: a step has been made. r_ is then the residual at the trial configuration.
 NewtonStatus Walk::make_step() {
   for (rejections_ = 0; radius_ > kNarrowest;) {
-    Step step;
+    TrialStep step;
     if (!find_direction(step))
       return singular_ || m_ > kMost ? NewtonStatus::singular : NewtonStatus::too_many_iterations;
     evaluate(step);
@@ -274,7 +274,7 @@ NewtonStatus Walk::make_step() {
 
 Answer Walk::begin_at_trial() {
   problem_.accept();
-  problem_.mark();
+  problem_.save_iterate();
   return renew_tangent();
 }
 
@@ -285,13 +285,13 @@ Answer Walk::follow_supports() {
   linear::absolute_sums(K_, D_);
   const bool driven = std::any_of(lead.begin(), lead.end(), [](double f) { return f != 0; });
   if (driven && !(factorise_definite() && solve(lead, delta_))) return Answer::cut;
-  const double share = driven ? problem_.limit(delta_) : 0;
-  if (driven && !(share > 0)) return Answer::cut;
-  problem_.retract(delta_, share);
+  const double fraction = driven ? problem_.limit(delta_) : 0;
+  if (driven && !(fraction > 0)) return Answer::cut;
+  problem_.apply_increment(delta_, fraction);
   answer = checked(problem_.residual(r_), r_);
   if (answer == Answer::ok && driven) return move_on();
   problem_.accept();
-  problem_.mark();
+  problem_.save_iterate();
   return answer;
 }
 
@@ -303,10 +303,10 @@ bool Walk::balanced() {
   result_.worst = where;
   if (result_.residuals.size() == 1) first_floor_ = floor;
   const bool rounding = size <= floor && floor <= kGone * first_floor_;
-  return problem_.arrived() && (relative <= options_.tolerance || rounding);
+  return problem_.at_target() && (relative <= options_.tolerance || rounding);
 }
 
-// Whether the tangent at this equilibrium has no negative pivot. Only a symmetric one tells.
+// Whether the tangent at this equilibrium has no negative pivot. Decided for symmetric tangents only.
 bool Walk::stable() {
   if (definite_ || !symmetric_ || K_.size() == 0) return true;
   if (problem_.tangent(K_) != Answer::ok) return true;
@@ -316,7 +316,7 @@ bool Walk::stable() {
 
 // J, of the forces at the end of a step along delta_.
 double Walk::work_to_side(double turn) {
-  problem_.retract(delta_, turn);
+  problem_.apply_increment(delta_, turn);
   const Answer answer = checked(problem_.residual(trial_r_), trial_r_);
   return answer == Answer::ok ? turn * dot(delta_, trial_r_) : 0;
 }

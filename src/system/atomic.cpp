@@ -24,17 +24,17 @@ std::string reason_text(int reason) { return std::generic_category().message(rea
 
 // The file that path refers to after following links. Only a regular file may be replaced.
 fs::path target_of(const std::string& path) {
-  std::error_code trouble;
-  const fs::file_status status = fs::status(path, trouble);
+  std::error_code code;
+  const fs::file_status status = fs::status(path, code);
   if (fs::is_directory(status)) cannot_write(path, EISDIR);
   if (fs::exists(status) && !fs::is_regular_file(status))
     throw Error("cannot write '" + path + "': it is not a regular file");
-  if (!fs::is_symlink(path, trouble)) return path;
+  if (!fs::is_symlink(path, code)) return path;
   return fs::exists(status) ? fs::canonical(path) : fs::path(path).parent_path() / fs::read_symlink(path);
 }
 
 // While the gate is closed a link is refused instead of followed.
-void check_plain(const Place& place, const std::string& path) {
+void check_plain(const PathInFolder& place, const std::string& path) {
   struct stat about {};
   if (place.open_gate || fstatat(place.at(), place.name.c_str(), &about, AT_SYMLINK_NOFOLLOW) != 0) return;
   if (S_ISDIR(about.st_mode)) cannot_write(path, EISDIR);
@@ -43,7 +43,7 @@ void check_plain(const Place& place, const std::string& path) {
 }
 
 // Creates an empty file beside the target under a new name; returns its name in that place.
-std::string make_temporary(const Place& place, const std::string& path) {
+std::string make_temporary(const PathInFolder& place, const std::string& path) {
   const auto now = std::chrono::steady_clock::now().time_since_epoch().count();
   for (int attempt = 0;; ++attempt) {
     const std::string tail = std::to_string(getpid()) + "-" + std::to_string(now + attempt) + ".part";
@@ -54,14 +54,14 @@ std::string make_temporary(const Place& place, const std::string& path) {
   }
 }
 
-int sync_to_disk(const Place& place, const std::string& file) {
+int sync_to_disk(const PathInFolder& place, const std::string& file) {
   const Descriptor opened(openat(place.at(), file.c_str(), O_RDONLY | O_CLOEXEC));
   if (!opened.open() || fsync(opened.number()) != 0) return errno;
   return 0;
 }
 
 // Synchronises the directory entries to the disk; some file systems do not support that.
-void sync_folder(const Place& place, const std::string& path) {
+void sync_folder(const PathInFolder& place, const std::string& path) {
   const std::string folder = fs::path(place.name).parent_path().string();
   const int reason = sync_to_disk(place, folder.empty() ? "." : folder);
   if (reason != 0 && reason != EINVAL && place.open_gate) cannot_write(path, reason);
@@ -108,10 +108,10 @@ void make_folder_for(const std::string& path) {
   if (gate.closed()) return void(gate.writing(path, true));
   const fs::path folder = fs::path(path).parent_path();
   if (folder.empty()) return;
-  std::error_code trouble;
-  fs::create_directories(folder, trouble);
-  if (trouble) throw Error("cannot make the folder '" + folder.string() + "': " + trouble.message());
-  if (!fs::is_directory(folder, trouble)) throw Error("'" + folder.string() + "' is not a folder");
+  std::error_code code;
+  fs::create_directories(folder, code);
+  if (code) throw Error("cannot make the folder '" + folder.string() + "': " + code.message());
+  if (!fs::is_directory(folder, code)) throw Error("'" + folder.string() + "' is not a folder");
 }
 
 void sync_file(const std::string& path) {

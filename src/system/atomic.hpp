@@ -38,7 +38,7 @@ class AtomicFile {
 
  private:
   std::string path_;              // as given
-  Place place_;                   // of the target: what a link at path points to
+  PathInFolder place_;            // of the target: what a link at path points to
   std::string part_, temporary_;  // the temporary file: its name in that place, and its path
 };
 

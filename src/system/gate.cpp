@@ -50,15 +50,15 @@ Gate& process_gate() {
 
 }  // namespace
 
-int Place::at() const { return open_gate ? AT_FDCWD : folder.number(); }
+int PathInFolder::at() const { return open_gate ? AT_FDCWD : folder.number(); }
 
-std::string Place::path() const { return path_of(name); }
+std::string PathInFolder::path() const { return path_of(name); }
 
-std::string Place::path_of(const std::string& sibling) const {
+std::string PathInFolder::path_of(const std::string& sibling) const {
   return open_gate ? sibling : "/proc/self/fd/" + std::to_string(folder.number()) + "/" + sibling;
 }
 
-std::string Place::sibling(const std::string& last) const {
+std::string PathInFolder::sibling(const std::string& last) const {
   const auto slash = name.rfind('/');
   return (slash == std::string::npos ? "" : name.substr(0, slash + 1)) + last;
 }
@@ -74,10 +74,10 @@ Gate::Root Gate::root_of(const std::string& folder) {
   Root root;
   root.name = fs::absolute(folder).lexically_normal().string();
   while (root.name.size() > 1 && root.name.back() == '/') root.name.pop_back();
-  std::error_code trouble;
-  root.real = fs::canonical(root.name, trouble).string();
-  if (!trouble) root.folder = Descriptor(::open(root.real.c_str(), folder_flags));
-  if (!root.folder.open()) cannot("open", folder, trouble ? trouble.message() : reason_text(errno));
+  std::error_code code;
+  root.real = fs::canonical(root.name, code).string();
+  if (!code) root.folder = Descriptor(::open(root.real.c_str(), folder_flags));
+  if (!root.folder.open()) cannot("open", folder, code ? code.message() : reason_text(errno));
   return root;
 }
 
@@ -90,9 +90,9 @@ Gate::Gate(const std::vector<std::string>& readable, const std::string& writable
 // Walks from the root folder by folder, opening each by its bare name inside the
 // previous one. `rest` contains no ".." any more, and O_NOFOLLOW refuses a link in place
 // of a folder, so replacing a folder during the walk cannot lead outside the root.
-Place Gate::enter(const Root& root, const std::string& path, const std::string& rest, bool make,
-                  const char* what) const {
-  Place place{Descriptor(fcntl(root.folder.number(), F_DUPFD_CLOEXEC, 0)), "", false};
+PathInFolder Gate::enter(const Root& root, const std::string& path, const std::string& rest, bool make,
+                         const char* what) const {
+  PathInFolder place{Descriptor(fcntl(root.folder.number(), F_DUPFD_CLOEXEC, 0)), "", false};
   std::size_t from = 0;
   for (std::size_t slash; (slash = rest.find('/', from)) != std::string::npos; from = slash + 1) {
     const std::string name = rest.substr(from, slash - from);
@@ -122,7 +122,7 @@ void check_name(const std::string& path, const char* what) {
 
 }  // namespace
 
-Place Gate::reading(const std::string& path) const {
+PathInFolder Gate::reading(const std::string& path) const {
   check_name(path, "read");
   if (!closed_) return {Descriptor(), path, true};
   const std::string whole = (fs::path(current_) / path).lexically_normal().string();
@@ -137,7 +137,7 @@ Place Gate::reading(const std::string& path) const {
          "--safe allows reading only in the deck's folder, the output folder and the program's own");
 }
 
-Place Gate::writing(const std::string& path, bool make) const {
+PathInFolder Gate::writing(const std::string& path, bool make) const {
   check_name(path, "write");
   if (!closed_) return {Descriptor(), path, true};
   const std::string whole = (fs::path(current_) / path).lexically_normal().string();
@@ -149,7 +149,7 @@ Place Gate::writing(const std::string& path, bool make) const {
 }
 
 Descriptor Gate::open(const std::string& path) const {
-  const Place place = reading(path);
+  const PathInFolder place = reading(path);
   const int flags = O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC | (closed_ ? O_NOFOLLOW : 0);
   Descriptor file(openat(place.at(), place.name.c_str(), flags));
   if (!file.open() && errno == ELOOP && closed_) cannot("read", path, "--safe follows no symbolic link");
@@ -162,7 +162,7 @@ Descriptor Gate::open(const std::string& path) const {
 }
 
 Descriptor Gate::open_to_write(const std::string& path, int flags) const {
-  const Place place = writing(path);
+  const PathInFolder place = writing(path);
   if (!closed_) {
     Descriptor file(::open(path.c_str(), flags | O_CLOEXEC, 0666));
     if (!file.open()) cannot("write", path, reason_text(errno));
@@ -183,7 +183,7 @@ Descriptor Gate::open_to_write(const std::string& path, int flags) const {
 
 bool Gate::exists(const std::string& path) const {
   try {
-    const Place place = reading(path);
+    const PathInFolder place = reading(path);
     return faccessat(place.at(), place.name.c_str(), F_OK, closed_ ? AT_SYMLINK_NOFOLLOW : 0) == 0;
   } catch (const Error&) {
     return false;
@@ -191,7 +191,7 @@ bool Gate::exists(const std::string& path) const {
 }
 
 std::vector<std::string> Gate::names(const std::string& folder) const {
-  const Place place = reading(folder.ends_with("/") ? folder : folder + "/");
+  const PathInFolder place = reading(folder.ends_with("/") ? folder : folder + "/");
   const int flags = O_RDONLY | O_DIRECTORY | O_CLOEXEC | (closed_ ? O_NOFOLLOW : 0);
   const int number = openat(place.at(), place.name.c_str(), flags);
   const std::unique_ptr<DIR, int (*)(DIR*)> list(number < 0 ? nullptr : fdopendir(number), closedir);
@@ -204,7 +204,7 @@ std::vector<std::string> Gate::names(const std::string& folder) const {
 }
 
 void Gate::remove(const std::string& path) const {
-  const Place place = writing(path);
+  const PathInFolder place = writing(path);
   if (unlinkat(place.at(), place.name.c_str(), 0) == 0) return;
   const int reason = errno;
   if ((reason != EISDIR && reason != EPERM) || unlinkat(place.at(), place.name.c_str(), AT_REMOVEDIR) != 0)
@@ -213,7 +213,7 @@ void Gate::remove(const std::string& path) const {
 
 bool Gate::discard(const std::string& path) const noexcept {
   try {
-    const Place place = writing(path);
+    const PathInFolder place = writing(path);
     return unlinkat(place.at(), place.name.c_str(), 0) == 0;
   } catch (const std::exception&) {
     return false;
@@ -221,7 +221,7 @@ bool Gate::discard(const std::string& path) const noexcept {
 }
 
 void Gate::rename(const std::string& from, const std::string& to) const {
-  const Place old_place = writing(from), new_place = writing(to);
+  const PathInFolder old_place = writing(from), new_place = writing(to);
   if (renameat(old_place.at(), old_place.name.c_str(), new_place.at(), new_place.name.c_str()) != 0)
     cannot("rename", from, reason_text(errno));
 }

@@ -12,7 +12,7 @@ namespace fabricsh::system {
 
 // A name inside an open folder, as the system's *at() calls take it. With the
 // open gate the folder is the current one and the name is the whole path.
-struct Place {
+struct PathInFolder {
   Descriptor folder;
   std::string name;
   bool open_gate = true;
@@ -43,8 +43,8 @@ class Gate {
 
   // The place of a path for reading or for writing. `make`: missing folders on the way are
   // created. Error: the gate refuses the path, or a folder cannot be opened or created.
-  Place reading(const std::string& path) const;
-  Place writing(const std::string& path, bool make = false) const;
+  PathInFolder reading(const std::string& path) const;
+  PathInFolder writing(const std::string& path, bool make = false) const;
 
   // A regular file; anything else (a folder, a pipe, a device) is refused. Error: cannot read.
   Descriptor open(const std::string& path) const;
@@ -64,8 +64,8 @@ class Gate {
     Descriptor folder;  // opened once
   };
   static Root root_of(const std::string& folder);
-  Place enter(const Root& root, const std::string& path, const std::string& below, bool make,
-              const char* what) const;
+  PathInFolder enter(const Root& root, const std::string& path, const std::string& below, bool make,
+                     const char* what) const;
 
   bool closed_ = false;
   std::string current_;  // the current folder when the gate was made

@@ -38,7 +38,7 @@ int set_lock(const Descriptor& file, int kind, std::uint64_t byte) {
 bool is_taken(int reason) { return reason == EAGAIN || reason == EACCES; }
 
 // Whether the name still leads to the open file, which another process may have removed meanwhile.
-bool in_place(const Place& place, const Descriptor& file) {
+bool in_place(const PathInFolder& place, const Descriptor& file) {
   struct stat own {
   }, there{};
   return fstat(file.number(), &own) == 0 &&
@@ -59,7 +59,7 @@ struct Locks::Byte {
 
 // A lock file of which this process is a user.
 struct Locks::File {
-  File(Place at, Descriptor open) : place(std::move(at)), file(std::move(open)) {}
+  File(PathInFolder at, Descriptor open) : place(std::move(at)), file(std::move(open)) {}
   File(const File&) = delete;
   File& operator=(const File&) = delete;
   // Whoever is the only user removes the file.
@@ -67,7 +67,7 @@ struct Locks::File {
     if (set_lock(file, F_WRLCK, users) == 0 && in_place(place, file))
       unlinkat(place.at(), place.name.c_str(), 0);
   }
-  const Place place;
+  const PathInFolder place;
   const Descriptor file;
   std::map<std::uint64_t, std::weak_ptr<const Byte>> bytes;
 };
@@ -77,7 +77,7 @@ Locks::Byte::~Byte() { set_lock(file->file, F_UNLCK, at); }
 std::shared_ptr<Locks::File> Locks::file_beside(const std::string& path) {
   constexpr int tries = 1000;  // of a millisecond, each while another process removes the file
   for (int i = 0; i < tries; ++i) {
-    Place place = Gate::of_process().writing(path);
+    PathInFolder place = Gate::of_process().writing(path);
     place.name = place.sibling(lock_name);
     constexpr int flags = O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC;
     Descriptor file(openat(place.at(), place.name.c_str(), flags, 0666));

@@ -16,25 +16,25 @@ namespace {
 
 // With links resolved, or as given if that fails.
 fs::path resolved(const fs::path& path) {
-  std::error_code trouble;
-  const fs::path real = fs::weakly_canonical(path, trouble);
-  return trouble ? path : real;
+  std::error_code code;
+  const fs::path real = fs::weakly_canonical(path, code);
+  return code ? path : real;
 }
 
 void add_folder(std::vector<std::string>& roots, const fs::path& folder) {
-  std::error_code trouble;
-  if (fs::is_directory(folder, trouble)) roots.push_back(resolved(folder).string());
+  std::error_code code;
+  if (fs::is_directory(folder, code)) roots.push_back(resolved(folder).string());
 }
 
 }  // namespace
 
 std::string program_path() {
-  std::error_code trouble;
-  const fs::path program = fs::read_symlink("/proc/self/exe", trouble);
-  if (!trouble) return program.string();
+  std::error_code code;
+  const fs::path program = fs::read_symlink("/proc/self/exe", code);
+  if (!code) return program.string();
   // Without /proc (for example in a bare chroot): the path with which the program was started.
   const auto* started = reinterpret_cast<const char*>(getauxval(AT_EXECFN));
-  return started == nullptr ? std::string() : resolved(fs::absolute(started, trouble)).string();
+  return started == nullptr ? std::string() : resolved(fs::absolute(started, code)).string();
 }
 
 std::vector<std::string> data_roots() {
@@ -54,8 +54,8 @@ std::vector<std::string> data_roots() {
 std::string data_file(const std::string& relative) {
   for (const std::string& root : data_roots()) {
     const fs::path file = fs::path(root) / relative;
-    std::error_code trouble;
-    if (fs::exists(file, trouble)) return file.string();
+    std::error_code code;
+    if (fs::exists(file, code)) return file.string();
   }
   return {};
 }

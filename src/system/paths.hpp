@@ -13,7 +13,7 @@ std::vector<std::string> data_roots();
 // The first existing <root>/<relative>, or empty: data_file("share/cards/denim.lua").
 std::string data_file(const std::string& relative);
 
-// The running program, absolute; empty when the system cannot tell.
+// The running program, absolute; empty if the system does not provide it.
 std::string program_path();
 
 }  // namespace fabricsh

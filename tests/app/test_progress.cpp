@@ -10,8 +10,8 @@ using namespace fabricsh::app;
 
 namespace {
 
-script::Progress at(double elapsed, int* asked = nullptr) {
-  script::Progress p;
+script::RunProgress at(double elapsed, int* asked = nullptr) {
+  script::RunProgress p;
   p.run = 1;
   p.time = 0.32;
   p.duration = 1;

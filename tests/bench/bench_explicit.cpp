@@ -97,7 +97,7 @@ class Sheet {
   }
   void step() {
     assembly_.begin_iterate();
-    assembly_.retract(rate_, step_, {});
+    assembly_.apply_increment(rate_, step_, {});
     forces();
     assembly_.residual(external_, residual_);
     for (std::size_t i = 0; i < rate_.size(); ++i) rate_[i] += step_ * residual_[i] / mass_[i];
@@ -112,12 +112,12 @@ class Sheet {
       assembly_.visit(e, [&](double, const law::Law& law, const double* E, const double* state) {
         const auto i = law::internal(law, E, state);
         for (const auto branch : {i.warp, i.weft}) {
-          b.virgin += branch == law::Branch::virgin;
-          b.unloading += branch == law::Branch::unloading;
-          b.slack += branch == law::Branch::slack;
+          b.virgin += branch == law::LoadBranch::virgin;
+          b.unloading += branch == law::LoadBranch::unloading;
+          b.slack += branch == law::LoadBranch::slack;
         }
-        b.shear_virgin += i.shear == law::Branch::virgin;
-        b.shear_unloading += i.shear != law::Branch::virgin;
+        b.shear_virgin += i.shear == law::LoadBranch::virgin;
+        b.shear_unloading += i.shear != law::LoadBranch::virgin;
         b.points += 1;
         const signed char sign = state[law::potential_state::sg] < 0 ? -1 : 1;
         if (first) {

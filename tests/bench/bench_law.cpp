@@ -101,7 +101,7 @@ int main(int argc, char** argv) {
   report("potential, biaxial", test::with_biaxial(card), repeats);
   report("potential, curved", test::with_loops(card), repeats);
   auto relaxing = card;
-  test::woven(relaxing).beside.viscous = rheology::viscous::Parameters{1e6, 1e-3};
+  test::woven(relaxing).parallel.viscous = rheology::viscous::Parameters{1e6, 1e-3};
   report("potential, viscous", relaxing, repeats);
   test::woven(card).shear.memory = card::ShearMemory::fading;
   report("potential, fading", card, repeats);

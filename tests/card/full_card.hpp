@@ -18,16 +18,16 @@ inline double next_number(const card::Row& row, int& count) {
 
 inline card::Value next_value(const card::Field& field, int& count) {
   switch (field.holds) {
-    case card::Holds::number:
+    case card::FieldType::number:
       return next_number(field, count);
-    case card::Holds::flag:
+    case card::FieldType::flag:
       return !std::get<bool>(field.fallback);
-    case card::Holds::text:
+    case card::FieldType::text:
       return field.words.empty() ? "words \"" + std::to_string(++count) + "\"\n" : field.words.back();
-    case card::Holds::curve:
-    case card::Holds::number_or_curve:
+    case card::FieldType::curve:
+    case card::FieldType::number_or_curve:
       return std::vector{1e6 + ++count, 2e7 + ++count};
-    case card::Holds::points:
+    case card::FieldType::points:
       ++count;
       return card::Points{{1e-4 * count, 5e3 * count}, {2e-4 * count, 50.0 * count}};
     default:
@@ -42,7 +42,7 @@ inline card::Value next_value(const card::Field& field, int& count) {
 inline void fill(const card::FieldTable& table, card::Card& card, int& count) {
   for (const card::Field& field : table) {
     if (field.name == "young") continue;  // stands for others
-    if (field.holds == card::Holds::group) {
+    if (field.holds == card::FieldType::group) {
       field.make(card);
       fill(field.rows, card, count);
     } else {

@@ -34,7 +34,7 @@ TEST_CASE("every row has a sentence, a name of its own, and keeps what is put in
       CHECK(paths.insert(path).second);
       CHECK_FALSE(field.sentence.empty());
       CHECK(find_field(fields(kind), path) == &field);
-      if (field.holds == Holds::group || !field.get) return;
+      if (field.holds == FieldType::group || !field.get) return;
       const Value value = field.get(full);
       CHECK_FALSE(std::holds_alternative<std::monostate>(value));
       if (path != "law") CHECK_FALSE(value == field.fallback);  // no other law takes all the parts
@@ -51,7 +51,7 @@ TEST_CASE("two cards that differ in one field have different texts", "[card]") {
   for (const std::string kind : {"woven", "svk", "linear"}) {
     const Card full = test::full_card(kind);
     each(fields(kind), "", [&](const std::string& path, const Field& field) {
-      if (field.holds != Holds::number || !field.get) return;
+      if (field.holds != FieldType::number || !field.get) return;
       INFO(kind << ": " << path);
       Card other = full;
       field.set(other, std::get<double>(field.get(full)) * (1 + 1e-15));
@@ -73,7 +73,7 @@ TEST_CASE("a zero byte in a card's words is written so that a digit behind it st
 TEST_CASE("a number out of its row's range is refused by its path", "[card]") {
   for (const std::string kind : {"woven", "svk", "linear"})
     each(fields(kind), "", [&](const std::string& path, const Field& field) {
-      if (field.holds != Holds::number || !field.get || !std::isfinite(field.range.low)) return;
+      if (field.holds != FieldType::number || !field.get || !std::isfinite(field.range.low)) return;
       for (const double bad : {field.range.low - 1, std::nan(""), std::numeric_limits<double>::infinity()}) {
         Card card = test::full_card(kind);
         card.name = "mine";

@@ -9,7 +9,6 @@
 --   ```fabricsh           a session at the prompt: lines after "> " are typed, the others are what it shows
 --   ```python             run by Debian's Python with share/python at hand; left out, and said so, where numpy is missing
 --   ```text               what the block before printed, compared; a line "..." stands for any lines
---   ```formula            no code
 --   ```cpp file=PATH      (and cmake) shown here: the text of that file of the tree, which other tests build and run
 -- Anything else that looks like code (indented, or another word behind the fence) is refused, so that no block goes unrun.
 local root, page = arg[1], arg[2]
@@ -113,7 +112,6 @@ local run_block = {
     if not last then error(what .. ": no block before it has printed anything", 0) end
     compare(last, text, what)
   end,
-  formula = function() end,
 }
 
 local function blocks_of(text)

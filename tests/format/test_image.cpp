@@ -145,7 +145,8 @@ TEST_CASE("what a picture says of its size is not believed", "[files]") {
   says(claim(0), "bytes can't hold 3880 x 3860 pixels");
   // A file as small as this is not to fill the memory, whatever its packing could hold.
   png[18] = png[22] = 0x10;
-  says(claim(0), "it says to have 4136 x 4116 pixels, more than the 16777216 that are read from a file of ");
+  says(claim(0),
+       "its header declares 4136 x 4116 pixels, more than the 16777216 that are read from a file of ");
   // A longer one may have 64 pixels for each byte, up to 2^27.
   const auto long_claim = [&](char middle, std::size_t bytes) {
     png[18] = png[22] = middle;

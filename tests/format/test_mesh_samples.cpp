@@ -292,6 +292,15 @@ TEST_CASE("OBJ: what is not known is passed over and told, names have blanks, fa
                 "x.obj: 1 face with more than four corners cut into triangles from the first corner"});
 }
 
+TEST_CASE("OBJ: a backslash at the end of a line goes on below, from Windows too", "[files]") {
+  const auto m = read_obj(
+      "x.obj", "v 0 0 \\\r\n0\r\nv 2 0 0\r\nv 3 1 0\r\nv 1 2 0\r\nf 1/1 \\ \n 2//3 \\\r\n3 4 # all\r\n");
+  CHECK(m.nodes.size() == 4);
+  CHECK(m.elements == decltype(m.elements){{0, 1, 2, 3}});
+  CHECK(read_obj("x.obj", "v 0 0 0\nv 2 0 0\nv 3 1 0\nf 1 2 3 \\").elements ==
+        decltype(m.elements){{0, 1, 2, -1}});
+}
+
 TEST_CASE("STL: facets with two corners at one place are left out and told", "[files]") {
   const auto facet = [](const char* corners) {
     std::string text = " facet normal 0 0 1\n  outer loop\n";

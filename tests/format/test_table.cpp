@@ -84,7 +84,7 @@ TEST_CASE("columns of text and rows without a number", "[files]") {
   REQUIRE(t.columns.size() == 4);
   CHECK(t.columns[0].name == "Date");
   CHECK(t.columns[0].text);
-  CHECK(t.columns[1].trouble ==
+  CHECK(t.columns[1].error ==
         "a:3: column 'Cycle': expected a finite number with a decimal comma, got '1-Load'");
   CHECK(t.columns[3].values == std::vector<double>{0.5, 2, 3, 4});
   CHECK(trouble("u,P\nNaN,NaN\n0,0\n1,2\n2,3\n3,4\n") ==
@@ -92,8 +92,8 @@ TEST_CASE("columns of text and rows without a number", "[files]") {
   const Table gap = parse_table("b", "t,u,P\n0,0,\n1,1,2\n2,2,3\n3,3,4\n4,4,5\n", {0, 0, true});
   CHECK(gap.columns[1].values.size() == 5);
   CHECK(std::isnan(gap.columns[2].values[0]));
-  CHECK(gap.columns[2].trouble == "b:2: column 'P': expected a finite number, got ''");
-  CHECK(gap.columns[1].trouble.empty());
+  CHECK(gap.columns[2].error == "b:2: column 'P': expected a finite number, got ''");
+  CHECK(gap.columns[1].error.empty());
   const Table often = parse_table("c", "t,u,P\n0,0,\n1,1,2\n2,2,\n3,3,4\n4,4,\n", {0, 0, true});
   CHECK(often.columns[2].values[3] == 4);
   CHECK(often.columns[1].values[4] == 4);
@@ -152,7 +152,8 @@ TEST_CASE("typographic signs, and thousands that the deck names", "[files]") {
   CHECK(t.columns[0].name == "%");
   CHECK(t.columns[0].values == std::vector<double>{-0.5, 1, 2});
   CHECK(t.columns[1].values == std::vector<double>{1234.5, -2000, 3000.25});
-  CHECK(trouble("0,5;1\n0,5;1\n0,5;1\n0,5;1\n1;1.234\n").ends_with("got '1.234'"));
+  CHECK(trouble("0,5;1\n0,5;1\n0,5;1\n0,5;1\n1;1.234\n")
+            .ends_with("got '1.234'; if its point stands between thousands, give thousands='.'"));
   CHECK(parse_table("b", "0,5;1,5\n1;1.234\n", {0, 0, false, '.'}).columns[1].values ==
         std::vector<double>{1.5, 1234});
   CHECK(trouble("0;1\n0;1\n0;1\n0;1\n1;12 34\n").ends_with("got '12 34'"));
@@ -174,6 +175,16 @@ TEST_CASE("an empty last column and units with gaps keep their headings", "[file
   CHECK(gaps.columns[4].name == "Status");
 }
 
+TEST_CASE("lines of separators alone are no rows, and hide no heading", "[files]") {
+  const Table t = parse_table("a", ";No.;t;P\n;;;\n;;[s];[N]\n;1;0;2,5\n;;;\n;2;1;3,5\n;3;2;7\n;;;\n;;;\n");
+  REQUIRE(t.columns.size() == 4);
+  CHECK(t.columns[2].name == "t");
+  CHECK(t.columns[3].unit == "N");
+  CHECK(t.columns[3].values == std::vector<double>{2.5, 3.5, 7});
+  CHECK(t.lines == std::vector<std::size_t>{4, 6, 7});
+  CHECK(parse_table("b", "t;P\n0;2\n1;3\n2;4\nFmax;4,0 N\n").left_out.at(0).numbers);
+}
+
 TEST_CASE("thousands are read where they cannot be decimals", "[files]") {
   const auto second = [](const std::string& cell, char separator) {
     return parse_table("a", std::string("u") + separator + "P\n0.5" + separator + cell + "\n")
@@ -185,7 +196,8 @@ TEST_CASE("thousands are read where they cannot be decimals", "[files]") {
   CHECK(second("1,234,567", '\t') == 1234567);
   CHECK(parse_table("b", "0,5;1.234,5\n").columns[1].values[0] == 1234.5);
   CHECK(parse_table("c", "0;1,234\n").columns[1].values[0] == 1.234);
-  CHECK(trouble("0.5;1\n0.5;1\n0.5;1\n0.5;1\n0.5;1,234\n").ends_with("got '1,234'"));
+  CHECK(trouble("0.5;1\n0.5;1\n0.5;1\n0.5;1\n0.5;1,234\n")
+            .ends_with("got '1,234'; if its comma stands between thousands, give thousands=','"));
   for (const std::string wrong : {"1,23.5", "1234,567.5", ",234.5", "1,2345.5", "1,,234.5"})
     CHECK(trouble("0.5;1\n0.5;1\n0.5;1\n0.5;1\n0.5;" + wrong + "\n").ends_with("got '" + wrong + "'"));
 }
@@ -220,7 +232,7 @@ TEST_CASE("decimal commas in quotes between commas", "[files]") {
   // a column that nobody needs does not spoil the others
   const Table other = parse_table("d", "u,P,n\n0,0.5,\"1,000\"\n1,1.5,\"2,000\"\n", {0, 0, true});
   CHECK(other.columns[1].values == std::vector<double>{0.5, 1.5});
-  CHECK_FALSE(other.columns[2].trouble.empty());
+  CHECK_FALSE(other.columns[2].error.empty());
 }
 
 TEST_CASE("a first row with too many or too few cells is not taken for text above the table", "[files]") {

@@ -24,8 +24,8 @@ namespace {
 struct Sample {
   std::vector<Vec3> points = {{0, 0, 0}, {1, 0, 0.1}, {1, 1, 0}, {0, 1, 1.0 / 3.0}, {2, 0.5, 0}};
   std::vector<std::array<Index, 4>> cells = {{0, 1, 2, 3}, {1, 4, 2, -1}};
-  Grid grid() const {
-    Grid grid{points, cells};
+  VtuGrid grid() const {
+    VtuGrid grid{points, cells};
     grid.point_data.push_back({"height", 1, {0, 1, 2, 3, 4}});
     grid.point_data.push_back({"u", 3, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15}});
     grid.cell_data.push_back({"E", 5, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10}, {"11", "22", "23", "13", "12"}});
@@ -60,7 +60,7 @@ TEST_CASE("a grid reads back: points and cells", "[files]") {
 TEST_CASE("a grid reads back: arrays, their component names, the time", "[files]") {
   const ScratchFolder folder;
   const Sample sample;
-  Grid written = sample.grid();
+  VtuGrid written = sample.grid();
   written.time = 0.25;
   write_vtu(folder / "x.vtu", written, system::Sync::no);
   vtkNew<vtkXMLUnstructuredGridReader> reader;
@@ -79,7 +79,7 @@ TEST_CASE("a grid reads back: arrays, their component names, the time", "[files]
 TEST_CASE("a grid reads back: the units of arrays, and once more as names in the field data", "[files]") {
   const ScratchFolder folder;
   const Sample sample;
-  Grid written = sample.grid();
+  VtuGrid written = sample.grid();
   written.point_data[1].unit = "m";
   written.cell_data[0].unit = "Pa & <s>";
   write_vtu(folder / "x.vtu", written, system::Sync::no);
@@ -101,7 +101,7 @@ TEST_CASE("a grid without cells is a file too", "[files]") {
   const ScratchFolder folder;
   const std::vector<Vec3> points;
   const std::vector<std::array<Index, 4>> cells;
-  write_vtu(folder / "empty.vtu", Grid{points, cells});
+  write_vtu(folder / "empty.vtu", VtuGrid{points, cells});
   vtkNew<vtkXMLUnstructuredGridReader> reader;
   read(reader, folder / "empty.vtu");
   CHECK(reader->GetOutput()->GetNumberOfPoints() == 0);
@@ -110,7 +110,7 @@ TEST_CASE("a grid without cells is a file too", "[files]") {
 TEST_CASE("an array of the wrong length is refused by name, and nothing is written", "[files]") {
   const ScratchFolder folder;
   const Sample sample;
-  Grid grid = sample.grid();
+  VtuGrid grid = sample.grid();
   grid.cell_data.push_back({"S11", 1, {1, 2, 3}});
   says(message_of([&] { write_vtu(folder / "x.vtu", grid); }),
        "array 'S11': expected 1 values for each of 2 cells, got 3 in all");
@@ -166,7 +166,7 @@ TEST_CASE("a frame that fails leaves the series as it was", "[files]") {
   PvdSeries series(folder / "x");
   series.frame(0, sample.grid());
   const std::string before = content_of(series.path());
-  Grid wrong = sample.grid();
+  VtuGrid wrong = sample.grid();
   wrong.point_data[0].values.pop_back();
   says(message_of([&] { series.frame(1, wrong); }), "'height'");
   CHECK(content_of(series.path()) == before);

@@ -55,8 +55,8 @@ int push_card_text(lua_State* L) {
   return 1;
 }
 
-script::Options options() {
-  script::Options o;
+script::SessionOptions options() {
+  script::SessionOptions o;
   o.safe = script::SafeOptions{256, 1'000'000, 86'400};
   o.quiet = true;
   o.threads = 1;

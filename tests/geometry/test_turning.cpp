@@ -33,7 +33,7 @@ TEST_CASE("turning: a director and its first axis go as a rotation takes them, b
 
 TEST_CASE("turning: what the series give at their end is what the functions give") {
   const double x = 0.01;
-  const Turn below = turn_by(std::nextafter(x, 0)), above = turn_by(x);
+  const TurnFunctions below = turn_by(std::nextafter(x, 0)), above = turn_by(x);
   CHECK(below.cosine == Approx(above.cosine).epsilon(1e-15));
   CHECK(below.sine == Approx(above.sine).epsilon(1e-15));
   CHECK(below.versed == Approx(above.versed).epsilon(1e-13));  // (cos - 1) / x loses two digits there

@@ -41,7 +41,7 @@ struct Misses {
 Misses misses(const Speckles& s, const std::vector<Subset>& subsets) {
   Misses m;
   for (const Subset& subset : subsets) {
-    if (subset.state != Subset::State::found) continue;
+    if (subset.state != Subset::SubsetState::found) continue;
     const auto [x, y] = truth(s, subset.x, subset.y);
     const double dx = subset.x + subset.u - x, dy = subset.y + subset.v - y;
     m.rms += (dx * dx + dy * dy) / 2;
@@ -164,7 +164,7 @@ TEST_CASE("strains, turns and large ways", "[lab]") {
     double worst = 0;
     std::size_t strained = 0;
     for (const Subset& subset : subsets) {
-      if (subset.state != Subset::State::found || std::isnan(subset.strain[0])) continue;
+      if (subset.state != Subset::SubsetState::found || std::isnan(subset.strain[0])) continue;
       ++strained;
       worst = std::max({worst, std::abs(subset.strain[0] - (a * a - 1) / 2),
                         std::abs(subset.strain[1] - (b * b + g * g - 1) / 2),
@@ -184,17 +184,17 @@ TEST_CASE("what leaves the picture is lost and found again, and a blank patch is
   Correlator correlator(first, options());
   std::size_t blank = 0;
   for (const Subset& subset : correlator.subsets())
-    if (subset.state == Subset::State::textureless) {
+    if (subset.state == Subset::SubsetState::textureless) {
       ++blank;
       CHECK((subset.x > 100 && subset.x < 160 && subset.y > 90 && subset.y < 150));
     }
   CHECK(blank >= 4);
   format::Image empty = first;
   std::fill(empty.pixels.begin(), empty.pixels.end(), 0.5F);
-  for (const Subset& subset : correlator.add(empty)) CHECK(subset.state != Subset::State::found);
+  for (const Subset& subset : correlator.add(empty)) CHECK(subset.state != Subset::SubsetState::found);
   std::size_t found = 0;
   for (const Subset& subset : correlator.add(first)) {
-    if (subset.state != Subset::State::found) continue;
+    if (subset.state != Subset::SubsetState::found) continue;
     ++found;
     CHECK(std::hypot(subset.u, subset.v) < 1e-6);
     CHECK(subset.correlation > 1 - 1e-9);
@@ -216,11 +216,11 @@ TEST_CASE("a subset that resembles the wrong place is lost, not misplaced", "[la
     for (int column = -12; column <= 12; ++column)
       second.at(x + 9 + column, y + row) = first.at(x + column, y + row);
   const auto& subsets = correlator.add(second);
-  CHECK(subsets[middle].state == Subset::State::lost);
+  CHECK(subsets[middle].state == Subset::SubsetState::lost);
   CHECK(std::abs(subsets[middle].u - 9) < 1e-3);  // where it was seen
   std::size_t still = 0;
   for (const Subset& subset : subsets) {
-    if (subset.state != Subset::State::found) continue;
+    if (subset.state != Subset::SubsetState::found) continue;
     ++still;
     CHECK(std::hypot(subset.u, subset.v) < 0.01);
   }
@@ -231,13 +231,13 @@ TEST_CASE("photographs without a texture, or of another size, are refused", "[la
   format::Image grey{200, 200, std::vector<float>(40000, 0.5F)};
   CorrelationOptions o = options();
   o.region = {0, 0, 200, 200};
-  CHECK(message_of([&] { Correlator(grey, o); }).find("has a texture that tells a displacement") !=
+  CHECK(message_of([&] { Correlator(grey, o); }).find("has a texture that determines a displacement") !=
         std::string::npos);
   // Stripes tell one direction only.
   for (int row = 0; row < 200; ++row)
     for (int column = 0; column < 200; ++column)
       grey.at(column, row) = static_cast<float>(0.5 + 0.3 * std::sin(0.5 * column));
-  CHECK(message_of([&] { Correlator(grey, o); }).find("has a texture that tells a displacement") !=
+  CHECK(message_of([&] { Correlator(grey, o); }).find("has a texture that determines a displacement") !=
         std::string::npos);
   o.region = {0, 0, 20, 200};
   CHECK(message_of([&] {

@@ -94,7 +94,7 @@ std::function<Points(const Points&)> cubic(double miss, double ripple) {
 TEST_CASE(
     "the end of a search that is not quite smooth: where smooth least squares ends, with its deviations",
     "[lab]") {
-  const std::vector<Bounds> bounds{{0, 2}, {-8, 4}, {-9, 15}, {-5, 3}};
+  const std::vector<ParameterBounds> bounds{{0, 2}, {-8, 4}, {-9, 15}, {-5, 3}};
   const std::vector<double> width{2, 12, 24, 8}, start{1.3, -3, 4, -2};
   const auto smooth = least_squares(start, bounds, cubic(1, 0), {200, 1e-14, 1e-6});
   const auto truth = identifiability(smooth.jacobian, width);
@@ -117,7 +117,7 @@ TEST_CASE(
 }
 
 TEST_CASE("settling stays within the bounds and keeps what is exact", "[lab]") {
-  const std::vector<Bounds> bounds{
+  const std::vector<ParameterBounds> bounds{
       {0, 1}, {-8, 4}, {-9, 15}, {-5, 3}};  // the best lies on the first one's bound
   const auto inside = [&](const Points& points) {
     for (const auto& p : points)
@@ -151,13 +151,13 @@ TEST_CASE("processes answer in order, side by side, and say their trouble", "[la
                      if (i == 2) throw Error("no such cloth");
                      return std::vector<double>(10000 * i + 1, static_cast<double>(getpid()));
                    },
-                   {4, false, [&](std::size_t, const Answer&) { ++told; }, {}});
+                   {4, false, [&](std::size_t, const WorkerResult&) { ++told; }, {}});
   CHECK(told == 4);
   for (const std::size_t i : {0u, 1u, 3u}) {
     CHECK(answers[i].values.size() == 10000 * i + 1);
     CHECK(answers[i].values[0] != own);
   }
-  CHECK(answers[2].trouble == "no such cloth");
+  CHECK(answers[2].error == "no such cloth");
   const auto who = [](std::size_t) { return std::vector<double>{static_cast<double>(getpid())}; };
   CHECK(in_processes(2, who, {1, false, {}, {}})[1].values[0] == own);
   CHECK(in_processes(2, who, {1, true, {}, {}})[1].values[0] != own);
@@ -171,16 +171,16 @@ TEST_CASE("a process that is killed, one that throws no exception, and work that
                                       return std::vector<double>{1};
                                     },
                                     {2, false, {}, {}});
-  CHECK(answers[0].trouble == "the process was ended by signal 9 (Killed)");
-  CHECK(answers[1].trouble == "unknown trouble");
+  CHECK(answers[0].error == "the process was ended by signal 9 (Killed)");
+  CHECK(answers[1].error == "unknown error");
   CHECK(answers[2].values == std::vector<double>{1});
   std::size_t finished = 0;
-  const auto stopped =
-      in_processes(6, [](std::size_t) { return std::vector<double>{1}; },
-                   {1, true, [&](std::size_t, const Answer&) { ++finished; }, [&] { return finished == 2; }});
+  const auto stopped = in_processes(
+      6, [](std::size_t) { return std::vector<double>{1}; },
+      {1, true, [&](std::size_t, const WorkerResult&) { ++finished; }, [&] { return finished == 2; }});
   CHECK(finished == 2);
-  CHECK(stopped[1].trouble.empty());
-  CHECK(stopped[2].trouble == "stopped");
+  CHECK(stopped[1].error.empty());
+  CHECK(stopped[2].error == "stopped");
 }
 
 TEST_CASE("what is attached comes along with values and with trouble, of copies alone", "[lab]") {
@@ -190,12 +190,12 @@ TEST_CASE("what is attached comes along with values and with trouble, of copies 
   };
   Processes how{2, true};
   how.attach = [] { return std::string("with\0care", 9); };
-  for (const Answer& answer : in_processes(3, work, how)) {
+  for (const WorkerResult& answer : in_processes(3, work, how)) {
     CHECK(answer.attached == std::string("with\0care", 9));
     CHECK_FALSE(answer.died);
   }
   const auto answers = in_processes(3, work, how);
-  CHECK(answers[1].trouble == "no such cloth");
+  CHECK(answers[1].error == "no such cloth");
   CHECK(answers[2].values == std::vector<double>(6, 0.1));
   how.always = false;
   how.at_a_time = 1;

@@ -128,7 +128,7 @@ TEST_CASE("the affine map of a box and the zones of a bias specimen", "[lab]") {
   for (std::size_t i = 0; i < 4; ++i) CHECK(std::abs(got[i] - F[i]) < 1e-14);
   // parts in the mean over all frames, there and back, one box lost for a while and one for good
   const double lost = std::nan("");
-  const auto share = shear_shares({0, 0, 0, 0.1, 0.2, lost, 0.2, lost, lost, 0.01, 0.02, lost}, 3);
+  const auto share = shear_ratios({0, 0, 0, 0.1, 0.2, lost, 0.2, lost, lost, 0.01, 0.02, lost}, 3);
   // means 0.15, 0.2, 0.015; the second box is not seen in the second of these frames
   CHECK(std::abs(share[0] - (0.1 * 0.15 + 0.2 * 0.2 + 0.01 * 0.015) /
                                 (0.15 * 0.15 + 0.2 * 0.2 + 0.015 * 0.015)) < 1e-12);

@@ -19,8 +19,8 @@ std::array<double, 4> pulled(double E, double angle) {
 }
 
 // 100 pixels a centimetre, dots of 2 mm every centimetre.
-Scene scene() {
-  Scene s;
+DotGrid scene() {
+  DotGrid s;
   s.width = 900;
   s.height = 1000;
   s.rows = 6;
@@ -34,7 +34,7 @@ Scene scene() {
 
 TEST_CASE("a dot's middle as well as the noise lets it be known", "[lab]") {
   for (const double blur : {0.7, 1.0, 2.0}) {
-    Scene s = scene();
+    DotGrid s = scene();
     s.blur = blur;
     double squares = 0, count = 0;
     for (int k = 0; k < 6; ++k) {
@@ -84,7 +84,7 @@ TEST_CASE("strain to 2e-4 through 50 % and 30 degrees", "[lab]") {
   std::optional<Tracker> tracker;
   std::vector<std::array<double, 4>> truth;
   for (int f = 0; f < frames; ++f) {
-    Scene s = scene();
+    DotGrid s = scene();
     const double part = f / (frames - 1.0);
     truth.push_back(pulled(0.5 * part, 0.5235987755982988 * part));
     s.F = truth.back();
@@ -122,7 +122,7 @@ TEST_CASE("strain to 2e-4 through 50 % and 30 degrees", "[lab]") {
 }
 
 TEST_CASE("a grid is known on a first photograph that is turned", "[lab]") {
-  Scene s = scene();
+  DotGrid s = scene();
   s.width = s.height = 1100;
   for (const double strain : {0.0, 0.3})
     for (int degrees = -40; degrees <= 40; degrees += 8) {
@@ -142,7 +142,7 @@ TEST_CASE("a grid is known on a first photograph that is turned", "[lab]") {
 }
 
 TEST_CASE("dots that are no grid are refused", "[lab]") {
-  Scene s = scene();
+  DotGrid s = scene();
   s.width = s.height = 1100;
   const std::string wanted = "dots on the first photograph are no grid of 6 rows and 4 columns";
   s.F = pulled(0, 55 * std::numbers::pi / 180);
@@ -156,7 +156,7 @@ TEST_CASE("dots that are no grid are refused", "[lab]") {
 }
 
 TEST_CASE("lost and changed dots are told, and found again", "[lab]") {
-  const Scene s = scene();
+  const DotGrid s = scene();
   const auto dots = find_dots(photograph(s), {});
   Tracker tracker(s.rows, s.columns, dots);
   auto fewer = dots;
@@ -178,7 +178,7 @@ TEST_CASE("lost and changed dots are told, and found again", "[lab]") {
 }
 
 TEST_CASE("light dots on dark cloth, and what is no dot", "[lab]") {
-  Scene s = scene();
+  DotGrid s = scene();
   s.ground = 0.1;
   s.ink = 0.9;
   const auto image = photograph(s);

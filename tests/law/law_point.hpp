@@ -20,7 +20,7 @@ struct LawPoint {
   explicit LawPoint(const card::Card& card) : law(law::compile(card)) {}
   bool evaluate(const Strain& e, const law::Step& step = {}) {
     return law::evaluate(*law, step, e.data(), s.data(), trial.data(), S.data(), C.data()) ==
-           law::Outcome::ok;
+           law::Evaluation::ok;
   }
   bool go(const Strain& e, const law::Step& step = {}) {
     const bool fine = evaluate(e, step);
@@ -28,7 +28,7 @@ struct LawPoint {
     s = trial;
     return fine;
   }
-  law::Energy energy() const { return law::energy(*law, E.data(), s.data()); }
+  law::EnergyDensity energy() const { return law::energy(*law, E.data(), s.data()); }
 };
 
 class Random {

@@ -68,7 +68,7 @@ inline void one_loop(const card::Card& card, Random& random, LoopSum& sum) {
   const int corners = 2 + random.below(5);
   for (int k = 0; k <= corners; ++k) {
     const Strain next = k == corners ? Strain{} : random_strain(random, w);
-    if (w.beside.viscous) point.over = random(0, 3) * w.beside.viscous->time;
+    if (w.parallel.viscous) point.over = random(0, 3) * w.parallel.viscous->time;
     const double step = leg_work(point, next, 1e5);
     W += step;
     energy += std::fabs(step);
@@ -88,7 +88,7 @@ inline void no_energy_from_nothing(const card::Card& card, unsigned seed, int lo
   const auto& w = std::get<card::Woven>(card.law);
   const char* option = w.warp.loop                                   ? "curved"
                        : w.shear.friction                            ? "friction"
-                       : w.beside.viscous                            ? "viscous"
+                       : w.parallel.viscous                          ? "viscous"
                        : w.biaxial                                   ? "biaxial"
                        : w.shear.memory == card::ShearMemory::fading ? "fading"
                                                                      : "";

@@ -9,7 +9,6 @@
 
 using namespace fabricsh;
 using namespace fabricsh::test;
-using law::Severity;
 
 namespace {
 
@@ -60,7 +59,7 @@ TEST_CASE("where the printed law loses its definiteness, by branch pair", "[chec
       if (std::isnan(row.first)) continue;
       ++broken[card.name];
       if (f == 0)
-        CHECK((mixed && (row.warp == law::Branch::unloading || row.weft == law::Branch::unloading)));
+        CHECK((mixed && (row.warp == law::LoadBranch::unloading || row.weft == law::LoadBranch::unloading)));
     }
     const double d = thesis_rows()[f].warp[0], k = thesis_rows()[f].weft[0];
     const double cross = thesis_rows()[f].nu21 * d + thesis_rows()[f].nu12 * k;
@@ -78,7 +77,7 @@ TEST_CASE("a refused card says why, and a doubtful one warns", "[check]") {
   CHECK(report.text().find("E11 = 0.194") != std::string::npos);
 
   card = thesis_card(3);
-  woven(card).shear.measure = card::Measure::engineering;
+  woven(card).shear.measure = card::StrainMeasure::engineering;
   report = law::check(card, 0.1);
   CHECK(report.ok());
   CHECK(report.find("guard.shear")->severity == Severity::warning);

@@ -132,11 +132,11 @@ TEST_CASE("St. Venant-Kirchhoff keeps both moduli and the product of the ratios"
 
 TEST_CASE("the linear law is symmetric or refused", "[compile][elastic]") {
   auto card = thesis_card(0);
-  card.law = card::Linear{8e6, 37e6, 2e6, 0.25, 0.42};
+  card.law = card::LinearElastic{8e6, 37e6, 2e6, 0.25, 0.42};
   const std::string reason = refusal(card);
   CHECK(reason.find("symmetric") != std::string::npos);
   CHECK(reason.find("1.156") != std::string::npos);  // nu21 that would do
-  card.law = card::Linear{8e6, 16e6, 2e6, 0.25, 0.5};
+  card.law = card::LinearElastic{8e6, 16e6, 2e6, 0.25, 0.5};
   LawPoint point(card);
   point.go({0.1, -0.025, 0, 0, 0});
   CHECK(point.S[0] == Approx(8e5).epsilon(1e-13));

@@ -37,7 +37,7 @@ std::vector<double> strained(const law::Law& law, std::mt19937& random) {
       for (int step = 0; step < 5; ++step) {
         const double E[5] = {strain(random), strain(random), 0, 0, strain(random)};
         double S[5];
-        REQUIRE(law::evaluate(law, law::Step{}, E, s0.data(), s1.data(), S, nullptr) == law::Outcome::ok);
+        REQUIRE(law::evaluate(law, law::Step{}, E, s0.data(), s1.data(), S, nullptr) == law::Evaluation::ok);
         s0 = s1;
       }
       for (int k = 0; k < size; ++k) states[static_cast<std::size_t>((i * size + k) * lanes + lane)] = s0[k];
@@ -58,8 +58,8 @@ TEST_CASE("the largest share of the tested strains is the same for a batch as fo
     for (int round = 0; round < 50; ++round) {
       const auto states = strained(*law, random);
       for (const Isa isa : usable()) {
-        const double share =
-            law::share_function(isa)(*law, inverse, states.data(), static_cast<long>(size) * lanes, points);
+        const double share = law::strain_ratio_function(isa)(*law, inverse, states.data(),
+                                                             static_cast<long>(size) * lanes, points);
         double most = 0;
         for (int lane = 0; lane < lanes; ++lane)
           for (int i = 0; i < points; ++i) {
@@ -78,7 +78,7 @@ TEST_CASE("peaks are the largest strains of a history, of shear on either side")
   const auto go = [&](double E11, double E22, double E12) {
     const double E[5] = {E11, E22, 0, 0, 2 * E12};
     double S[5];
-    REQUIRE(law::evaluate(*law, law::Step{}, E, s0.data(), s1.data(), S, nullptr) == law::Outcome::ok);
+    REQUIRE(law::evaluate(*law, law::Step{}, E, s0.data(), s1.data(), S, nullptr) == law::Evaluation::ok);
     s0 = s1;
     return law::peak_strains(*law, s0.data(), 1);
   };
@@ -98,7 +98,7 @@ TEST_CASE("a card is tested to what it states, else to the last points of its cu
   woven.warp.loading = {{}, {{0, 0}, {0.1, 1e6}, {0.3, 4e6}}};
   woven.shear.loading = {{}, {{0, 0}, {0.4, 1e5}}};
   CHECK(law::tested_strains(c) == std::array{0.3, 0.0, 0.4});
-  woven.shear.measure = card::Measure::engineering;  // its points are of 2 E12
+  woven.shear.measure = card::StrainMeasure::engineering;  // its points are of 2 E12
   CHECK(law::tested_strains(c) == std::array{0.3, 0.0, 0.2});
   CHECK(law::tested_strains(test::svk()) == std::array{0.0, 0.0, 0.0});
 }

@@ -137,7 +137,7 @@ TEST_CASE("range guards act where they should", "[law][guard]") {
     }
   }
   auto engineering = thesis_card(3);
-  woven(engineering).shear.measure = card::Measure::engineering;
+  woven(engineering).shear.measure = card::StrainMeasure::engineering;
   const auto law = law::compile(engineering);
   const double top = (66 + std::sqrt(66.0 * 66 - 4 * 4 * 159)) / 318;  // D' = 0 of denim's table: 2 x 0.1707
   CHECK(law::backbone_modulus(*law, 3, 0.6) == Approx(modulus_of(thesis_rows()[3].shear, top) * MPa));

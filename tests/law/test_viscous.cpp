@@ -64,14 +64,14 @@ TEST_CASE("one step of relaxation is as good as two, however short or long", "[l
     const auto loss = [](const rheology::viscous::StepEffect& w, double q, double pulled) {
       return w.own * q * q + 2 * w.mixed * q * pulled + w.pulled * pulled * pulled;
     };
-    const double middle = half.decay * q0 + half.share * g / 2;
+    const double middle = half.decay * q0 + half.factor * g / 2;
     INFO("x = " << x);
-    CHECK(whole.decay * q0 + whole.share * g ==
-          Approx(half.decay * middle + half.share * g / 2).epsilon(1e-13));
+    CHECK(whole.decay * q0 + whole.factor * g ==
+          Approx(half.decay * middle + half.factor * g / 2).epsilon(1e-13));
     CHECK(loss(whole, q0, g) == Approx(loss(half, q0, g / 2) + loss(half, middle, g / 2)).epsilon(2e-13));
     // Its energy: what is done is stored or lost. Work = g int q ds.
-    const double q1 = whole.decay * q0 + whole.share * g;
-    const double mean = whole.share * q0 + g * (1 - whole.share) / (2 * x);
+    const double q1 = whole.decay * q0 + whole.factor * g;
+    const double mean = whole.factor * q0 + g * (1 - whole.factor) / (2 * x);
     if (x > 1e-3)
       CHECK(g * mean == Approx((q1 * q1 - q0 * q0) / 2 + loss(whole, q0, g)).epsilon(1e-12).margin(1e-15));
   }
@@ -127,18 +127,18 @@ TEST_CASE("a law cuts a strain that is not finite, and is broken where its state
     return law::evaluate(*point.law, {0, 0.1}, E.data(), point.s.data(), point.trial.data(), point.S.data(),
                          nullptr);
   };
-  CHECK(outcome(fine) == law::Outcome::ok);
-  CHECK(outcome(bad) == law::Outcome::cut);
-  point.s[law::beside_slot(point.law->woven) + rheology::viscous::state::q] = std::nan("");
-  CHECK(outcome(fine) == law::Outcome::broken);
+  CHECK(outcome(fine) == law::Evaluation::ok);
+  CHECK(outcome(bad) == law::Evaluation::cut);
+  point.s[law::parallel_slot(point.law->woven) + rheology::viscous::state::q] = std::nan("");
+  CHECK(outcome(fine) == law::Evaluation::broken);
 }
 
 TEST_CASE("a card without viscous shear has the state and the stiffness it had", "[law][viscous]") {
   const auto plain = law::compile(thesis_card(0)), viscous = law::compile(viscous_card());
   CHECK(law::state_size(*viscous) == law::state_size(*plain) + rheology::viscous::Element::numbers);
   CHECK(plain->is_plain);
-  CHECK(!law::hangs_on_time(*plain));
-  CHECK(law::hangs_on_time(*viscous));
+  CHECK(!law::is_rate_dependent(*plain));
+  CHECK(law::is_rate_dependent(*viscous));
   CHECK(law::stiffest(*viscous) >= law::stiffest(*plain));
   auto other = viscous_card();
   woven(other).law = card::LawKind::thesis;

@@ -101,7 +101,7 @@ inline card::Card with_biaxial(card::Card c) {
 
 // Shear with a relaxing part: modulus in the tensor measure, Pa, and time, s.
 inline card::Card with_viscous(card::Card c, double modulus = 6 * MPa, double time = 0.7) {
-  woven(c).beside.viscous = rheology::viscous::Parameters{modulus, time};
+  woven(c).parallel.viscous = rheology::viscous::Parameters{modulus, time};
   return c;
 }
 

@@ -109,7 +109,7 @@ local function wrong(words, sign)
 end
 wrong("force runs from -", function() return -1 end)
 wrong("force runs from -", function(i) return i < 30 and 1 or -1 end)
-wrong("expected a pull that carries something, got zeros alone", function() return 0 end)
+wrong("expected a pull with a force, got only zeros", function() return 0 end)
 assert(os.execute("rm -r '" .. place .. "'"))
 local noisy = pull(0.1, 0.3, 0)
 noisy.force[1] = -0.01 * noisy.force[40]

@@ -85,6 +85,42 @@ local again = drawn(2)
 assert(again.text == b.text and again.band.v.low == b.band.v.low)
 near(by_source(b.contributions.v).specimen.share, 0.75, 0.12, "share of the specimen")
 
+-- --- the band alone: of 2 a, a uniform on 0 to 3, the deviation is 6 / sqrt(12)
+b = budget { assumed = { a = { 0, 3 }, c = { 0, 1 } }, samples = 256, shares = false, run = function(p) return { v = 2 * p.assumed.a } end }
+assert(b.runs == 2 * 256 + 1 and #b.contributions.v == 1 and b.contributions.v[1].source == "inputs" and b.contributions.v[1].share == 1)
+near(b.of.v.deviation, 6 / math.sqrt(12), 0.01, "deviation without shares")
+near(b.band.v.low, 0.15, 0.05, "low end without shares")
+near(b.band.v.high, 5.85, 0.05, "high end without shares")
+
+-- --- warnings of the samples: half of the points of A and of B lie above the middle, and A with a from B is B; each text that differs in numbers alone once
+for _, processes in ipairs { 1, 2 } do
+  b = budget { assumed = { a = { 0, 1 } }, samples = 16, processes = processes, run = function(p)
+    if p.assumed.a > 0.5 then fabric.warn(("a is %.3f"):format(p.assumed.a)) end
+    fabric.warn "said in every run"
+    return { v = p.assumed.a }
+  end }
+  assert(#b.told == 2 and #b.warnings == 1 + 16, #b.told .. " " .. #b.warnings)
+  local always, above = b.told[1], b.told[2]
+  if always.runs ~= 48 then always, above = above, always end
+  assert(always.runs == 48 and above.runs == 24 and above.code == "deck" and above.text:find "a is 0%.%d%d%d$", above.runs)
+  assert(b.text:find("deck in 24 of 48 runs: ", 1, true), b.text)
+end
+local answers = fabric.lab.parallel { count = 2, collect = true, processes = 1, work = function(i)
+  if i == 2 then fabric.warn "the second" end
+  return { i }
+end }
+assert(#answers[1].warnings == 0 and #answers[2].warnings == 1 and answers[2].warnings[1].text:find "the second$" and answers[2][1] == 2)
+
+-- --- the range of an assumed pull: forces of the part, up and down, by a factor; the middle of the logarithm is the card's own where the range is even
+local alone = fabric.lab.kes_card { name = "alone", T = 0.5, W = 14, bending = { warp = { B = 0.11 }, weft = { B = 0.07 } } }
+b = budget { card = alone, samples = 64, shares = false, assumed = { ["shear.loading"] = { 0.5, 2 } }, run = function(p)
+  return { shear = math.log(p.card.shear.loading[1] / alone.shear.loading[1], 2), pull = math.log(p.card.warp.loading[1] / alone.warp.loading[1]),
+    way = p.card.shear.unloading / p.card.shear.loading[1] * alone.shear.loading[1] / alone.shear.unloading }
+end }
+near(b.of.shear.deviation, 2 / math.sqrt(12), 0.02, "deviation of the logarithm of an assumed shear")
+near(b.of.pull.deviation, math.log(30 / 0.8) / math.sqrt(12), 0.05, "deviation of the logarithm of an assumed pull")
+assert(b.band.way.high < 1.31 and b.band.way.low > 0.49, b.band.way.low)
+
 -- --- words
 refused("'mesh': run(p) does not use p.mesh", budget, { mesh = { 2, 4 }, run = function() return { v = 1 } end })
 refused("expected run(p) to return numbers by name, got none", budget, { run = function() return {} end })

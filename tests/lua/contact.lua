@@ -88,7 +88,16 @@ local ball = fabric.rigid.sphere { radius = 0.005, centre = { 0.01, 0.01, 0.02 }
 local heavy = fabric.rigid.sphere { radius = 0.005, centre = { 0.01, 0.01, 0.02 }, mass = 0.01, name = "shot" }
 local function sheet() return fabric.model { mesh = fabric.mesh.rectangle { width = 0.02, height = 0.02, nx = 4, ny = 4 }, card = card } end
 fails(function() sheet():contact { between = { ball, "al" } } end, "contact: unknown set 'al'")
-fails(function() sheet():contact { between = { ball, heavy } } end, "rigid bodies do not meet each other")
+local floor = fabric.rigid.plane { point = { 0, 0, 0 }, normal = { 0, 0, 1 } }
+local pole = fabric.rigid.cylinder { radius = 0.001, from = { 0, 0, 0.1 }, to = { 0, 0.01, 0.1 }, mass = 0.01 }
+local stick = fabric.rigid.cylinder { radius = 0.001, from = { 0, 0, 0.2 }, to = { 0, 0.01, 0.2 } }
+fails(function() sheet():contact { between = { ball, floor } } end, "bodies whose places are given do not meet each other")
+fails(function() sheet():contact { between = { heavy, heavy } } end, "expected each body once, got the sphere twice")
+fails(function() sheet():contact { between = { pole, stick } } end, "the cylinder and the cylinder do not meet each other")
+fails(function() sheet():contact { between = { heavy, floor }, friction = 0.2 } end, "expected 0 between the sphere and the plane, got 0.2")
+fails(function() sheet():contact { between = { heavy, floor }, settle = 0.2 } end, "expected bodies that begin apart")
+fails(function() sheet():contact { self = "all", friction = { static = 0.2, kinetic = 0.3 } } end, "expected at least the kinetic friction of 0.3, got 0.2")
+fails(function() sheet():contact { self = "all", friction = { static = 0.2 } } end, "kinetic")
 fails(function() sheet():contact { between = { ball, "left" } } end, "holds no whole element")
 fails(function() sheet():contact { between = { ball, "all" }, friction = -0.1 } end, "field 'friction'")
 fails(function() sheet():contact { friction = 1 } end, "expected either between={...} or self=, got neither")

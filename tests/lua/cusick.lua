@@ -133,7 +133,7 @@ end
 
 -- --- a limp disc hangs down in folds, and two seeds side by side are what each is alone, to the last bit
 do
-  local t = { card = sheet(2e-6, 1e6), disc = 0.24, support = 0.18, cells = 3, around = 36, lowering = 0.05, shakes = 0, duration = 0.15, window = 0.05, still = 1,
+  local t = { card = sheet(2e-6, 1e6), disc = 0.24, support = 0.18, cells = 3, around = 36, lowering = 0.05, duration = 0.15, window = 0.05, still = 1,
     damping = 20 }
   local one = fabric.lab.cusick(t)
   check("a limp disc: less shadow", one.coefficient < 0.9 and one.coefficient > 0 and 1 or 0, 1, { absolute = 0 })
@@ -141,11 +141,15 @@ do
   check("nothing passes", one.analysis:gap() > 0 and 1 or 0, 1, { absolute = 0 })
   check("the ledger is closed", one.runs[1].error, 0, { absolute = 1e-3 })
   check("its contour", #one.contour, 720, { absolute = 0 })
-  t.seeds, t.processes = 2, 2
+  t.seeds, t.processes, t.file = 2, 2, "two.svg"
   local two = fabric.lab.cusick(t)
   check("the first of two", two.runs[1].coefficient, one.coefficient, { absolute = 0 })
   check("mean of two", two.coefficient, (two.runs[1].coefficient + two.runs[2].coefficient) / 2)
   check("scatter of two", two.scatter.coefficient, math.abs(two.runs[1].coefficient - two.runs[2].coefficient) / math.sqrt(2), { relative = 1e-9 })
+  local picture = io.open("two.svg"):read "a"
+  local _, outlines = picture:gsub("<polygon", "")
+  check("outlines", outlines, 2, { absolute = 0 })
+  check("the second is told from the first by its pattern too, and so is its line in the legend", select(2, picture:gsub('stroke%-dasharray="7 3"', "")), 2, { absolute = 0 })
   check("they differ", two.runs[1].coefficient ~= two.runs[2].coefficient and 1 or 0, 1, { absolute = 0 })
 end
 

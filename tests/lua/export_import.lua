@@ -117,6 +117,19 @@ do
   end
 end
 
+-- Of several materials the first is read, and the others are named.
+do
+  fabric.export.card { card = fabric.card "duck", to = "abaqus", file = "one.inp" }
+  local one = io.open("one.inp"):read "a"
+  fabric.write("two.inp", one .. one:gsub("NAME=duck", "NAME=second", 1))
+  local warn, said = fabric.warn, {}
+  fabric.warn = function(words) said[#said + 1] = words end
+  local two = fabric.import.card { file = "two.inp", thickness = 0.62e-3, poisson = { 0.99, 0.68 } }
+  fabric.warn = warn
+  assert(two.card.name == "duck" and two.notes[1]:find "^materials: 2 materials of this kind are in the file %(lines %d+, %d+%); 'duck' is read", two.report)
+  assert(said[1]:find("two.inp: 2 materials of this kind", 1, true), said[1])
+end
+
 -- Units that the file states: in a comment, or in /BEGIN.
 local sheet = fabric.model { mesh = fabric.mesh.rectangle { width = 0.02, height = 0.02, nx = 1, ny = 1 }, card = fabric.card "blend", warp = 0 }
 sheet:fix("bottom", "x y z")

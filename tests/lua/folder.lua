@@ -151,7 +151,7 @@ fabric.warn = function(words) warned[#warned + 1] = words end
 part = folder.reduce(place)
 fabric.warn = warn
 assert(#part.missed == 2 and part.missed[1] == "loops=true, but no record of a yarn's pull comes back, so there is no loop", part.missed[1])
-assert(warned[#warned]:find("laboratory.lua: viscous=true, but there is no bias pull, so nothing tells what relaxes", 1, true), warned[#warned])
+assert(warned[#warned]:find("laboratory.lua: viscous=true, but there is no bias pull, so that relaxation cannot be determined", 1, true), warned[#warned])
 report.write(part, place .. "/out")
 assert(io.open(place .. "/out/report.html"):read("a"):find("<p>viscous=true, but there is no bias pull", 1, true))
 write("laboratory.lua", about)

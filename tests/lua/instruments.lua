@@ -277,4 +277,64 @@ local back = lab.picture_frame { displacement = fd, force = frame.force, thickne
 local energy = fabric.point(blend):path { { 0, 0, back.E12[#fd] } }[1]
 check("work of a picture frame", sum(fd, frame.force), (energy.stored + energy.dissipated) * edge ^ 2 * blend.thickness, 1e-6) -- trapezoids
 check("its shear stress", back.S12[#fd], energy.S12, 1e-12)
+
+-- Bending alone: what is missing comes from the library, with the ranges that its apparel cloths show. Force per width at a stretch, and at an angle.
+do
+  local function pulled(c, direction, e) return fabric.point(c):uniaxial(direction, e + e * e / 2).S * c.thickness * (1 + e) end
+  local function sheared(c, degrees) return fabric.point(c):strain({ E12 = math.sin(math.rad(degrees)) / 2 }).S12 * c.thickness / math.rad(degrees) end
+  local pulls, shears = {}, {}
+  for _, name in ipairs { "blend", "denim", "duck", "muslin", "wool", "worsted" } do
+    local c = fabric.card(name)
+    pulls[#pulls + 1], pulls[#pulls + 2], shears[#shears + 1] = pulled(c, "warp", 0.01), pulled(c, "weft", 0.01), sheared(c, 0.5)
+  end
+  table.sort(pulls)
+  table.sort(shears)
+  local worsted, filled = fabric.card "worsted", require "fabric.lab.filled"
+  local mean = (pulled(worsted, "warp", 0.01) + pulled(worsted, "weft", 0.01)) / 2
+  check("lowest pull of the library over worsted's", pulls[1] / mean, filled.pull[1], 0.05) -- the ranges have one digit or two
+  check("highest but one", pulls[11] / mean, filled.pull[2], 0.05)
+  check("lowest shear: a quarter of worsted's, which is the lowest", shears[1] / sheared(worsted, 0.5) / 4, filled.shear[1], 1e-12)
+  check("highest shear", shears[6] / sheared(worsted, 0.5), filled.shear[2], 0.05)
+
+  local B = { warp = { B = 0.11, ["2HB"] = 0.05 }, weft = { B = 0.07, ["2HB"] = 0.03 } }
+  local alone = lab.kes_card { name = "alone", T = 0.5, W = 14, bending = B }
+  check("bending alone: force at 3 % per width", pulled(alone, "weft", 0.03), pulled(worsted, "weft", 0.03), 1e-12)
+  check("bending alone: shear per width", sheared(alone, 3), sheared(worsted, 3), 1e-12)
+  local k = lab.kes_sheet { card = alone }
+  check("bending alone: B of the weft", k.bending.weft.B, 0.07, 1e-3)
+  check("bending alone: W", k.W, 14, 1e-12)
+  local ranges = {}
+  for _, input in ipairs(require "fabric.assumed".of(alone)) do ranges[input.name] = input end
+  for _, name in ipairs { "warp", "weft" } do
+    assert(ranges[name .. ".loading"][1] == 0.8 and ranges[name .. ".loading"][2] == 30 and ranges[name .. ".poisson"][2] == 1 and ranges[name .. ".unloading"])
+  end
+  assert(ranges["shear.loading"][1] == 0.25 and ranges["shear.loading"][2] == 22 and ranges["bending.twist"])
+  local stiff = ranges["shear.loading"].apply(ranges["warp.loading"].apply(alone, 7), 3)
+  check("seven times the pull of the warp", pulled(stiff, "warp", 0.02), 7 * pulled(alone, "warp", 0.02), 1e-9)
+  check("and its way back", stiff.warp.unloading, 7 * alone.warp.unloading, 1e-12)
+  check("that of the weft as before", pulled(stiff, "weft", 0.02), pulled(alone, "weft", 0.02), 1e-12)
+  check("three times the shear", sheared(stiff, 2), 3 * sheared(alone, 2), 1e-9)
+  assert(alone.source:find("Poisson ratios assumed; warp, weft, shear assumed: not on the sheet", 1, true), alone.source)
+
+  -- one yarn pulled, shear with friction measured: the other yarn is as the first
+  local one = lab.kes_card { name = "one", T = 0.4, W = 16, warp = { EMT = 4, LT = 0.6, RT = 55 }, shear = { G = 0.8, ["2HG"] = 1.5, ["2HG5"] = 3 }, poisson = { warp = 0.2, weft = 0.3 } }
+  check("the weft as the warp", pulled(one, "weft", 0.03) / pulled(one, "warp", 0.03), 1, 1e-9)
+  assert(one.weft.poisson == 0.3 and one.provenance["weft.loading"]:find "^assumed: as the warp's, factor %(0.1 to 10%)" and one.provenance["warp.loading"] == "measured: KES")
+  ranges = {}
+  for _, input in ipairs(require "fabric.assumed".of(one)) do ranges[input.name] = input end
+  assert(ranges["weft.loading"][2] == 10 and not ranges["warp.loading"] and not ranges["shear.loading"] and not ranges["weft.poisson"])
+  -- friction of a part goes with its forces
+  local softer = require "fabric.assumed".of(one:with { provenance = { ["shear.loading"] = "assumed: as worn cloth" } })
+  for _, input in ipairs(softer) do
+    if input.name == "shear.loading" then
+      local twice = lab.kes_shear { card = input.apply(one, 2) }
+      check("2HG of twice the shear", twice["2HG"], 3, 1e-4)
+      check("G of twice the shear", twice.G, 1.6, 1e-6)
+    end
+  end
+  local nothing, why = pcall(lab.kes_card, { name = "none", T = 0.4, W = 16 })
+  assert(not nothing and tostring(why):find("expected the numbers of one test at least: warp, weft, shear or bending", 1, true), tostring(why))
+  -- the whole sheet has no provenance, as before
+  assert(lab.kes_card(given).provenance == nil or not next(lab.kes_card(given).provenance))
+end
 fabric.expect(rows)

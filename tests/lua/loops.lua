@@ -135,7 +135,7 @@ assert(made.provenance["weft.loop"]:find "^assumed")
 -- ... of one specimen the card has no band, and says so where it is printed
 local alone = lab.card { name = "one", warp = lab.loops { tests = tests_of(card, 1, 0.005) }, weft = lab.loops { tests = tests_of(card, 1, 0.005) },
   shear = { loading = { 1e6 }, unloading = 3e6, tested = 0.2 }, poisson = { warp = 0.2, weft = 0.2 }, density = 500, thickness = 4e-4 }
-local says_so = "the card has no band of it: one specimen tells nothing of others"
+local says_so = "the card has no band of it: one specimen does not show how others differ"
 assert(tostring(alone):find(says_so, 1, true) and not tostring(made):find(says_so, 1, true), tostring(alone))
 assert(made:with({ warp = { loop = { reach = 0.9 } } }).provenance["warp.loop"] == "typed: changed by card:with")
 

@@ -37,3 +37,20 @@ refused("annulus: field 'outer'", fabric.mesh.annulus, { inner = 1, outer = 1, a
 refused("hemisphere: field 'hole': expected a number above 0 to below 90 in degrees, got 90", fabric.mesh.hemisphere,
   { radius = 1, hole = 90, around = 3, along = 1 })
 refused("cylinder: field 'angle'", fabric.mesh.cylinder, { radius = 1, length = 1, around = 3, along = 1, angle = 0 })
+
+-- Lines of nodes where they are given, and a slit whose sides have names.
+local graded = fabric.mesh.rectangle{ width = 0.1, height = 0.06, ny = 3, grading = { x = { 0, 0.04, 0.05, 0.06, 0.1 } } }
+assert(#graded.nodes == 20 and graded.nodes[7][1] == 0.04 and math.abs(graded.nodes[7][2] - 0.02) < 1e-15)
+local function rectangle(more)
+  local t = { width = 0.1, height = 0.06, nx = 4, ny = 3 }
+  for k, v in pairs(more) do t[k] = v or nil end
+  return fabric.mesh.rectangle(t)
+end
+refused("rectangle: field 'nx': expected 4, one less than the lines of grading, got 3", rectangle, { nx = 3, grading = { x = { 0, 0.04, 0.05, 0.06, 0.1 } } })
+refused("rectangle: field 'nx': expected an integer of at least 1, or grading, got neither", rectangle, { nx = false })
+refused("rectangle: field 'grading': expected x, y or both, got neither", rectangle, { grading = {} })
+refused("got 0 to 0.05 m", rectangle, { ny = false, grading = { y = { 0, 0.05 } } })
+assert(graded:slit{ from = { 0.05, 0.06 }, to = { 0.05, 0.02 }, left = "east", right = "west" } == graded)
+assert(#graded.nodes == 22 and #graded:set "east" == 3 and #graded:set "west" == 3 and #graded:set "top" == 6)
+refused("slit: the line from (0.05, 0, 0) to (0.05, 0.01, 0) m has no edge", graded.slit, graded, { from = { 0.05, 0 }, to = { 0.05, 0.01 } })
+refused("slit: field 'from': expected {x, y} or {x, y, z}, got 1 number", graded.slit, graded, { from = { 0.05 }, to = { 0.05, 0.01 } })

@@ -83,7 +83,7 @@ fails("expected at least two photographs", lab.correlate, { files = { series[1] 
 for i, stretch in ipairs { 1, 1.05 } do
   lab.photograph { file = file("still" .. i), rows = 3, columns = 2, pitch = 40, radius = 6, width = 160, height = 200, F = { 1, 0, 0, stretch }, noise = 0 }
 end
-fails("has a texture that tells a displacement", lab.correlate, { files = { file "still1", file "still2" }, region = { left = 0, right = 30, top = 0, bottom = 30 } })
+fails("has a texture that determines a displacement", lab.correlate, { files = { file "still1", file "still2" }, region = { left = 0, right = 30, top = 0, bottom = 30 } })
 fails("correlate: expected photographs of 260 x 240 pixels as the first, got one of 160 x 200", lab.correlate, { files = { series[1], files[1] } })
 fails("expected a name ending in .png, got 'x.jpg'", lab.speckles, { file = "x.jpg", width = 10, height = 10 })
 assert(os.execute("rm -r '" .. here .. "'"))

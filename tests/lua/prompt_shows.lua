@@ -150,6 +150,8 @@ methods
   mesh:map                     Moves every node; on an error none is moved
   mesh:orient                  Turns elements around until neighbours agree on the normal, as few as that takes; returns how many
   mesh:set                     Makes or replaces a named set of nodes; with the name alone gives its node numbers
+  mesh:slit                    Slits the mesh along a straight line of edges between nodes: the nodes on it are doubled, but for an end in...
+  mesh:wrap                    Lays a mesh in the x-y plane around a cylinder or a cone, with lengths, angles and areas kept and the norma...
   mesh:write                   Writes the mesh, lengths in m. With its sets: .vtu and .msh (Gmsh 4.1), which read back equal, .inp (Abaqus...]] },
   { "help 'mesh:map'", [[
 mesh:map(f)

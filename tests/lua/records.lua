@@ -138,10 +138,23 @@ for _, heading in ipairs { "Tiempo (s);Desplazamiento (mm);Fuerza (N)", "Tempo (
   "Temps (s);D\u{e9}placement (mm);Effort (N)", "Tijd (s);Verplaatsing (mm);Kracht (N)", "S\u{fc}re (s);Uzama (mm);Kuvvet (N)", "Zaman (sn);Yer de\u{11f}i\u{15f}tirme (mm);Y\u{fc}k (N)",
   "Время, с;Перемещение, мм;Нагрузка, Н", "ВРЕМЯ (с);УДЛИНЕНИЕ (мм);УСИЛИЕ (Н)", "时间(s);位移(mm);力(N)", "时间（秒）;变形（毫米）;试验力（牛）", "時間(s);伸長(mm);負荷(N)", "時間(s);変位(mm);試験力(N)",
   "시간(초);변위(mm);하중(N)", "Czas [s];Wyd\u{142}u\u{17c}enie [mm];Obci\u{105}\u{17c}enie [N]", "Zeit (s);Traversenweg (mm);Last (N)",
-  "\xca\xb1\xbc\xe4(s);\xce\xbb\xd2\xc6(mm);\xca\xd4\xd1\xe9\xc1\xa6(N)" } do
+  "\xca\xb1\xbc\xe4(s);\xce\xbb\xd2\xc6(mm);\xca\xd4\xd1\xe9\xc1\xa6(N)", "\xca\xb1\xbc\xe4(s);\xce\xbb\xd2\xc6(mm);\xc1\xa6(N)",
+  "\u{65f6}\u{95f4}/s;\u{4f4d}\u{79fb}/mm;\u{8f7d}\u{8377}/N", "time/s;crosshead/mm;load/N", "\u{10c}as (s);Dr\u{e1}ha (mm);S\u{ed}la (N)", "Tid (s);F\u{f6}rl\u{e4}ngning (mm);Kraft (N)" } do
   r = read(heading .. "\n0;0;0\n1;2,5;3,5\n2;5;7\n")
   assert(r.time and r.time[2] == 1 and math.abs(r.displacement[2] - 2.5e-3) < 1e-18 and r.force[2] == 3.5, heading)
 end
+-- a total with its unit in one cell is told, and lines of separators alone are none
+said = {}
+r = read "Data:;No.;Zeit;Weg;Kraft\n;;;;\n;;s;mm;N\n;1;0;0;0\n;2;1;2;3,5\n;;;;\n;3;2;3;7\n;;;;\n"
+assert(#r.force == 3 and r.time[3] == 2 and r.displacement[3] == 3e-3 and r.force[2] == 3.5)
+assert(columns "Zeit;Kraft\ns;N\n0;1\n1;2\n2;3\nFmax;3,0 N\n".left_out[1].numbers)
+-- specimens side by side, the second shorter: the error says how to read each
+local both = "Extension (mm),Load (N),Extension (mm),Load (N)\n0,0,0,0\n1,2,1,5\n2,4,2,7\n3,9,,\n4,11,,\n"
+fails("if 2 specimens stand side by side, read each: columns={ displacement=1, force=2 }, then { displacement=3, force=4 }", read, both)
+assert(#read(both, { columns = { displacement = 1, force = 2 } }).force == 5)
+r = read(both, { columns = { displacement = 3, force = 4 } })
+assert(#r.force == 3 and #r.displacement == 3 and r.rows == 3 and #r.lines == 3 and r.force[3] == 7)
+fails(":3: column 'Load': expected a finite number, got ''", read, (both:gsub("1,5\n", "1,\n")), { columns = { displacement = 3, force = 4 } })
 -- nothing is dropped or chosen without a word
 said = {}
 r = read "Temps (tic);Allongement (mm);D\u{e9}placement traverse (mm);Force (N)\n0;0;0;0\n1;2;3;4\n2;3;4;5\n"
@@ -167,6 +180,14 @@ local u, F = {}, {}
 for i = 1, 100 do u[i], F[i] = 1e-4 * (i - 1), 0.3 * (i - 1) - (i > 60 and 3.5 or 0) end
 local slipped = tensile(u, F)
 assert(slipped.warnings[1].code == "slip" and slipped.warnings[1].row == 60 and slipped.warnings[1].text:find "1 time and recovers, by 18 %%", slipped.warnings[1].text)
+-- slow slip: nothing is gained over the rows 60 to 70, and the same with a hold there is none
+for i = 1, 100 do F[i] = 0.3 * (i - 1 - (i > 70 and 10 or math.max(0, i - 60))) end
+local slow = tensile(u, F).warnings[1]
+assert(slow.code == "slip" and slow.row == 60 and slow.text:find "does not rise over 1%.%d mm", slow.text)
+assert(math.abs(slow.way - 1.1e-3) < 1e-12)
+local held = table.move(u, 1, 100, 1, {})
+for i = 61, 100 do held[i] = u[math.max(60, i - 10)] end
+assert(not tensile(held, F).warnings)
 for i = 1, 100 do F[i] = math.max(0, 0.3 * (i - 21)) end
 assert(tensile(u, F).warnings[1].code == "late-grip" and tensile(u, F).warnings[1].row == 21)
 assert(not tensile(u, F, { slack = "contact" }).warnings)

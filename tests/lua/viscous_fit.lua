@@ -197,10 +197,10 @@ for k = 2, 201 do rest.time[k] = rest.time[k] + 20 end
 for _, tests in ipairs { { toe(0.01) }, { rest }, { toe(0.01), toe(0.01), toe(0.01) }, { toe(0.01), toe(0.014) }, { made(0.01, 1e6, 3, 0) } } do
   v = lab.viscous { tests = tests }
   assert(not v.viscous and not v.modulus and not v.contradicts and v.one_speed, v.text)
-  assert(v.text:find "^One speed and no hold cannot tell a stiff toe of the elastic curve from relaxation", v.text)
+  assert(v.text:find "^One speed and no hold cannot distinguish a stiff toe of the elastic curve from relaxation", v.text)
 end
 v = lab.card { name = "n", density = 590, thickness = 1e-3, warp = elastic.warp, shear = v.shear, viscous = v, assume = true }
-assert(not v.viscous and v.source:find("viscous: none, one speed and no hold cannot tell", 1, true), v.source)
+assert(not v.viscous and v.source:find("viscous: none, one speed and no hold cannot distinguish", 1, true), v.source)
 assert(not lab.viscous({ tests = { toe(0.01), toe(0.016) } }).one_speed)
 -- the faster is the softer: 20 % less at fifty times the speed, where specimens differ by 3 to 4 %
 local soft = made(0.05, 0, 1, 0)
@@ -229,7 +229,7 @@ fails("viscous: field 'tests[1].time': expected rising seconds, got 0 after 1 at
 fails("viscous: field 'tests[1]': expected E and S of one length, 3 and more, got 3 and 2", lab.viscous, { tests = { { E = { 0, 1, 2 }, S = { 0, 1 }, time = { 0, 1, 2 } } } })
 fails("viscous: field 'tests[1].speed': expected a positive number in m/s, got -1", lab.viscous,
   { tests = { { displacement = { 0, 1e-3, 2e-3 }, force = { 0, 1, 2 }, width = 0.05, length = 0.15, speed = -1 } }, thickness = 1e-3 })
-fails("viscous: field 'tests[1]': expected a test that was sheared and carried something", lab.viscous, { tests = { { E = { 0, 0, 0 }, S = { 0, 0, 0 }, time = { 0, 1, 2 } } } })
+fails("viscous: field 'tests[1]': expected a test with shear and force", lab.viscous, { tests = { { E = { 0, 0, 0 }, S = { 0, 0, 0 }, time = { 0, 1, 2 } } } })
 -- a curve of one point makes no card
 fails("card: field 'shear.loading': expected two points {strain, stress} or more, got 1", lab.card,
   { name = "n", density = 590, thickness = 1e-3, shear = { loading = { { 0.01, 1e5 } } }, assume = true })

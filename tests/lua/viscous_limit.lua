@@ -23,7 +23,7 @@ local turning = records(1.3, 0.75)
 for _, limit in ipairs { 10, 30 } do
   local v = lab.viscous { tests = turning, limit = limit, scatter = 0.03 }
   assert(v.withheld and not v.viscous and not v.modulus and not v.contradicts, v.text)
-  assert(v.text:find "^Nothing is concluded, since it hangs on the angles that are taken: up to %d+ degrees", v.text)
+  assert(v.text:find "^Nothing is concluded, since it depends on the angles that are used: up to %d+ degrees", v.text)
 end
 local v = lab.viscous { tests = turning, scatter = 0.03 }
 assert(v.text:find("the fastest over the slowest against the angle: 1 degrees 1.30", 1, true), v.text)

@@ -351,3 +351,14 @@ fabric.mesh.read "cut.%s"]]):format(ending, ending, ending))
     times(talk_of("cuts", body:format(whole, whole)), "warning", 0)
   end
 end
+
+-- --- arguments of earlier releases: a warning, no effect, and the deck's table as it was ---
+do
+  local talk, code = talk_of("retired", [[
+local t = { card = fabric.card "blend", specimens = 1, rows = 20, force_noise = 7 }
+local was, now = fabric.lab.synthetic(t), fabric.lab.synthetic { card = t.card, specimens = 1, rows = 20 }
+assert(t.force_noise == 7 and was[1].record.force[9] == now[1].record.force[9])]])
+  assert(code == 0, talk)
+  times(talk, "warning", 1)
+  has(talk, "synthetic: field 'force_noise' has no effect any more")
+end

@@ -27,7 +27,7 @@ std::vector<double> forces_of(const model::Model& m) {
       if (const auto eq = a.freedoms().nodes[n].equation[i]; eq >= 0) step[eq] = move[i];
   }
   a.begin_iterate();
-  a.retract(step, 1, {});
+  a.apply_increment(step, 1, {});
   REQUIRE(a.forces({}));
   std::vector<double> all(a.internal_on_x().begin(), a.internal_on_x().end());
   all.insert(all.end(), a.internal_on_d().begin(), a.internal_on_d().end());

@@ -51,7 +51,7 @@ std::vector<double> directions(std::size_t n, double size) {
 std::vector<double> internal_at(mechanics::Assembly& a, const std::vector<double>& direction, double scale) {
   a.rollback();
   a.begin_iterate();
-  a.retract(direction, scale, a.targets(0));
+  a.apply_increment(direction, scale, a.targets(0));
   REQUIRE(a.forces({0, 1}));
   std::vector<double> r(a.unknowns());
   const std::vector<double> none(3 * a.reference().size(), 0);
@@ -67,7 +67,7 @@ TEST_CASE("contact: the term's tangent is the derivative of its forces, with fri
     mechanics::Assembly a(*pile.model);
     CHECK(a.symmetric() == (friction == 0));
     const auto n = static_cast<std::size_t>(a.unknowns());
-    a.aim(1);
+    a.set_time(1);
     const auto start = directions(n, 1e-5), direction = directions(n, 1e-2);
     // The state that slid from the committed one by `start`.
     const auto at = [&](double h) {
@@ -104,7 +104,7 @@ TEST_CASE("contact: a moving body leads the predictor as its forces change") {
   const Pile pile(0.2, up);
   mechanics::Assembly a(*pile.model);
   const auto n = static_cast<std::size_t>(a.unknowns());
-  a.aim(1);
+  a.set_time(1);
   a.rollback();
   a.begin_iterate();
   linear::Matrix K;
@@ -112,8 +112,8 @@ TEST_CASE("contact: a moving body leads the predictor as its forces change") {
   const std::vector<double> none(3 * a.reference().size(), 0), still(n, 0);
   REQUIRE(a.tangent({0, 1}, K, {}, product));
   a.residual(none, before);
-  a.retract(still, 1, {});
-  CHECK(a.arrived());
+  a.apply_increment(still, 1, {});
+  CHECK(a.at_target());
   REQUIRE(a.forces({0, 1}));
   a.residual(none, after);
   double error = 0, scale = 0;
@@ -140,7 +140,7 @@ TEST_CASE("contact: forces and energies have the same bits for one, two and four
     omp_set_num_threads(threads);
     const Pile pile(0.3);
     mechanics::Assembly a(*pile.model);
-    a.aim(1);
+    a.set_time(1);
     std::vector<double> all = internal_at(a, directions(static_cast<std::size_t>(a.unknowns()), 1e-5), 1);
     for (const auto& energy : a.energies()) all.push_back(energy.value);
     if (first.empty()) first = all;
@@ -155,9 +155,9 @@ TEST_CASE("contact: a rollback takes back the couplings of the states that were 
   mechanics::Assembly a(*pile.model), untried(*pile.model);
   const auto n = static_cast<std::size_t>(a.unknowns());
   const auto pattern_at = [&](mechanics::Assembly& b, const std::vector<double>& step) {
-    b.aim(1);
+    b.set_time(1);
     b.begin_iterate();
-    b.retract(step, 1, b.targets(1));
+    b.apply_increment(step, 1, b.targets(1));
     linear::Matrix K;
     b.tangent({0, 1}, K, {}, {});
     return std::pair(K.pattern->column, K.pattern->row);

@@ -90,7 +90,7 @@ struct Guarded {
     for (std::size_t n = 0; n < nodes(); ++n)
       for (int i = 0; i < 5; ++i)
         if (const auto eq = assembly.freedoms().nodes[n].equation[i]; eq >= 0) delta[eq] = by[5 * n + i];
-    assembly.retract(delta, scale, assembly.targets(0));
+    assembly.apply_increment(delta, scale, assembly.targets(0));
   }
   // Numbers at random for all unknowns, zero where there are none.
   Eigen::VectorXd random(double positions, double rotations, int seed) const {

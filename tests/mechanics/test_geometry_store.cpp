@@ -12,12 +12,12 @@
 using fabricsh::LineVector;
 using fabricsh::element::Sharing;
 using fabricsh::mechanics::Batch;
+using fabricsh::mechanics::BatchKind;
 using fabricsh::mechanics::GeometryStore;
-using fabricsh::mechanics::Kind;
 
 TEST_CASE("batches with the same bits of geometry share one copy, all others have their own") {
   GeometryStore store;
-  const Kind quadrilaterals{}, triangles{};
+  const BatchKind quadrilaterals{}, triangles{};
   Batch batch;
   batch.kind = &quadrilaterals;
   int found = 0;

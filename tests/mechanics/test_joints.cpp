@@ -128,8 +128,8 @@ TEST_CASE("a zone nowhere open has the residual and the tangent of the sheet wit
   for (const int i : {0, 1}) {
     mechanics::Assembly& one = i == 0 ? a : b;
     one.begin_iterate();
-    one.retract(delta, 1, {});
-    one.aim(0);
+    one.apply_increment(delta, 1, {});
+    one.set_time(0);
     std::vector<double> external, product(one.unknowns());
     one.external(0, external);
     REQUIRE(one.tangent({}, K[i], {}, product));
@@ -201,7 +201,7 @@ TEST_CASE("nodes that are apart do not become one, and nothing is changed then")
   const Index other = a.joints().leader(model->mesh().elements[2][0]);  // of the upper lip at the left
   delta[a.freedoms().nodes[other].equation[1]] = 1e-4;
   a.begin_iterate();
-  a.retract(delta, 1, {});
+  a.apply_increment(delta, 1, {});
   REQUIRE(a.forces({}));
   a.commit(0);
   const auto unknowns = a.unknowns();

@@ -17,7 +17,7 @@ model::Components along_x(double value) {
   return c;
 }
 
-model::Freedoms tied(const char* words) { return model::parse_freedoms(words, "tie"); }
+model::FixedFreedoms tied(const char* words) { return model::parse_freedoms(words, "tie"); }
 
 // Every other element (or each, with 1) becomes two triangles.
 void cut_some(mesh::Mesh& mesh, std::size_t every) {
@@ -54,7 +54,7 @@ std::shared_ptr<model::Model> loaded_sheet(const std::function<void(model::Model
 std::vector<double> residual_at(mechanics::Assembly& a, const std::vector<double>& step, double scale) {
   a.rollback();
   a.begin_iterate();
-  a.retract(step, scale, a.targets(0));
+  a.apply_increment(step, scale, a.targets(0));
   REQUIRE(a.forces({}));
   std::vector<double> external, r(a.unknowns());
   a.external(0, external);
@@ -79,7 +79,7 @@ std::vector<double> tangent_errors(mechanics::Assembly& a) {
     start[i] = number(random) * (turns[i] ? 0.05 : 2e-4);
     direction[i] = number(random) * (turns[i] ? 1 : 0.01);
   }
-  a.retract(start, 1, a.targets(0));
+  a.apply_increment(start, 1, a.targets(0));
   a.commit(0);
   a.begin_iterate();
   linear::Matrix K;
@@ -234,7 +234,7 @@ TEST_CASE("a tangent that keeps its upper triangle has the whole one's entries, 
         std::vector<double> step(static_cast<std::size_t>(a->unknowns()));
         for (std::size_t i = 0; i < step.size(); ++i) step[i] = 1e-4 * std::sin(7.0 * static_cast<double>(i));
         a->begin_iterate();
-        a->retract(step, 1, a->targets(0));
+        a->apply_increment(step, 1, a->targets(0));
         REQUIRE(a->tangent({}, K[a == &upper], {}, {}));
       }
       CHECK(K[1].pattern->upper);
@@ -270,7 +270,7 @@ TEST_CASE("a tangent after the forces of its place leaves their law states, and 
   for (const double scale : {1.0, 0.6, 1.4}) {  // loading, unloading, loading beyond
     for (auto* a : {&plain, &between, &alone}) {
       a->begin_iterate();
-      a->retract(step_of(*a, scale), 1, a->targets(0));
+      a->apply_increment(step_of(*a, scale), 1, a->targets(0));
       if (a == &alone) REQUIRE(a->tangent({}, K[0], {}, {}));
       REQUIRE(a->forces({}));
       if (a == &between) REQUIRE(a->tangent({}, K[1], {}, {}));
@@ -280,9 +280,9 @@ TEST_CASE("a tangent after the forces of its place leaves their law states, and 
     // States of forces at another place are not taken for those of this one.
     late.begin_iterate();
     const auto step = step_of(late, scale);
-    late.retract(step, 0.5, late.targets(0));
+    late.apply_increment(step, 0.5, late.targets(0));
     REQUIRE(late.forces({}));
-    late.retract(step, 1, late.targets(0));
+    late.apply_increment(step, 1, late.targets(0));
     linear::Matrix unused;
     REQUIRE(late.tangent({}, unused, {}, {}));
     late.commit(scale);
@@ -335,7 +335,7 @@ TEST_CASE("the first element turned inside out is named, none while all are whol
     // The middle node of the last row of elements goes past its neighbours on the left.
     step[a.freedoms().nodes[10].equation[0]] = -0.025;
     a.begin_iterate();
-    a.retract(step, 1, {});
+    a.apply_increment(step, 1, {});
     const auto first = a.inverted_element();
     REQUIRE(first >= 0);
     const auto& nodes = m->mesh().elements[first];
@@ -373,7 +373,7 @@ TEST_CASE("patch test of mixed meshes: a homogeneous strain leaves no force insi
       for (int i = 0; i < 3; ++i) step[a.freedoms().nodes[n].equation[i]] = u[i];
     }
     a.begin_iterate();
-    a.retract(step, 1, {});
+    a.apply_increment(step, 1, {});
     REQUIRE(a.forces({}));
     double inside = 0;
     for (const int n : {6, 7, 8, 11, 12, 13, 16, 17, 18})
@@ -385,13 +385,13 @@ TEST_CASE("patch test of mixed meshes: a homogeneous strain leaves no force insi
 TEST_CASE("loads are shared by area, by length, equally, or taken whole") {
   const auto mesh = mesh::rectangle(1, 1, 2, 2);
   const auto area = mechanics::tributary(mesh, mesh.set("all"));
-  CHECK(area.kind == mechanics::Tributary::Kind::area);
+  CHECK(area.kind == mechanics::Tributary::MeasureKind::area);
   CHECK(area.total == Approx(1).epsilon(1e-14));
   CHECK(area.measure[4] == Approx(0.25).epsilon(1e-14));
   const auto edge = mechanics::tributary(mesh, mesh.set("left"));
-  CHECK(edge.kind == mechanics::Tributary::Kind::length);
+  CHECK(edge.kind == mechanics::Tributary::MeasureKind::length);
   CHECK(edge.measure == std::vector<double>{0.25, 0.5, 0.25});
-  CHECK(mechanics::tributary(mesh, {0, 8}).kind == mechanics::Tributary::Kind::count);
+  CHECK(mechanics::tributary(mesh, {0, 8}).kind == mechanics::Tributary::MeasureKind::count);
 }
 
 TEST_CASE("plies: one card cut in three layers is that card; a crossed ply turns the axes") {
@@ -405,7 +405,7 @@ TEST_CASE("plies: one card cut in three layers is that card; a crossed ply turns
     std::vector<double> step(a.unknowns(), 0.0);
     for (std::size_t i = 0; i < mesh->nodes.size(); ++i)
       step[a.freedoms().nodes[i].equation[0]] = 1e-3 * mesh->nodes[i].x();
-    a.retract(step, 1, {});
+    a.apply_increment(step, 1, {});
     REQUIRE(a.forces({}));
     double pull = 0;
     for (const auto n : mesh->set("right")) pull += a.internal_on_x()[3 * n];
@@ -433,7 +433,7 @@ TEST_CASE("forces and tangent have the same bits for one, two and four threads")
     std::uniform_real_distribution<double> number(-1e-3, 1e-3);
     std::vector<double> step(a.unknowns());
     for (double& s : step) s = number(random);
-    a.retract(step, 1, {});
+    a.apply_increment(step, 1, {});
     linear::Matrix K;
     REQUIRE(a.tangent({}, K, {}, {}));
     std::vector<double> all = K.value;
@@ -447,7 +447,7 @@ TEST_CASE("forces and tangent have the same bits for one, two and four threads")
       keep();
       a.commit(i);
       a.begin_iterate();
-      a.retract(step, std::cos(2.0 * i), {});
+      a.apply_increment(step, std::cos(2.0 * i), {});
     }
     Archive states;
     a.keep(states);

@@ -88,7 +88,8 @@ TEST_CASE("what is kept brings back configuration and law, whatever was tried si
 TEST_CASE("an element whose strain is not finite asks for a cut, one whose state is not finite is broken") {
   auto mesh = std::make_shared<fabricsh::mesh::Mesh>(fabricsh::mesh::rectangle(0.1, 0.1, 2, 1));
   auto card = fabricsh::test::blend();  // with a part that remembers every strain
-  std::get<fabricsh::card::Woven>(card.law).beside.viscous = fabricsh::rheology::viscous::Parameters{1e6, 1};
+  std::get<fabricsh::card::Woven>(card.law).parallel.viscous =
+      fabricsh::rheology::viscous::Parameters{1e6, 1};
   const auto model = std::make_shared<fabricsh::model::Model>(mesh, card, fabricsh::model::Options{});
   fabricsh::mechanics::Assembly a(*model);
   CHECK(a.forces({0, 1}));
@@ -191,7 +192,7 @@ TEST_CASE("states in place are those of two copies, bit for bit, for every kind 
     auto card = test::blend();
     auto& woven = std::get<card::Woven>(card.law);
     if (name == "fading") woven.shear.memory = card::ShearMemory::fading;
-    if (name == "viscous") woven.beside.viscous = rheology::viscous::Parameters{1e6, 1};
+    if (name == "viscous") woven.parallel.viscous = rheology::viscous::Parameters{1e6, 1};
     if (name == "thesis") woven.law = card::LawKind::thesis;
     if (name == "bending")
       card.bending =

@@ -26,7 +26,7 @@ void stretch(Assembly& a, double strain) {
   std::vector<double> delta(static_cast<std::size_t>(a.unknowns()), 0);
   for (std::size_t n = 0; n < a.reference().size(); ++n)
     if (const auto eq = a.freedoms().nodes[n].equation[0]; eq >= 0) delta[eq] = strain * a.reference()[n].x();
-  a.retract(delta, 1, a.targets(0));
+  a.apply_increment(delta, 1, a.targets(0));
 }
 
 linear::Matrix tangent(Assembly& a) {
@@ -52,7 +52,7 @@ double tangent_error(Assembly& a, double strain) {
       product[K.pattern->row[k]] += K.value[k] * direction[c];
   a.begin_iterate();
   const auto residual = [&](double h) {
-    a.retract(direction, h, a.targets(0));
+    a.apply_increment(direction, h, a.targets(0));
     REQUIRE(a.forces({}));
     std::vector<double> external, r(n);
     a.external(0, external);
@@ -125,7 +125,7 @@ TEST_CASE("the pattern grows when a term couples nodes that it did not hold, and
   std::vector<double> back(static_cast<std::size_t>(a.unknowns()), 0);
   for (std::size_t n = 0; n < a.reference().size(); ++n)
     if (const auto eq = a.freedoms().nodes[n].equation[0]; eq >= 0) back[eq] = -0.1 * a.reference()[n].x();
-  a.retract(back, 1, a.targets(0));
+  a.apply_increment(back, 1, a.targets(0));
   CHECK(tangent(a).pattern == K.pattern);
   // Before the first pair came the pattern was the sheet's own.
   Assembly plain(*m);
@@ -162,7 +162,7 @@ TEST_CASE("a rollback and a kept state bring the pattern's couplings back") {
   std::vector<double> on(static_cast<std::size_t>(a.unknowns()), 0);
   for (std::size_t n = 0; n < a.reference().size(); ++n)
     if (const auto eq = a.freedoms().nodes[n].equation[0]; eq >= 0) on[eq] = 0.1 * a.reference()[n].x();
-  a.retract(on, 1, a.targets(0));
+  a.apply_increment(on, 1, a.targets(0));
   const auto more = tangent(a);
   CHECK(more.pattern->entries() > one.pattern->entries());
   a.rollback();
@@ -204,7 +204,7 @@ TEST_CASE("the assembly's limit is the smallest of its terms', along the way of 
   springs.farthest = 0.04;  // no pair may get longer
   CHECK(std::abs(a.limit(delta, a.targets(0)) - 0.5) < 1e-12);
   // From the iterate, not from the committed state; and it is left at the iterate.
-  a.retract(delta, 0.25, a.targets(0));
+  a.apply_increment(delta, 0.25, a.targets(0));
   a.begin_iterate();
   const std::vector<double> x(a.state().x().begin(), a.state().x().end());
   CHECK(std::abs(a.limit(delta, a.targets(0)) - 0.25) < 1e-12);

@@ -15,7 +15,7 @@ std::shared_ptr<mesh::Mesh> square(int n = 2) {
   return std::make_shared<mesh::Mesh>(mesh::rectangle(0.1, 0.1, n, n));
 }
 
-model::Freedoms words(const char* text) { return model::parse_freedoms(text, "tie"); }
+model::FixedFreedoms words(const char* text) { return model::parse_freedoms(text, "tie"); }
 
 model::Components constant(int axis, double value) {
   model::Components c;
@@ -90,7 +90,7 @@ TEST_CASE("followers are where their leads put them; a rigid edge keeps its shap
   const Vec3 spin(0.4, -1.1, 0.7);
   for (int i = 0; i < 3; ++i) step[body.equation + 3 + i] = spin[i];
   a.begin_iterate();
-  a.retract(step, 1, {});
+  a.apply_increment(step, 1, {});
   const auto x = [&](int n) { return Vec3(Eigen::Map<const Vec3>(a.state().x().data() + 3 * n)); };
   CHECK((x(2) - (x(0) + x(4)) / 2).norm() < 1e-16);
   CHECK((x(1) - (3 * x(0) + x(4)) / 4).norm() < 1e-16);

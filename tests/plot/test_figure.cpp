@@ -17,8 +17,8 @@ using Names = std::set<std::string>;
 
 namespace {
 
-const std::vector<Curve> two_curves = {{"it's a_b {x}", {0, 1, 2}, {0, 1, 4}},
-                                       {"second\nline", {0, 2}, {0, 2}, CurveStyle::dashed}};
+const std::vector<PlottedCurve> two_curves = {{"it's a_b {x}", {0, 1, 2}, {0, 1, 4}},
+                                              {"second\nline", {0, 2}, {0, 2}, CurveStyle::dashed}};
 
 struct Path {
   explicit Path(const char* value) : before(std::getenv("PATH")) { setenv("PATH", value, 1); }
@@ -47,7 +47,7 @@ TEST_CASE("a figure in each format, text taken as it is", "[files]") {
 TEST_CASE("all styles, and a value that is not finite", "[files]") {
   const ScratchFolder folder;
   const double gap = std::numeric_limits<double>::quiet_NaN();
-  std::vector<Curve> curves;
+  std::vector<PlottedCurve> curves;
   for (const CurveStyle style :
        {CurveStyle::line, CurveStyle::dashed, CurveStyle::points, CurveStyle::line_points})
     curves.push_back({"", {0, 1, 2, 3}, {0, gap, 1, 2}, style});
@@ -117,7 +117,7 @@ namespace {
 std::vector<std::string> block_of(const Figure& f, const std::string& name) {
   Page page;
   page.panels = {f};
-  const Layout layout = layout_of(page);
+  const PageLayout layout = layout_of(page);
   std::istringstream script(script_of(page, layout, layout.width, layout.height, false));
   std::vector<std::string> out;
   bool inside = false;

@@ -11,17 +11,17 @@ using namespace fabricsh::plot;
 
 namespace {
 
-bool apart(const Box& a, const Box& b) {
+bool apart(const PageBox& a, const PageBox& b) {
   return a.right <= b.left || b.right <= a.left || a.top <= b.bottom || b.top <= a.bottom;
 }
 
-bool inside(const Box& a, const Box& all) {
+bool inside(const PageBox& a, const PageBox& all) {
   return a.left >= all.left && a.right <= all.right && a.bottom >= all.bottom && a.top <= all.top;
 }
 
-Curve random_curve(std::mt19937& random, int place) {
+PlottedCurve random_curve(std::mt19937& random, int place) {
   std::uniform_real_distribution<double> unit(0, 1);
-  Curve c;
+  PlottedCurve c;
   c.label = "curve number " + std::to_string(place);
   const double size = std::pow(10, 12 * unit(random) - 6), off = unit(random) < 0.5 ? 0 : size * unit(random);
   for (int i = 0; i < 20; ++i) {
@@ -65,10 +65,10 @@ TEST_CASE("no word of a figure lies on another, on a frame or over the edge", "[
   std::mt19937 random(1);
   for (int number = 0; number < 120; ++number) {
     const Page page = random_page(random, number);
-    const Layout l = layout_of(page);
+    const PageLayout l = layout_of(page);
     CHECK(l.warnings.empty());
-    const Box paper{0, 0, l.width, l.height};
-    std::vector<std::pair<Box, std::string>> words;
+    const PageBox paper{0, 0, l.width, l.height};
+    std::vector<std::pair<PageBox, std::string>> words;
     for (const PlacedPanel& p : l.panels) {
       CHECK(inside(p.frame, paper));
       for (const PlacedWord& word : p.words) words.push_back({box_of(word), word.text});
@@ -98,7 +98,7 @@ TEST_CASE("the key takes the first corner that no curve passes, else it stands b
     for (std::size_t i = 0; i < y.size(); ++i) x.push_back(static_cast<double>(i));
     page.panels = {{"", {}, {}, {{"a curve", x, y, style}}}};
     const PlacedPanel p = layout_of(page).panels[0];
-    const Box f = p.frame;
+    const PageBox f = p.frame;
     const double middle_x = (f.left + f.right) / 2, middle_y = (f.bottom + f.top) / 2;
     if (p.key.top < f.bottom) return std::string("below");
     CHECK(inside(p.key, f));
@@ -161,12 +161,12 @@ TEST_CASE("a label too long gets smaller letters, and a warning where 6 points d
   Page page;
   page.panels = {
       {"", {"a label as long as a line of print, and a little longer, MPa"}, {"y"}, {{"", {0, 1}, {0, 1}}}}};
-  const auto size = [](const Layout& l) {
+  const auto size = [](const PageLayout& l) {
     for (const PlacedWord& word : l.panels[0].words)
       if (word.text.starts_with("a label")) return word.size;
     return 0.0;
   };
-  Layout l = layout_of(page);
+  PageLayout l = layout_of(page);
   CHECK(l.warnings.empty());
   CHECK(size(l) < 8);
   CHECK(size(l) >= 6);

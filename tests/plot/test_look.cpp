@@ -79,7 +79,7 @@ TEST_CASE("neighbouring colours stay far apart without any one kind of cones, al
 TEST_CASE("28 lines differ in colour or pattern, 42 marks in colour or shape", "[plot]") {
   std::set<std::string> lines, marks, points;
   for (std::size_t i = 0; i < kColours * kPatterns; ++i) {
-    const Look l = look(i, CurveStyle::line);
+    const CurveAppearance l = look(i, CurveStyle::line);
     lines.insert(l.colour + l.dashes);
     CHECK(l.line);
     CHECK(l.marker == 0);
@@ -87,7 +87,7 @@ TEST_CASE("28 lines differ in colour or pattern, 42 marks in colour or shape", "
   }
   CHECK(lines.size() == kColours * kPatterns);
   for (std::size_t i = 0; i < kColours * kMarkers; ++i) {
-    const Look open = look(i, CurveStyle::points), filled = look(i, CurveStyle::line_points);
+    const CurveAppearance open = look(i, CurveStyle::points), filled = look(i, CurveStyle::line_points);
     points.insert(open.colour + std::to_string(open.marker));
     marks.insert(filled.colour + std::to_string(filled.marker));
     CHECK(!open.line);

@@ -66,7 +66,7 @@ TEST_CASE("a square prism has twelve edges, a round tube those of its caps alone
     Facets facets;
     facets.tube(sides, 1);
     auto grid = facets.grid();
-    const Bodies bodies = take_bodies(grid);
+    const BodySurfaces bodies = take_bodies(grid);
     REQUIRE(bodies.faces != nullptr);
     CHECK(bodies.faces->GetNumberOfPolys() == 4 * sides);
     CHECK(bodies.edges->GetNumberOfLines() == edges);

@@ -27,7 +27,7 @@ bool inside(const Word& word, const Space& space) {
   return true;
 }
 
-std::set<std::string> texts(const Layout& l) {
+std::set<std::string> texts(const ViewLayout& l) {
   std::set<std::string> all;
   for (const Word& word : l.words) all.insert(word.text);
   return all;
@@ -49,7 +49,7 @@ TEST_CASE("no word of the axes lies on another or is cut off, from wherever the 
     if (i % 3 == 0) bounds[5] = bounds[4];
     const View view = i % 4 == 0 ? view_from(0, 90) : view_from(uniform(-180, 180), uniform(-90, 90));
     const Space space = space_of(uniform(250, 1200), uniform(250, 1200), uniform(10, 20));
-    const Layout l = layout(bounds, view, "mm", space);
+    const ViewLayout l = layout(bounds, view, "mm", space);
     CAPTURE(i, space.width, space.height, space.letter, l.scale);
     CHECK(l.words.size() >= 2);
     for (std::size_t a = 0; a < l.words.size(); ++a) {
@@ -65,7 +65,7 @@ TEST_CASE("no word of the axes lies on another or is cut off, from wherever the 
 
 TEST_CASE("a sheet from above fills its space, with round numbers along two axes", "[render]") {
   const Space space = space_of(400, 900, 16);
-  const Layout l = layout({0, 25.4, 0, 94.2, 0, 0}, view_from(0, 90), "mm", space);
+  const ViewLayout l = layout({0, 25.4, 0, 94.2, 0, 0}, view_from(0, 90), "mm", space);
   const auto words = texts(l);
   for (const char* wanted : {"0", "x, mm", "y, mm", "90"}) CHECK(words.count(wanted) == 1);
   CHECK(words.count("z, mm") == 0);
@@ -76,7 +76,7 @@ TEST_CASE("a sheet from above fills its space, with round numbers along two axes
 }
 
 TEST_CASE("a sheet seen from the side, without axes, fills its space", "[render]") {
-  const Layout l = layout({0, 2, 0, 1, 0, 0.5}, view_from(0, 0), "", space_of(400, 300, 10));
+  const ViewLayout l = layout({0, 2, 0, 1, 0, 0.5}, view_from(0, 0), "", space_of(400, 300, 10));
   CHECK(l.words.empty());
   CHECK(l.lines.empty());
   CHECK_THAT(2 * l.scale, Catch::Matchers::WithinRel(390.0, 1e-6));

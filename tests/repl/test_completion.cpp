@@ -14,8 +14,8 @@ using Words = std::vector<std::string>;
 namespace {
 
 struct Bench {
-  Bench() : session(script::Options{}) {
-    REQUIRE(repl::spill_globals(session).outcome == repl::Outcome::done);
+  Bench() : session(script::SessionOptions{}) {
+    REQUIRE(repl::spill_globals(session).outcome == repl::EvaluationOutcome::done);
     run("sheet = mesh.rectangle{ width=0.1, height=0.1, nx=2, ny=2 }\nsheet:set('seam', {1, 2})\n"
         "blend = card 'blend'\nm = model{ mesh=sheet, card=blend }\nm:fix('left', 'x y z'):fix('all', 'z')\n"
         "a = static{ model=m, duration=1 }\n"
@@ -24,7 +24,7 @@ struct Bench {
   void run(const std::string& chunk) {
     const auto result = repl::run_text(session, chunk, "=t");
     INFO(result.message);
-    REQUIRE(result.outcome == repl::Outcome::done);
+    REQUIRE(result.outcome == repl::EvaluationOutcome::done);
   }
   Words operator()(const std::string& text) { return repl::complete(session, text).candidates; }
   std::string common(const std::string& text) { return repl::complete(session, text).common; }
@@ -130,7 +130,8 @@ TEST_CASE("help is asked by name") {
 TEST_CASE("names of arguments, those that are not given yet") {
   Bench words;
   CHECK(words("mesh.rectangle{ wi") == Words{"width="});
-  CHECK(words("fabric.mesh.rectangle{ width=1, ") == Words{"height=", "nx=", "ny=", "origin=", "triangles="});
+  CHECK(words("fabric.mesh.rectangle{ width=1, ") ==
+        Words{"grading=", "height=", "nx=", "ny=", "origin=", "triangles="});
   CHECK(words("fabric.mesh.rectangle{\n  width=1,\n  hei") == Words{"height="});
   CHECK(words("fabric.mesh.rectangle({ hei") == Words{"height="});
   CHECK(words("r = fabric.mesh.rectangle{ width=2*m") != Words{});  // a value: any global

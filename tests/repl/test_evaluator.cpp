@@ -11,7 +11,7 @@
 #include "script/open/open_session.hpp"
 
 using namespace fabricsh;
-using repl::Outcome;
+using repl::EvaluationOutcome;
 
 namespace {
 
@@ -21,8 +21,8 @@ struct Talk {
 
 // A whole session that types these lines.
 Talk talk(const std::string& input) {
-  script::OpenSession session{script::Options{}};
-  REQUIRE(repl::spill_globals(session).outcome == Outcome::done);
+  script::OpenSession session{script::SessionOptions{}};
+  REQUIRE(repl::spill_globals(session).outcome == EvaluationOutcome::done);
   std::istringstream in(input);
   std::ostringstream out, err;
   const auto lines = repl::stream_lines(in);
@@ -39,15 +39,15 @@ TEST_CASE("expressions print, statements do not") {
 }
 
 TEST_CASE("unfinished input goes on with the next line") {
-  script::OpenSession session{script::Options{}};
+  script::OpenSession session{script::SessionOptions{}};
   for (const char* part :
        {"for i = 1, 2 do", "1 +", "x =", "{1,", "f(", "x = [[", "-- [[\n--[[", "mesh.rectangle{ width=1,"})
-    CHECK(repl::wants_more(session, part));
+    CHECK(repl::is_incomplete(session, part));
   for (const char* whole :
        {"for i = 1, 2 do\nend", "x = = 1", "1 + 1", "x = 'a", "end", "=1", "goto nowhere"})
-    CHECK_FALSE(repl::wants_more(session, whole));
+    CHECK_FALSE(repl::is_incomplete(session, whole));
   CHECK(lua_gettop(session.lua()) == 0);
-  CHECK(repl::evaluate(session, "x = = 1").outcome == Outcome::deck_error);
+  CHECK(repl::evaluate(session, "x = = 1").outcome == EvaluationOutcome::deck_error);
   CHECK(talk("x = {\n1,\n2}\n#x\n").out == "2\n");
   CHECK(talk("1 +\n\n2\n").out == "3\n");
   CHECK(talk("x = {\n").err.find("near <eof>") != std::string::npos);  // the lines end before the input does
@@ -84,8 +84,8 @@ TEST_CASE("quit and exit end the session, as names they are the user's") {
 }
 
 TEST_CASE("help, ? and ? word mean calls of help") {
-  script::OpenSession session{script::Options{}};
-  REQUIRE(repl::spill_globals(session).outcome == Outcome::done);
+  script::OpenSession session{script::SessionOptions{}};
+  REQUIRE(repl::spill_globals(session).outcome == EvaluationOutcome::done);
   const auto meant = [&](const char* input) { return repl::meant(session, input); };
   for (const char* asked : {"help", " help ", "?", "? "}) CHECK(meant(asked) == "help()");
   for (const char* asked : {"? mesh:set", "?mesh:set", "help mesh:set"})
@@ -97,7 +97,7 @@ TEST_CASE("help, ? and ? word mean calls of help") {
   for (const char* lua :
        {"help()", "help 'shear'", "help = 3", "helper", "x = help", "1 + 1", "help(mesh)", "help .. x"})
     CHECK(meant(lua) == lua);
-  CHECK(repl::run_text(session, "help = 3", "=t").outcome == Outcome::done);
+  CHECK(repl::run_text(session, "help = 3", "=t").outcome == EvaluationOutcome::done);
   CHECK(meant("help") == "help");
   CHECK(meant("?") == "require('fabric').help()");
 }
@@ -151,7 +151,7 @@ TEST_CASE("an error in a function of the library's own Lua has the place of the 
 }
 
 TEST_CASE("below an error stands who called whom") {
-  script::OpenSession session{script::Options{}};
+  script::OpenSession session{script::SessionOptions{}};
   const auto error_of = [&](const std::string& text) {
     return repl::run_text(session, text, "@deck.lua").message;
   };
@@ -192,7 +192,7 @@ TEST_CASE("below an error stands who called whom") {
 }
 
 TEST_CASE("of a deep recursion both ends are told") {
-  script::OpenSession session{script::Options{}};
+  script::OpenSession session{script::SessionOptions{}};
   const std::string endless = "function f(n)\n  return 1 + f(n + 1)\nend\nlocal x = f(1)\n";
   const std::string message = repl::run_text(session, endless, "@deck.lua").message;
   CHECK(message.find("deck.lua:2: stack overflow") == 0);
@@ -202,22 +202,23 @@ TEST_CASE("of a deep recursion both ends are told") {
 }
 
 TEST_CASE("a numerical failure is told from a deck error") {
-  script::OpenSession session{script::Options{}};
-  CHECK(repl::run_text(session, "error{kind='numerical'}", "=t").outcome == Outcome::numerical_failure);
-  CHECK(repl::run_text(session, "error{kind='other'}", "=t").outcome == Outcome::deck_error);
+  script::OpenSession session{script::SessionOptions{}};
+  CHECK(repl::run_text(session, "error{kind='numerical'}", "=t").outcome ==
+        EvaluationOutcome::numerical_failure);
+  CHECK(repl::run_text(session, "error{kind='other'}", "=t").outcome == EvaluationOutcome::deck_error);
 }
 
 TEST_CASE("Ctrl-C between two lines drops what was typed of an input") {
   struct Typist : repl::Lines {
-    State next(const std::string& before, std::string& line) override {
+    InputState next(const std::string& before, std::string& line) override {
       befores.push_back(before);
       line = befores.size() == 1 ? "for i = 1, 2 do" : "'new'";
       if (befores.size() == 1) std::raise(SIGINT);
-      return befores.size() < 3 ? State::line : State::end;
+      return befores.size() < 3 ? InputState::line : InputState::end;
     }
     std::vector<std::string> befores;
   } typist;
-  script::OpenSession session{script::Options{}};
+  script::OpenSession session{script::SessionOptions{}};
   std::ostringstream out, err;
   const repl::InterruptGuard guard(session);
   repl::converse(session, typist, {out, err});
@@ -228,15 +229,15 @@ TEST_CASE("Ctrl-C between two lines drops what was typed of an input") {
 
 TEST_CASE("the end of the text within an input is said, and ends nothing but that") {
   struct Typist : repl::Lines {
-    State next(const std::string&, std::string& line) override {
+    InputState next(const std::string&, std::string& line) override {
       line = count == 0 ? "function f()" : "'still'";
-      return ++count == 2 ? State::end : count < 4 ? State::line : State::end;
+      return ++count == 2 ? InputState::end : count < 4 ? InputState::line : InputState::end;
     }
     int count = 0;
   } typist;
-  script::OpenSession session{script::Options{}};
+  script::OpenSession session{script::SessionOptions{}};
   std::ostringstream out, err;
-  CHECK(repl::converse(session, typist, {out, err}) == Outcome::deck_error);
+  CHECK(repl::converse(session, typist, {out, err}) == EvaluationOutcome::deck_error);
   CHECK(out.str() == "still\n");
   CHECK(err.str() == "prompt:1: 'end' expected near <eof>\n");
 }

@@ -15,8 +15,8 @@ TEST_CASE("when colours are wanted") {
 }
 
 TEST_CASE("how a text is dressed") {
-  CHECK(Style(false).dress(Tone::error, "no") == "no");
-  CHECK(Style(true).dress(Tone::error, "no") == "\033[31mno\033[0m");
-  CHECK(Style(true).dress(Tone::notice, "") == "");
-  CHECK(Style(true).dress(Tone::prompt, ">", "\1") == "\1\033[1;34m\1>\1\033[0m\1");
+  CHECK(TerminalStyle(false).dress(Tone::error, "no") == "no");
+  CHECK(TerminalStyle(true).dress(Tone::error, "no") == "\033[31mno\033[0m");
+  CHECK(TerminalStyle(true).dress(Tone::notice, "") == "");
+  CHECK(TerminalStyle(true).dress(Tone::prompt, ">", "\1") == "\1\033[1;34m\1>\1\033[0m\1");
 }

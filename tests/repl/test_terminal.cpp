@@ -106,7 +106,8 @@ TEST_CASE("Ctrl-C while a key is being answered drops the line, without another 
       return repl::Completion{text.size()};
     };
     std::string line;
-    const bool dropped = repl::terminal_lines(options)->next("", line) == repl::Lines::State::interrupted;
+    const bool dropped =
+        repl::terminal_lines(options)->next("", line) == repl::Lines::InputState::interrupted;
     return dropped ? 0 : 1;
   });
   CHECK(terminal.wait_for([&] { return terminal.screen.lines().back() == ">"; }));

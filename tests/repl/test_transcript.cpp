@@ -10,7 +10,7 @@
 #include "script/show/transcript.hpp"
 
 using namespace fabricsh;
-using repl::Outcome;
+using repl::EvaluationOutcome;
 using repl::Result;
 
 namespace {
@@ -26,7 +26,7 @@ std::string type(script::Session& session, const std::string& input) {
 std::string number(script::Session& session, const std::string& expression) {
   const Result result = repl::evaluate(session, expression);
   INFO(result.message);
-  REQUIRE(result.outcome == Outcome::done);
+  REQUIRE(result.outcome == EvaluationOutcome::done);
   return result.shown;
 }
 
@@ -37,7 +37,7 @@ std::string whole(const std::string& path) {
   return text.str();
 }
 
-Result done(bool expression) { return {Outcome::done, "", "", expression}; }
+Result done(bool expression) { return {EvaluationOutcome::done, "", "", expression}; }
 
 }  // namespace
 
@@ -52,15 +52,15 @@ TEST_CASE("an input as part of a deck") {
   CHECK(deck_text("local x = 1 y = x", done(false)) == "do\nlocal x = 1 y = x\nend\n");
   CHECK(deck_text("::top:: x = 1", done(false)) == "do\n::top:: x = 1\nend\n");
   CHECK(deck_text("x = 1; return x", done(false)) == "_show((function(...)\nx = 1; return x\nend)(...))\n");
-  CHECK(deck_text("error 'a\nb'", {Outcome::deck_error, "bad\nthing"}) ==
+  CHECK(deck_text("error 'a\nb'", {EvaluationOutcome::deck_error, "bad\nthing"}) ==
         "-- error 'a\n-- b'\n--   failed: bad\n");
   CHECK(repl::deck_call("a\"b.lua") == "dofile \"a\\\"b.lua\"\n");
 }
 
 TEST_CASE("the deck of a session gives the session's values") {
   std::remove("kept.lua");
-  script::OpenSession session{script::Options{}};
-  REQUIRE(repl::spill_globals(session).outcome == Outcome::done);
+  script::OpenSession session{script::SessionOptions{}};
+  REQUIRE(repl::spill_globals(session).outcome == EvaluationOutcome::done);
   type(session,
        "sheet = mesh.rectangle{ width=0.0254, height=0.0762,\n  nx=1, ny=3 }\n"
        "m = model{ mesh=sheet, card=card 'blend', warp=90 }\n"
@@ -81,10 +81,10 @@ TEST_CASE("the deck of a session gives the session's values") {
   CHECK(deck.find("-- a:no_such_method()\n--   failed: ") != std::string::npos);
   CHECK(deck.find("require \"fabric\"; fabric.globals()\n") != std::string::npos);
 
-  script::OpenSession again{script::Options{}};
+  script::OpenSession again{script::SessionOptions{}};
   const Result ran = repl::run_deck(again, "kept.lua", {});
   INFO(ran.message);
-  REQUIRE(ran.outcome == Outcome::done);
+  REQUIRE(ran.outcome == EvaluationOutcome::done);
   for (const char* value : {"('%a'):format(seen)", "('%a'):format(a:mean 'S11')", "a.time", "h"})
     CHECK(number(session, value) == number(again, value));
   CHECK(number(again, "seen > 0") == "true");
@@ -93,14 +93,14 @@ TEST_CASE("the deck of a session gives the session's values") {
 
 TEST_CASE("a transcript is a runnable file at any moment, ends, and overwrites nothing") {
   std::remove("steps.lua");
-  script::OpenSession session{script::Options{}};
-  REQUIRE(repl::spill_globals(session).outcome == Outcome::done);
+  script::OpenSession session{script::SessionOptions{}};
+  REQUIRE(repl::spill_globals(session).outcome == EvaluationOutcome::done);
   type(session, "transcript 'steps.lua'\n");
   for (const char* line : {"x = {\n1,\n2}\n", "local y = 3\n", "x = = 1\n", "#x --[[ long\n]]\n", "x[1]\n"}) {
     type(session, line);
-    script::OpenSession fresh{script::Options{}};
+    script::OpenSession fresh{script::SessionOptions{}};
     INFO(whole("steps.lua"));
-    CHECK(repl::run_deck(fresh, "steps.lua", {}).outcome == Outcome::done);
+    CHECK(repl::run_deck(fresh, "steps.lua", {}).outcome == EvaluationOutcome::done);
   }
   type(session, "transcript(false)\nz = 1\n");
   CHECK(whole("steps.lua").find("z = 1") == std::string::npos);
@@ -114,8 +114,8 @@ TEST_CASE("a transcript is a runnable file at any moment, ends, and overwrites n
 TEST_CASE("a transcript that can't be written is said, and the session goes on") {
   std::remove("gone/t.lua");
   std::remove("gone");
-  script::OpenSession session{script::Options{}};
-  REQUIRE(repl::spill_globals(session).outcome == Outcome::done);
+  script::OpenSession session{script::SessionOptions{}};
+  REQUIRE(repl::spill_globals(session).outcome == EvaluationOutcome::done);
   type(session, "transcript 'gone/t.lua'\n");
   std::remove("gone/t.lua");
   std::remove("gone");
@@ -127,7 +127,7 @@ TEST_CASE("a transcript that can't be written is said, and the session goes on")
 }
 
 TEST_CASE("under -i the deck comes first") {
-  script::Options options;
+  script::SessionOptions options;
   options.deck = "before.lua";
   script::OpenSession session{options};
   type(session, "x = 1\n");
@@ -136,8 +136,8 @@ TEST_CASE("under -i the deck comes first") {
 }
 
 TEST_CASE("who() lists what the user's globals hold, objects first, and nothing of fabric's") {
-  script::OpenSession session{script::Options{}};
-  REQUIRE(repl::spill_globals(session).outcome == Outcome::done);
+  script::OpenSession session{script::SessionOptions{}};
+  REQUIRE(repl::spill_globals(session).outcome == EvaluationOutcome::done);
   CHECK(type(session, "who()\n") == "nothing yet\n");
   const std::string said =
       type(session,

@@ -81,7 +81,7 @@ void for_all_elements(const Test& test) {
       CHECK((all.*compiled).on);
       CHECK(rheology::any(all));
       CHECK(rheology::numbers(all) == Element::numbers);
-      CHECK(rheology::hangs_on_time(all) == Element::hangs_on_time);
+      CHECK(rheology::is_rate_dependent(all) == Element::is_rate_dependent);
       Alone<Element, std::remove_cvref_t<decltype(all.*compiled)>> alone{all.*compiled};
       test(alone, Element::stiffest(all.*compiled), random);
     }
@@ -168,7 +168,7 @@ TEST_CASE("without elements a card's law has no numbers, no stress and no stiffn
           "[rheology]") {
   const rheology::Compiled none;
   CHECK_FALSE(rheology::any(none));
-  CHECK_FALSE(rheology::hangs_on_time(none));
+  CHECK_FALSE(rheology::is_rate_dependent(none));
   CHECK(rheology::numbers(none) == 0);
   CHECK(rheology::stiffest(none).axial == 0);
   CHECK(rheology::stiffest(none).shear == 0);

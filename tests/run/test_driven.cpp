@@ -71,16 +71,16 @@ TEST_CASE(
   const auto& inertia = assembly.add(
       std::make_unique<mechanics::Inertia>(assembly.nodal_mass(), assembly.rotary_inertia(false)));
   run::Newmark newmark(assembly, inertia, {0.5, 0.25, 0});
-  const run::Problem::Poll no_poll;
-  run::Problem problem(assembly, newmark, no_poll);
-  problem.aim(0);
+  const run::EquilibriumProblem::Poll no_poll;
+  run::EquilibriumProblem problem(assembly, newmark, no_poll);
+  problem.set_time(0);
   REQUIRE(assembly.forces({}));
   assembly.commit(0);
   const std::vector<double> still(3 * mesh->nodes.size(), 0);
   problem.start({still, still});
   solver::Newton newton(linear::make_unsymmetric_solver());
   for (int i = 1; i <= 8; ++i) {
-    problem.aim(i * dt);
+    problem.set_time(i * dt);
     REQUIRE(newton.solve(problem, {}).status == solver::NewtonStatus::converged);
     problem.commit(i * dt);
     const Vec3 v = i * dt * across + (i > 2 && i <= 5 ? speed : 0) * along;

@@ -53,14 +53,14 @@ namespace {
 
 // What it is told, in one word each; a table's rows at that moment.
 struct Heard final : run::Listener {
-  Heard(Turn t, std::string f, std::vector<std::string>& w) : at(t), table(std::move(f)), words(w) {}
-  Turn at;
+  Heard(ListenerOrder t, std::string f, std::vector<std::string>& w) : at(t), table(std::move(f)), words(w) {}
+  ListenerOrder at;
   std::string table;
   std::vector<std::string>& words;
-  Turn turn() const override { return at; }
+  ListenerOrder turn() const override { return at; }
   void say(const char* event) {
     const std::string text = content_of(table);
-    words.push_back(std::string(at == Turn::output ? "first " : "last ") + event + " " +
+    words.push_back(std::string(at == ListenerOrder::output ? "first " : "last ") + event + " " +
                     std::to_string(std::count(text.begin(), text.end(), '\n') - 1));
   }
   void begin(run::Job&) override { say("begin"); }
@@ -70,7 +70,7 @@ struct Heard final : run::Listener {
   void end(run::Job&, const run::Ending& ending) override { say(ending.status.c_str()); }
   void forget(run::Job&) override { say("forget"); }
   void restored(run::Job&) override { say("restored"); }
-  void save(std::vector<run::Checkpoint::Part>&) override { say("save"); }
+  void save(std::vector<run::Checkpoint::CheckpointPart>&) override { say("save"); }
 };
 
 }  // namespace
@@ -80,10 +80,10 @@ TEST_CASE("listeners hear each event once, in the order of their turns, and back
   run::Job job(falling());
   std::vector<std::string> words;
   const std::string table = scratch / "fall.csv";
-  using Turn = run::Listener::Turn;
-  job.listen(std::make_shared<Heard>(Turn::watch, table, words));
+  using ListenerOrder = run::Listener::ListenerOrder;
+  job.listen(std::make_shared<Heard>(ListenerOrder::watch, table, words));
   job.record(table, {{"z", [](const run::Run& r) { return r.node(15).u.z(); }, "m"}}, 5e-4);
-  job.listen(std::make_shared<Heard>(Turn::output, table, words));
+  job.listen(std::make_shared<Heard>(ListenerOrder::output, table, words));
   const auto start = job.run().snapshot();
   job.solve();
   job.now();
@@ -213,7 +213,7 @@ std::shared_ptr<run::Job> gone_on(const std::string& folder) {
 struct Interrupting final : run::Listener {
   explicit Interrupting(double t) : time(t) {}
   double time;
-  Turn turn() const override { return Turn::watch; }
+  ListenerOrder turn() const override { return ListenerOrder::watch; }
   void step(run::Job& job) override {
     if (job.run().time() > time) throw Error("interrupted");
   }

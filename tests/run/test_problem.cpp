@@ -38,13 +38,13 @@ std::vector<double> some(std::size_t n, double size, unsigned seed) {
 
 // The largest difference between K and central differences of the residual about a displaced configuration,
 // over the largest entry of their product.
-double tangent_error(run::Problem& problem) {
+double tangent_error(run::EquilibriumProblem& problem) {
   const auto n = static_cast<std::size_t>(problem.size());
   linear::Matrix K;
   std::vector<double> r(n), product(n, 0);
   REQUIRE(problem.predict(K, r, product) == Answer::ok);
   std::fill(product.begin(), product.end(), 0.0);
-  problem.retract(some(n, 1e-4, 1), 1);
+  problem.apply_increment(some(n, 1e-4, 1), 1);
   problem.accept();
   REQUIRE(problem.residual(r) == Answer::ok);
   REQUIRE(problem.tangent(K) == Answer::ok);
@@ -54,7 +54,7 @@ double tangent_error(run::Problem& problem) {
       product[K.pattern->row[k]] += K.value[k] * direction[c];
   const double h = 1e-4;
   const auto at = [&](double scale) {
-    problem.retract(direction, scale);
+    problem.apply_increment(direction, scale);
     std::vector<double> moved(n);
     REQUIRE(problem.residual(moved) == Answer::ok);
     return moved;
@@ -68,7 +68,7 @@ double tangent_error(run::Problem& problem) {
   return worst / scale;
 }
 
-const run::Problem::Poll no_poll;
+const run::EquilibriumProblem::Poll no_poll;
 
 }  // namespace
 
@@ -77,11 +77,11 @@ TEST_CASE("the tangent is the derivative of the residual, quasi-static with and 
     const auto m = make_sheet();
     m->validate();
     mechanics::Assembly assembly(*m);
-    run::Problem problem(assembly, 1e-7, no_poll);
+    run::EquilibriumProblem problem(assembly, 1e-7, no_poll);
     if (fraction > 0) assembly.add(std::make_unique<mechanics::Stabilisation>(assembly, fraction));
-    problem.aim(0);
+    problem.set_time(0);
     problem.start();
-    problem.aim(0.1);
+    problem.set_time(0.1);
     CHECK(tangent_error(problem) < 1e-8);
   }
 }
@@ -100,8 +100,8 @@ TEST_CASE("the tangent is the derivative of the residual, by Newmark with every 
     if (c.stiffness > 0) assembly.add(std::make_unique<mechanics::StiffnessDamping>(assembly, c.stiffness));
     run::NewmarkScheme scheme{0.5 - c.hht, (1 - c.hht) * (1 - c.hht) / 4, c.hht};
     run::Newmark newmark(assembly, inertia, scheme);
-    run::Problem problem(assembly, newmark, no_poll);
-    problem.aim(0);
+    run::EquilibriumProblem problem(assembly, newmark, no_poll);
+    problem.set_time(0);
     REQUIRE(assembly.forces({}));
     assembly.commit(0);
     mechanics::NodalRates v{some(3 * assembly.reference().size(), 0.1, 3),
@@ -110,7 +110,7 @@ TEST_CASE("the tangent is the derivative of the residual, by Newmark with every 
     assembly.spread_rates(assembly.collect_rates(v), std::vector<double>(assembly.targets(0).size(), 0),
                           possible);
     problem.start(possible);
-    problem.aim(1e-3);
+    problem.set_time(1e-3);
     INFO("damping " << c.mass << " and " << c.stiffness << ", hht " << c.hht);
     CHECK(tangent_error(problem) < 1e-8);
   }
@@ -207,7 +207,7 @@ TEST_CASE("energies that the forces sum on their way are those of a look of its 
       const auto step = some(static_cast<std::size_t>(a.unknowns()), 2e-4, 5);
       for (int i = 1; i < 4; ++i) {
         a.begin_iterate();
-        a.retract(step, i % 2 == 0 ? -1 : 1.5, {});
+        a.apply_increment(step, i % 2 == 0 ? -1 : 1.5, {});
         a.expect_energies(true);
         REQUIRE(a.forces({}));
         const auto trial = a.energies();

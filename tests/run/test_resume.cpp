@@ -106,7 +106,7 @@ TEST_CASE("a static run that is taken up gives the same bits") {
   SECTION("Newton") {}
   SECTION("stabilised") { o.stabilise = 2e-4; }
   SECTION("either") { o.method = Method::either; }
-  SECTION("unsymmetric") { o.linear = Linear::unsymmetric; }
+  SECTION("unsymmetric") { o.linear = Symmetry::unsymmetric; }
   check_same([&] { return make_static(o, flat); }, {0.21, 0.4, 0.55}, 0.8);
 }
 

@@ -135,7 +135,7 @@ TEST_CASE("a term without a symmetric tangent is added where the solver bears it
   CHECK(message_of([&] { usual.add(std::make_unique<Swirl>(12, k)); }) ==
         "a term 'swirl': expected one with a symmetric tangent, or the option linear = unsymmetric");
   auto general = options();
-  general.linear = run::Linear::unsymmetric;
+  general.linear = run::Symmetry::unsymmetric;
   run::Static a(sheet(), general, quiet());
   a.add(std::make_unique<Swirl>(12, k));
   a.solve();

@@ -43,7 +43,7 @@ double modulus_at(double load) {
 }  // namespace
 
 TEST_CASE("a strut stays straight below Euler's load and bows as the elastica above it, at any step") {
-  for (const auto linear : {run::Linear::symmetric, run::Linear::unsymmetric})
+  for (const auto linear : {run::Symmetry::symmetric, run::Symmetry::unsymmetric})
     for (const double step : {0.5, 0.11, 0.02}) {
       Static a(make_strut(0.1 * 1.8 * euler), {.duration = 1, .step = step, .linear = linear}, quiet());
       a.every_step([&](run::Run& run) {

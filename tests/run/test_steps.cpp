@@ -56,7 +56,7 @@ TEST_CASE("a step that is too large is cut, and the run still lands on its end")
 TEST_CASE("one thread and two give the same bits, in load and along an arc, symmetric or not") {
   const int before = omp_get_max_threads();
   for (const Control control : {Control::load, Control::arc})
-    for (const auto linear : {run::Linear::symmetric, run::Linear::unsymmetric}) {
+    for (const auto linear : {run::Symmetry::symmetric, run::Symmetry::unsymmetric}) {
       std::vector<double> x[2];
       for (const int threads : {1, 2}) {
         omp_set_num_threads(threads);
@@ -73,7 +73,7 @@ TEST_CASE("one thread and two give the same bits, in load and along an arc, symm
 TEST_CASE("the symmetric and the unsymmetric solver give the same state of woven cloth") {
   std::vector<double> x[2];
   int i = 0;
-  for (const auto linear : {run::Linear::symmetric, run::Linear::unsymmetric}) {
+  for (const auto linear : {run::Symmetry::symmetric, run::Symmetry::unsymmetric}) {
     Static a(make_plate(blend(), 6), {.duration = 1, .step = 0.1, .linear = linear}, quiet());
     a.advance(0.5);
     x[i++] = positions(a);

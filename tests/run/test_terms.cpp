@@ -244,7 +244,7 @@ class Brake final : public mechanics::Term {
     out.push_back({"brake", mechanics::Account::stored, stored});
     out.push_back({"brake", mechanics::Account::dissipated, spent});
   }
-  std::vector<mechanics::Shown> shows() const override {
+  std::vector<mechanics::TermField> shows() const override {
     return {{"slip", "m", "how far the brake has slipped at a node", false,
              [this](mechanics::Index n) { return slip_[n]; }}};
   }

@@ -105,9 +105,9 @@ TEST_CASE(
 }
 
 TEST_CASE("a strict run ends at each serious warning, once, with a report; one that is not strict goes on") {
-  const auto calm = make_turned();
-  calm->solve();
-  CHECK(has(*calm, "inverted"));
+  const auto barrier_free_blocks = make_turned();
+  barrier_free_blocks->solve();
+  CHECK(has(*barrier_free_blocks, "inverted"));
 
   const auto a = make_turned();
   a->be_strict();
@@ -136,10 +136,10 @@ TEST_CASE("a strict run ends at each serious warning, once, with a report; one t
     CHECK(a->why() == why);
   }
   CHECK(inverted);
-  CHECK(a->time() == calm->time());
+  CHECK(a->time() == barrier_free_blocks->time());
   const auto& all = a->warnings();
   CHECK(failures == std::count_if(all.begin(), all.end(), [](const auto& w) { return w.serious; }));
-  CHECK(codes(*a) == codes(*calm));
+  CHECK(codes(*a) == codes(*barrier_free_blocks));
 }
 
 TEST_CASE(

@@ -40,7 +40,7 @@ int call_back(Call& call) {
 }
 
 struct Lab {
-  Lab() : session(Options{}) {
+  Lab() : session(SessionOptions{}) {
     Entry lua{"fabric.lua_error"}, deck{"fabric.deck_error"}, fail{"fabric.failure"}, other{"fabric.other"},
         back{"fabric.back"};
     lua.run = raise_lua_error;

@@ -33,7 +33,7 @@ void each_path(const card::FieldTable& table, const std::string& path,
 TEST_CASE("every field of a card is written, read and read back", "[card]") {
   for (const std::string kind : {"woven", "svk", "linear"}) {
     const card::Card full = test::full_card(kind);
-    OpenSession session{Options{}};
+    OpenSession session{SessionOptions{}};
     lua_State* L = session.lua();
     run_chunk(L, card::lua_text(full));
     lua_setglobal(L, "card");
@@ -43,11 +43,11 @@ TEST_CASE("every field of a card is written, read and read back", "[card]") {
     CHECK(card::lua_text(*again) == card::lua_text(full));
     each_path(card::fields(kind), "card", [&](const std::string& path, const card::Field& field) {
       INFO(path);
-      if (!field.get && field.holds != card::Holds::group) return;
+      if (!field.get && field.holds != card::FieldType::group) return;
       run_chunk(L, "return " + path + " ~= nil");
       CHECK(lua_toboolean(L, -1) == 1);
       lua_pop(L, 1);
-      if (field.holds != card::Holds::number) return;
+      if (field.holds != card::FieldType::number) return;
       run_chunk(L, "return " + path);
       CHECK(lua_tonumber(L, -1) == std::get<double>(field.get(full)));
       lua_pop(L, 1);

@@ -43,7 +43,7 @@ void collect(lua_State* L, const std::string& path, std::set<std::string>& names
 }  // namespace
 
 TEST_CASE("every function of the module has a row") {
-  OpenSession session{Options{}};
+  OpenSession session{SessionOptions{}};
   REQUIRE(run(session, "require 'fabric'") == "");
   std::set<std::string> functions;
   lua_getfield(session.lua(), LUA_REGISTRYINDEX, "fabric");
@@ -56,7 +56,7 @@ TEST_CASE("every function of the module has a row") {
 }
 
 TEST_CASE("every method and property has a row") {
-  OpenSession session{Options{}};
+  OpenSession session{SessionOptions{}};
   lua_State* L = session.lua();
   for (const char* name : {"mesh", "card", "history", "point", "model", "analysis"}) {
     REQUIRE(lua_getfield(L, LUA_REGISTRYINDEX, ("fabricsh." + std::string(name)).c_str()) == LUA_TTABLE);
@@ -76,7 +76,7 @@ TEST_CASE("every method and property has a row") {
 }
 
 TEST_CASE("every row says what it is") {
-  OpenSession session{Options{}};
+  OpenSession session{SessionOptions{}};
   REQUIRE(run(session, "require 'fabric'") == "");
   std::map<std::string, int> count;
   for (const Entry& entry : session.registry().entries()) {
@@ -91,12 +91,12 @@ TEST_CASE("every row says what it is") {
 TEST_CASE("every example runs, each in a session of its own") {
   std::vector<std::pair<std::string, std::string>> examples;
   {
-    OpenSession session{Options{}};
+    OpenSession session{SessionOptions{}};
     REQUIRE(run(session, "require 'fabric'") == "");
     for (const Entry& entry : session.registry().entries()) examples.emplace_back(entry.name, entry.example);
   }
   for (const auto& [name, example] : examples) {
-    OpenSession session{Options{}};
+    OpenSession session{SessionOptions{}};
     INFO(name << ":\n" << example);
     CHECK(run(session, example) == "");
   }

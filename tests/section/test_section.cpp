@@ -66,14 +66,14 @@ TEST_CASE(
     "section: what fibres fill is density over theirs, three quarters at most where theirs is not known") {
   card::Card card = test::svk();
   card.density = 600;
-  CHECK(integrated(card, 0.5e-3, 1, 0).fibre == Approx(0.5e-3 * 600 / 1500).epsilon(1e-15));
+  CHECK(integrated(card, 0.5e-3, 1, 0).solid_thickness == Approx(0.5e-3 * 600 / 1500).epsilon(1e-15));
   card.fibre_density = 960;
-  CHECK(integrated(card, 0.5e-3, 1, 0).fibre == Approx(0.5e-3 * 600 / 960).epsilon(1e-15));
+  CHECK(integrated(card, 0.5e-3, 1, 0).solid_thickness == Approx(0.5e-3 * 600 / 960).epsilon(1e-15));
   card.density = 950;
-  CHECK(integrated(card, 0.5e-3, 1, 0).fibre == Approx(0.5e-3 * 0.95).epsilon(1e-15));
+  CHECK(integrated(card, 0.5e-3, 1, 0).solid_thickness == Approx(0.5e-3 * 0.95).epsilon(1e-15));
   card.fibre_density.reset();
   card.density = 1400;
-  CHECK(integrated(card, 0.5e-3, 1, 0).fibre == Approx(0.5e-3 * 0.75).epsilon(1e-15));
+  CHECK(integrated(card, 0.5e-3, 1, 0).solid_thickness == Approx(0.5e-3 * 0.75).epsilon(1e-15));
 }
 
 TEST_CASE("section: plies add up their fibres and their mass, each by its own thickness and density") {
@@ -85,7 +85,7 @@ TEST_CASE("section: plies add up their fibres and their mass, each by its own th
   const Section s = stacked({{light, 0.2e-3, 0}, {heavy, 0.5e-3, 45}, {full, 0.1e-3, -30}}, 2, 0.25);
   CHECK(s.thickness == Approx(0.8e-3).epsilon(1e-15));
   CHECK(s.areal_mass == Approx(300 * 0.2e-3 + 700 * 0.5e-3 + 1450 * 0.1e-3).epsilon(1e-14));
-  CHECK(s.fibre == Approx(0.2e-3 * 0.2 + 0.5e-3 * 0.5 + 0.1e-3 * 0.75).epsilon(1e-14));
+  CHECK(s.solid_thickness == Approx(0.2e-3 * 0.2 + 0.5e-3 * 0.5 + 0.1e-3 * 0.75).epsilon(1e-14));
   CHECK(s.offset == 0.25);
   CHECK(s.compression.empty());
 }

@@ -33,7 +33,7 @@ class Scalar final : public solver::PathProblem {
   void set_trial(double u) { trial_ = u; }
 
   Index size() const override { return 1; }
-  void aim(double time) override { time_ = time; }
+  void set_time(double time) override { time_ = time; }
   Answer predict(Matrix& K, std::span<double> r, std::span<double> lead) override {
     trial_ = iterate_ = committed;
     lead[0] = 0;
@@ -48,7 +48,7 @@ class Scalar final : public solver::PathProblem {
     q[0] = rate;
     return tangent(K);
   }
-  void retract(std::span<const double> delta, double scale) override {
+  void apply_increment(std::span<const double> delta, double scale) override {
     shares.push_back(scale);
     trial_ = iterate_ + scale * delta[0];
   }
@@ -65,8 +65,8 @@ class Scalar final : public solver::PathProblem {
     return Answer::ok;
   }
   double turn_of(std::span<const double> delta) const override { return std::abs(delta[0]); }
-  void mark() override { mark_ = iterate_; }
-  void return_to_mark() override { trial_ = mark_; }
+  void save_iterate() override { mark_ = iterate_; }
+  void restore_iterate() override { trial_ = mark_; }
   double product(std::span<const double> a, std::span<const double> b) const override { return a[0] * b[0]; }
   std::pair<double, Index> largest(std::span<const double> r) const override { return {std::abs(r[0]), 0}; }
   double force_scale() const override { return 1; }

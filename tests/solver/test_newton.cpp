@@ -140,7 +140,7 @@ struct Walled {
     problem.safe = [](double from, double delta) {
       return delta > 0 ? std::min(1.0, 0.9 * (wall - from) / delta) : 1.0;
     };
-    problem.aim(1);
+    problem.set_time(1);
   }
 };
 
@@ -168,7 +168,7 @@ TEST_CASE("no solver steps farther than the problem's limit, and each gets to th
     CHECK(walled.farthest < Walled::wall);
     CHECK(std::abs(walled.problem.trial() - solution) < 1e-9);
     CHECK(std::any_of(walled.problem.shares.begin(), walled.problem.shares.end(),
-                      [](double share) { return share > 0 && share < 1; }));
+                      [](double fraction) { return fraction > 0 && fraction < 1; }));
   }
   {
     Walled walled(load);
@@ -198,7 +198,7 @@ TEST_CASE("a limit of nothing is a step that cannot be done, not one that goes n
   problem.force = [](double u, double t) { return t - u; };
   problem.stiffness = [](double) { return 1.0; };
   problem.safe = [](double, double) { return 0.0; };
-  problem.aim(1);
+  problem.set_time(1);
   CHECK(Newton(fabricsh::linear::make_unsymmetric_solver()).solve(problem, {}).status ==
         NewtonStatus::law_failed);
   CHECK(problem.shares.empty());
@@ -244,7 +244,7 @@ TEST_CASE("forces that are beyond repair end the solve at once, in every solver"
     problem.force = [](double u, double t) { return t - u; };
     problem.stiffness = [](double) { return 1.0; };
     problem.broken = [](double u) { return u > 0.5; };
-    problem.aim(1);
+    problem.set_time(1);
     return problem;
   };
   auto one = make();
@@ -252,7 +252,7 @@ TEST_CASE("forces that are beyond repair end the solve at once, in every solver"
   CHECK(one.shares == std::vector{1.0});  // no shorter share was tried
   auto two = make();
   ArcLength arc(fabricsh::linear::make_unsymmetric_solver());
-  two.aim(0);
+  two.set_time(0);
   CHECK(arc.solve(two, {}, {.time = 0, .landing = 1, .length = 1, .largest_step = 1}).status ==
         NewtonStatus::broken);
   CHECK(two.shares == std::vector{1.0});

@@ -40,7 +40,7 @@ class Bar final : public Problem {
     residual(r);
     return tangent(K);
   }
-  void retract(std::span<const double> delta, double scale) override {
+  void apply_increment(std::span<const double> delta, double scale) override {
     for (std::size_t i = 0; i < 2; ++i) trial[i] = iterate[i] + scale * delta[i];
   }
   void accept() override { iterate = trial; }
@@ -57,8 +57,8 @@ class Bar final : public Problem {
     return tangent_for(C * L * (strain(trial) - quadratic), K);
   }
   double turn_of(std::span<const double> delta) const override { return std::hypot(delta[0], delta[1]) / L; }
-  void mark() override { marked = iterate; }
-  void return_to_mark() override { trial = marked; }
+  void save_iterate() override { marked = iterate; }
+  void restore_iterate() override { trial = marked; }
   std::pair<double, Index> largest(std::span<const double> r) const override {
     return std::abs(r[0]) > std::abs(r[1]) ? std::pair<double, Index>(std::abs(r[0]), 0)
                                            : std::pair<double, Index>(std::abs(r[1]), 1);

@@ -11,7 +11,7 @@ using model::TieKind;
 
 namespace {
 
-model::Freedoms tied(const char* text) { return model::parse_freedoms(text, "tie"); }
+model::FixedFreedoms tied(const char* text) { return model::parse_freedoms(text, "tie"); }
 
 model::Components ramp(int axis, double value) {
   model::Components c;

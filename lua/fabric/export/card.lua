@@ -64,7 +64,7 @@ local function assumed(card)
 end
 
 -- Nothing that a deck is made of is written as a measurement if it is none.
-local function tell_assumed(t, parts)
+local function report_assumed(t, parts)
   if #parts == 0 then return end
   fabric.warn(("export: card '%s': the loading of the %s was not measured, it is assumed (%s); what is written for %s is a guess"):format(tame(t.card.name),
     table.concat(parts, " and "), t.card.provenance[parts[1] .. ".loading"]:match "^assumed: *(.*)", #parts == 1 and "it" or "them"))
@@ -86,7 +86,7 @@ function export.prepare(t)
   local sentences = loss.sentences(t.card, target)
   local guesses, parts = assumed(t.card)
   table.move(guesses, 1, #guesses, #sentences + 1, sentences)
-  tell_assumed(t, parts)
+  report_assumed(t, parts)
   return target, p, rows, sentences
 end
 

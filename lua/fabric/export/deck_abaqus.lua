@@ -51,10 +51,10 @@ return function(m, material, target, u)
     out[#out + 1] = "*DLOAD"
     out[#out + 1] = ("cloth, GRAV, %.10g, %.10g, %.10g, %.10g"):format(size * u.acceleration, g[1] / size, g[2] / size, g[3] / size)
   end
-  local told = {}
+  local warned = {}
   for _, one in ipairs(m.moved) do
-    if not told[one.set] and not membrane then
-      told[one.set] = true
+    if not warned[one.set] and not membrane then
+      warned[one.set] = true
       out[#out + 1] = ("*NODE PRINT, NSET=%s, TOTALS=YES"):format(called(one.set))
       out[#out + 1] = "RF"
     end

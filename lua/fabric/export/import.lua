@@ -140,13 +140,13 @@ local function turn_at(part, name, E, kind, said)
   part.meet = { x, laws.value(part.loading, x) }
 end
 
--- What a note says of a part that the file's comment calls untested, although its curve has to be let go somewhere.
+-- The note for a part that the file's comment calls untested, although its unloading has to start somewhere.
 local function not_tested(name, line, E)
-  return ("%s: line %d of the file says that it was not tested; its curve was taken as measured up to %s = %.4g, where fabric.export lets such a one go")
+  return ("%s: line %d of the file says that it was not tested; its curve was taken as measured up to %s = %.4g, where fabric.export starts its unloading")
     :format(name, line, components[name], E)
 end
 
--- Where loading and unloading of the file cross, it was let go; what its comment says besides is noted if it says something else.
+-- Unloading starts where the curves cross; a comment of the file that states another strain is noted.
 local function crossed(part, name, kind, stated, line, notes)
   local measure = curves.measures[kind.measure]
   local E = (name == "shear" and measure.shear_back or measure.axis_back)(part.meet[1], part.meet[2])
@@ -158,7 +158,7 @@ local function crossed(part, name, kind, stated, line, notes)
   end
 end
 
--- Where the curves of the file do not show by themselves at which strain they were let go: the strains asked for, else those that the file
+-- Where the curves of the file do not show at which strain unloading starts: the strains asked for, else those that the file
 -- states in a comment, else the curves' ends, which a note says.
 local function turn_all(t, p, kind, notes)
   local stated, line = read.tested(t.file)
@@ -178,7 +178,7 @@ local function turn_all(t, p, kind, notes)
   end
   if #ended > 0 then
     notes[#notes + 1] = ("tested: neither the file (in a comment 'Tested up to E11 = ...') nor tested= says up to which strains %s was measured; the ends of the curves were taken, "
-      .. "and let go from there"):format(table.concat(ended, ", "))
+      .. "and unloading starts there"):format(table.concat(ended, ", "))
   end
 end
 
@@ -216,13 +216,34 @@ local function judge(t, rows)
   end
 end
 
+-- The keywords of the materials that are read, by solver.
+local keywords = {
+  openradioss = { "^/MAT/LAW58/", "^/MAT/FABR_A/", "^/MAT/LAW19/", "^/MAT/FABRI/" }, ["ls-dyna"] = { "^%*MAT_FABRIC", "^%*MAT_034" }, abaqus = { "^%*FABRIC" },
+}
+
+-- Says that the file has further materials: one is read, LAW58 before LAW19, the first of each.
+local function tell_further(t, from, name, notes)
+  local places = {}
+  for i, line in ipairs(read.lines_of(t.file)) do
+    for _, pattern in ipairs(keywords[from]) do
+      if line:upper():find(pattern) then places[#places + 1] = i end
+    end
+  end
+  if #places < 2 then return end
+  local words = ("%d materials of this kind are in the file (lines %s); '%s' is read: give each of the others a file of its own"):format(#places, table.concat(places, ", "), name)
+  notes[#notes + 1] = "materials: " .. words
+  fabric.warn(("import: %s: %s"):format(t.file, words))
+end
+
 local function run(t)
   local from = t.from or (t.file:match "%.rad$" and "openradioss") or (t.file:match "%.inp$" and "abaqus") or (t.file:match "%.k$" or t.file:match "%.key$") and "ls-dyna"
+  local solver = from
   if from == "openradioss" and read.law19_block(t.file) then from = "law19" end
   local kind = kinds[from]
   if not kind then fail(("card: field 'file': expected a name that ends in .rad, .k or .inp, or field 'from', got '%s'"):format(t.file)) end
   local notes = {}
   local p = kind.read(t.file, units_of(t, notes))
+  tell_further(t, solver, p.name, notes)
   local thickness = t.thickness or p.thickness
   if not thickness then fail(("card: field 'thickness': expected a positive number in m (%s has no section), got nil"):format(t.file)) end
   local density = t.density or p.density
@@ -278,7 +299,7 @@ define {
   },
   sentence = "A woven card out of another solver's material: its curves as measured points, its unloading as a modulus. Returns card, report (text), losses and "
     .. "lost (as fabric.export.card, the file's law beside the card's), notes. A material that no card follows within 25 % of the peak stress along its yarns "
-    .. "is refused; what differs by more on other paths is told.",
+    .. "is refused; what differs by more on other paths is reported.",
   example = "local fabric = require 'fabric'\n"
     .. "local path = os.tmpname()..'.rad'\n"
     .. "fabric.export.card{ card=fabric.card 'blend', to='openradioss', file=path }\n"

@@ -58,7 +58,7 @@ function loss.lines(rows)
 end
 
 -- The groups of a card of which other sentences speak, or of which nothing has to be said.
-local told = { warp = true, weft = true, shear = true, tested = true, biaxial = true, bending = true, bands = true, estimate = true }
+local already_reported = { warp = true, weft = true, shear = true, tested = true, biaxial = true, bending = true, bands = true, estimate = true }
 
 -- The numbers of a group by its rows, such as "shear modulus 1e+05 Pa, shear time 10 s".
 local function numbers(rows, group, before, out)
@@ -78,7 +78,7 @@ local function beside(card, add)
   for _, row in ipairs(registry.rows()) do
     if row.name == "fabric.woven" then
       for _, argument in ipairs(row.arguments) do
-        local group = not told[argument.name] and #argument.rows > 0 and card[argument.name]
+        local group = not already_reported[argument.name] and #argument.rows > 0 and card[argument.name]
         if group then
           add(("%s: %s, is lost (%s); what is written is the answer to a pull too quick for time to matter"):format(argument.name,
             argument.sentence:match "^[^,;]*", table.concat(numbers(argument.rows, group, "", {}), ", ")))

@@ -276,16 +276,16 @@ end
 local components = { ["1"] = "warp", ["2"] = "weft", SHEAR = "shear" }
 
 function read.fabric(path, u)
-  local out, here, part, direction, wants = {}, nil, nil, nil, nil
+  local out, here, part, direction, target = {}, nil, nil, nil, nil
   local function parameter(line, name) return line:upper():gsub("%s*=%s*", "="):match("," .. "%s*" .. name .. "=([^,]+)") end
   for i, l in ipairs(lines_of(path)) do
     local keyword = l:upper():match "^%*([^*,][^,]*)"
     if keyword then
       keyword = keyword:match "^%s*(.-)%s*$"
-      wants = nil
+      target = nil
       if keyword == "MATERIAL" then
-        if out.warp then here = nil else here, out.name = true, l:match "[Nn][Aa][Mm][Ee]%s*=%s*([^,%s]+)" end
-      elseif keyword == "DENSITY" and here then wants = "density"
+        if out.warp then here = nil else here, out.name = true, l:match "[Nn][Aa][Mm][Ee]%s*=%s*\"?([^,\"]*[^,\"%s])" end
+      elseif keyword == "DENSITY" and here then target = "density"
       elseif keyword == "FABRIC" and here then out.fabric = true
       elseif keyword == "UNIAXIAL" and here then
         part = components[(parameter(l, "COMPONENT") or ""):match "%S*"]
@@ -294,28 +294,28 @@ function read.fabric(path, u)
         direction = (parameter(l, "DIRECTION") or "TENSION"):match "%S+"
         if direction == "TENSION" then
           out[part] = { loading = { x = {}, y = {}, line = {} }, elastic = true }
-          wants = out[part].loading
+          target = out[part].loading
         end
       elseif keyword == "UNLOADING DATA" and part then
         local definition = parameter(l, "DEFINITION") or ""
         if not definition:find "^SHIFTED CURVE" then trouble(path, i, ("expected DEFINITION=SHIFTED CURVE, got '%s'"):format(definition)) end
         if direction == "TENSION" then
           out[part].unloading, out[part].elastic = { x = {}, y = {}, line = {} }, false
-          wants = out[part].unloading
+          target = out[part].unloading
         end
-      elseif keyword:find "SECTION$" then wants = "thickness"
+      elseif keyword:find "SECTION$" then target = "thickness"
       end
-    elseif wants and l:sub(1, 2) ~= "**" and l:find "%S" then
+    elseif target and l:sub(1, 2) ~= "**" and l:find "%S" then
       local a, b = l:match "^%s*([^,]+),?%s*([^,]*)"
       local y, x = tonumber(a), tonumber(b)
-      if wants == "density" or wants == "thickness" then
+      if target == "density" or target == "thickness" then
         if not y then trouble(path, i, "expected a number, got '" .. l .. "'") end
-        out[wants], wants = y / (wants == "density" and u.density or u.length), nil
+        out[target], target = y / (target == "density" and u.density or u.length), nil
       else
         if not (x and y) then trouble(path, i, "expected a stress and a strain, got '" .. l .. "'") end
-        local n = #wants.x
-        if n > 0 and x <= wants.x[n] then trouble(path, i, ("expected a strain above %g, got %g"):format(wants.x[n], x)) end
-        wants.x[n + 1], wants.y[n + 1], wants.line[n + 1] = x, y / u.stress, i
+        local n = #target.x
+        if n > 0 and x <= target.x[n] then trouble(path, i, ("expected a strain above %g, got %g"):format(target.x[n], x)) end
+        target.x[n + 1], target.y[n + 1], target.line[n + 1] = x, y / u.stress, i
       end
     end
   end

@@ -79,7 +79,13 @@ function more.mat_034(path, u)
     if key.key:find "^%*MAT_FABRIC" or key.key:find "^%*MAT_034" then mat = mat or key end
     if key.key:find "^%*SECTION_SHELL" and key[2] then thickness = fields(path, key[2], 10)[1] / u.length end
   end
-  if not mat then fail(("card: %s: there is no *MAT_FABRIC (*MAT_034)"):format(path)) end
+  if not mat then
+    local others = {}
+    for _, key in ipairs(all) do
+      if key.key:find "^%*MAT_" then others[#others + 1] = ("; line %d: %s is there, which is not read"):format(key.line, key.key) end
+    end
+    fail(("card: %s: there is no *MAT_FABRIC (*MAT_034)%s"):format(path, table.concat(others)))
+  end
   if #mat < 5 then trouble(path, mat.line, "expected five lines of *MAT_034 at least") end
   local first, second, form = fields(path, mat[1], 10), fields(path, mat[2], 10), fields(path, mat[3], 10)[6]
   if form ~= 14 and form ~= 4 then

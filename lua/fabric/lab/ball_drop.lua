@@ -8,17 +8,18 @@ local motion = require "fabric.lab.motion"
 local sheet = require "fabric.lab.sheet"
 local fabric = require "fabric"
 
+local clearance = 1e-4 -- m, from which on the fall is computed
 local ledger = { "kinetic", "rigid", "stored", "contact", "guard", "dissipated", "friction", "damping", "external", "error" }
 
 -- The ball starts a little above the distance at which contact begins, with the velocity that it has reached there.
 local function ball_of(t, model)
-  local above = t.card.thickness / 2 + t.clearance
-  if t.height < t.clearance then
-    define.fail(string.format("ball_drop: field 'height': expected at least the clearance of %g m, got %g m", t.clearance, t.height))
+  local above = t.card.thickness / 2 + clearance
+  if t.height < clearance then
+    define.fail(string.format("ball_drop: field 'height': expected at least the clearance of %g m, got %g m", clearance, t.height))
   end
   local ball = fabric.rigid.sphere { radius = t.radius, centre = { t.side / 2, t.side / 2, t.radius + above }, mass = t.mass, name = "ball" }
   model:contact { between = { ball, "all" }, friction = t.friction, stiffness = t.stiffness }
-  model:velocity(ball, { z = -math.sqrt(2 * t.gravity * (t.height - t.clearance)) })
+  model:velocity(ball, { z = -math.sqrt(2 * t.gravity * (t.height - clearance)) })
   return ball
 end
 
@@ -56,7 +57,6 @@ define {
     { name = "height", kind = "number", unit = "m", above = 0, default = 0.1, sentence = "that it falls from, of its lowest point above the sheet" },
     { name = "friction", kind = "number", low = 0, default = 0.2, sentence = "of ball and cloth" },
     { name = "stiffness", kind = "number", unit = "Pa/m", above = 0, optional = true, sentence = "of contact, as for model:contact" },
-    { name = "clearance", kind = "number", unit = "m", above = 0, default = 1e-4, sentence = "from which on the fall is computed" },
     { name = "cells", kind = "integer", low = 4, default = 20, sentence = "along an edge" },
     { name = "duration", kind = "number", unit = "s", above = 0, default = 0.03, sentence = "of the run" },
     { name = "step", kind = "number", unit = "s", above = 0, optional = true, sentence = "as for fabric.dynamic; default: \"auto\"" },
@@ -66,10 +66,9 @@ define {
     { name = "gravity", kind = "number", unit = "m/s^2", above = 0, default = 9.81, sentence = "along -z" },
     { name = "damping", kind = "number", unit = "1/s", low = 0, default = 0, sentence = "of the masses" },
     { name = "every", kind = "number", unit = "s", above = 0, default = 5e-4, sentence = "time between rows and frames" },
-    { name = "force", kind = "boolean", default = false, sentence = "as for fabric.dynamic" },
-    { name = "ledger_limit", kind = "number", above = 0, default = 0.05, sentence = "as for fabric.dynamic" },
     { name = "out", kind = "text", optional = true, sentence = "folder for curve.csv and the VTK series, cloth and ball" },
   },
+  retired = { "clearance", "force", "ledger_limit" },
   sentence = "A rigid ball falls onto the middle of a clamped square. Returns curve (a list of time, depth of the ball's lowest point and deflection of the "
     .. "middle, m below the sheet at rest, force on the ball, N, its speed downwards, m/s, the smallest gap above the floor of contact, m, and the energies of analysis.energy), "
     .. "depth, deflection and force (the largest of all rows), gap (the smallest), analysis, model, mesh and ball.",

@@ -2,12 +2,12 @@
 --
 --      |  fixed  |      The yarns of the middle zone (sheared by gamma) and of the mixed zones (gamma/2) end at the free edges, the middle
 --      |\ mixed /|<-- w zone over h - 2w of each side, the mixed ones over w above and below. There they slip and pull out, so that
---      | \     / |      a strip of width e carries no load. The work of the grips is then done on areas without that strip,
+--      | \     / |      a strip of width e bears no load. The work of the grips is then done on areas without that strip,
 --      | middle  |
 --      | /     \ |      F (h/w - 1)(cos g/2 - sin g/2) = ((2h - 3w) - 4e (h - 2w)/w) cos g N(g) + (w - 4e) cos g/2 N(g/2),
 --
 -- which for e = 0 is the rule of [cao2008] in fabric.lab.bias_shear. In long specimens the middle zone has longer edges than in short ones
--- (none for h = 2w), so two sizes determine e. A negative e means that the edges carry more than their share.
+-- (none for h = 2w), so two sizes determine e. A negative e means that the edges bear more than their part.
 local fabric = require "fabric"
 local define = require "fabric.define"
 local linear = require "fabric.lab.linear"
@@ -20,7 +20,7 @@ local fail = define.fail
 
 local believed = 2     -- standard deviations above which the edge is significant
 local most_edge = 0.2  -- of the smallest width: the mixed zones must still carry load
-local usual = 0.04     -- relative deviation of specimens for judging the edge where nothing tells it
+local usual = 0.04     -- relative deviation of specimens for judging the edge where no data determine it
 local groups = { "size", "laboratory", "direction" }
 local stiff = 1e-3     -- of the diagonal; regularises second differences, because gamma and gamma/2 together permit oscillations
 
@@ -160,7 +160,7 @@ local function given_deviation(state, answer, size, predicted)
   return out
 end
 
--- Force of a size at given displacements, with the 95 % band of a specimen where the records tell one, and the angle. A scatter given by the caller is the
+-- Force of a size at given displacements, with the 95 % band of a specimen where the records determine one, and the angle. A scatter given by the caller is the
 -- least that specimens differ by; alone it makes a band that says that it was given. common: the curve of all, without what is known of this size.
 local function force_of(state, answer, size, displacement, common)
   local model = model_of(state, answer, size, displacement)
@@ -216,7 +216,7 @@ local function misfit(state, answer, size, reach, common)
 end
 
 -- Lengths over widths that differ less than this do not determine the edges, whose effect is proportional to (h - 2w) / (2h - 3w).
-local function tells_edges(sizes)
+local function determines_edges(sizes)
   local low, high = math.huge, -math.huge
   for _, s in ipairs(sizes) do
     local loss = (4 * (s.length - 2 * s.width) / s.width + 4) / (2 * s.length - 2 * s.width) -- of all that carries load, per length of e
@@ -281,7 +281,7 @@ local function card_part(t, state, out)
     bins = math.max(2, state.knots) }
   local part = { loading = points, tested = points[#points][1], band = band_of(out.curve, points, t.thickness), level = 0.95 }
   origin.remember(part, { loading = ("fitted to %d bias pulls of %s together, monotone curve up to %g degrees%s"):format(#t.specimens, out.names, t.limit,
-    out.edges and (", edges of %.3g mm that carry nothing"):format(out.edge * 1e3) or "") })
+    out.edges and (", edges of %.3g mm that bear no load"):format(out.edge * 1e3) or "") })
   return part
 end
 
@@ -293,7 +293,7 @@ end
 local function text_of(out)
   local lines = {}
   if out.edge_deviation then
-    lines[1] = ("edges (slip of edge yarns, pull-out): %+.3g mm on either side carry nothing, deviation %.2g%s"):format(out.edge * 1e3, out.edge_deviation * 1e3,
+    lines[1] = ("edges (slip of edge yarns, pull-out): %+.3g mm on either side bear no load, deviation %.2g%s"):format(out.edge * 1e3, out.edge_deviation * 1e3,
       out.scatter_assumed and (" with an assumed scatter of specimens of %g %%"):format(100 * out.scatter_assumed) or "")
       .. (out.edges and "" or out.edge_on_bound and ": at the bound, a fifth of the width, which does not explain how these sizes differ; taken as none" or ": these sizes cannot separate them from the scatter of specimens and laboratories; taken as none")
   else
@@ -313,7 +313,7 @@ local function text_of(out)
   return table.concat(lines, "\n")
 end
 
--- Curve and edge of some sizes, with what they tell of others.
+-- Curve and edge of some sizes, with their prediction for others.
 local function answered(state, most, edges)
   local answer = {}
   answer.found, answer.moved = solve(state, most, state.scatter, edges)
@@ -329,7 +329,7 @@ local function left_out(state, i, group, most, edges)
   end
   if #others == 0 or held.gamma[1] > reach then return end
   local part = { sizes = others, knots = state.knots, spacing = reach / state.knots, scatter = state.scatter, given = state.given, groups = state.groups }
-  local out = misfit(part, answered(part, most, edges and tells_edges(others)), held, reach)
+  local out = misfit(part, answered(part, most, edges and determines_edges(others)), held, reach)
   out.label = ("%s (%s)"):format(held.labels[group], held.name)
   return out
 end
@@ -363,11 +363,11 @@ local function bias_sizes(t)
     if not seen[size.name] then names[#names + 1], seen[size.name] = size.name, true end
   end
   state.spacing, state.groups = largest / t.knots, groups_of(t)
-  local most, told = most_edge * narrow, t.edges and tells_edges(state.sizes)
+  local most, edges_identified = most_edge * narrow, t.edges and determines_edges(state.sizes)
   local plain = answered(state, most, false)
-  local answer = told and answered(state, most, true) or plain
+  local answer = edges_identified and answered(state, most, true) or plain
   local out = { edge = answer.found.edge, edges = false, scatter_assumed = not state.given and usual or nil, specimens = {}, names = table.concat(names, ", ") }
-  if told then
+  if edges_identified then
     local variance = 0
     for _, moved in ipairs(answer.moved) do variance = variance + (moved.edge - out.edge) ^ 2 end
     out.edge_deviation = math.sqrt(variance)
@@ -418,11 +418,11 @@ define {
     { name = "scatter", kind = "number", low = 0, high = 0.5, optional = true,
       sentence = "relative deviation of one specimen, known from elsewhere: the least that bands hold; default: only what the records show (0.04 for the deviation of the edge)" },
   },
-  sentence = "One shear curve from bias pulls of several sizes, and the width of the free edges that carry nothing (slip of edge yarns, pull-out): edge (m), "
+  sentence = "One shear curve from bias pulls of several sizes, and the width of the free edges that bear no load (slip of edge yarns, pull-out): edge (m), "
     .. "edge_deviation, edges (true if it exceeds twice its deviation and is below its bound, a fifth of the width; else the edges are taken as none), curve {angle, normal_force (N/m), deviation, E12, S12}, shear (for fabric.lab.card), specimens {name, rms, at_end, without = "
     .. "{rms, at_end}, predicted}, left_out (each size from the others: rms, at_end, points, inside), left_out_by (the same by laboratory and direction), "
     .. "predict(self, {displacement, width, length, laboratory, direction, edges=false}) -> {force, angle, band, low, high}: the 95 % band of a "
-    .. "specimen, band 'learned' from how sizes, laboratories, directions and specimens differ, 'given' where only `scatter` is known, nil with a reason where nothing tells it; text.",
+    .. "specimen, band 'learned' from how sizes, laboratories, directions and specimens differ, 'given' where only `scatter` is known, nil with a reason where it cannot be determined; text.",
   example = "local lab, d = require 'fabric'.lab, {}\nfor i = 1, 20 do d[i] = 1e-3 * i end\nlocal sizes = { {0.1, 0.3}, {0.08, 0.16} }\n"
     .. "local specimens, card = {}, require 'fabric'.card 'blend'\nfor i, s in ipairs(sizes) do\n"
     .. "  specimens[i] = { displacement=d, width=s[1], length=s[2], force=lab.bias_shear{ displacement=d, card=card, width=s[1], length=s[2], limit=60 }.force }\n"

@@ -154,16 +154,16 @@ local function check_part(fit, name)
 end
 
 -- The assumed part for a direction without a test; nil if there was one.
-local function missing_part(t, name, told)
+local function missing_part(t, name, provenance)
   if t[name] then return t[name] end
   local given = assumed(t, name .. ".loading", "there is no test of it")
   if given then
-    told[name .. ".loading"] = "assumed: given by the deck"
+    provenance[name .. ".loading"] = "assumed: given by the deck"
     return { loading = given }
   end
   local twin = other[name] and t[other[name]]
   if twin then
-    told[name .. ".loading"] = "assumed: as the " .. other[name] .. "'s, since no test was made along it"
+    provenance[name .. ".loading"] = "assumed: as the " .. other[name] .. "'s, since no test was made along it"
     return { loading = twin.loading, tested = twin.tested, unloading = twin.unloading, loop = twin.loop }
   end
   if other[name] then
@@ -171,7 +171,7 @@ local function missing_part(t, name, told)
       fail(("card: field '%s': expected a result of fabric.lab.fit for one direction, or of shear, at least"):format(name))
     end
     local modulus
-    modulus, told[name .. ".loading"] = yarns_from_shear(t.shear)
+    modulus, provenance[name .. ".loading"] = yarns_from_shear(t.shear)
     return { loading = { modulus } }
   end
   local sum, n = 0, 0
@@ -180,33 +180,33 @@ local function missing_part(t, name, told)
       sum, n = sum + select(2, tangents(yarn.loading, yarn.tested)), n + 1
     end
   end
-  told["shear.loading"] = ("assumed: straight, %g of the yarns' initial modulus (%s on the shipped cloths), since no bias test was made"):format(
+  provenance["shear.loading"] = ("assumed: straight, %g of the yarns' initial modulus (%s on the shipped cloths), since no bias test was made"):format(
     rule.shear.value, rule.shear.said)
   return { loading = { rule.shear.value * sum / n } }
 end
 
-local function unloading_of(t, fit, name, told)
+local function unloading_of(t, fit, name, provenance)
   local field = name .. ".unloading"
   if fit.unloading then
-    told[field] = told[name .. ".loading"]:find "^assumed" and told[name .. ".loading"] or origin.words(fit, "unloading", name)
+    provenance[field] = provenance[name .. ".loading"]:find "^assumed" and provenance[name .. ".loading"] or origin.words(fit, "unloading", name)
     return fit.unloading
   end
   local given = assumed(t, field, "expected a fit with an unloading modulus (a cyclic test), got one of loading alone")
-  told[field] = given and "assumed: given by the deck"
+  provenance[field] = given and "assumed: given by the deck"
     or ("assumed: %g times the steepest tangent of the loading (%s on the shipped cloths), since no test includes unloading"):format(rule.unloading[name],
       rule.unloading.said[name])
   return given or rule.unloading[name] * tangents(fit.loading, fit.tested)
 end
 
-local function poisson_of(t, name, told)
+local function poisson_of(t, name, provenance)
   local ratio, field = (t.poisson or {})[name], name .. ".poisson"
   if ratio then
-    told[field] = type(ratio) == "table" and (origin.fitted(ratio, "value") or "typed") or "typed"
+    provenance[field] = type(ratio) == "table" and (origin.fitted(ratio, "value") or "typed") or "typed"
     return ratio
   end
   local given = assumed(t, field, "expected a ratio in poisson={ warp=, weft= }")
   if given then
-    told[field] = "assumed: given by the deck"
+    provenance[field] = "assumed: given by the deck"
     return given
   end
   -- The coupling goes by the initial modulus: a yarn that softens below it permits no more than so much (0.1 is taken at least).
@@ -219,13 +219,13 @@ local function poisson_of(t, name, told)
     end
   end
   local value = math.min(rule.poisson.value, math.max(0.1, rule.stable * most))
-  told[field] = ("assumed: %.3g (%s on the shipped cloths), since no markers were tracked"):format(value, rule.poisson.said)
-  if value < rule.poisson.value then told[field] = told[field] .. ("; not %g, since the yarn softens, and the law would be unstable"):format(rule.poisson.value) end
+  provenance[field] = ("assumed: %.3g (%s on the shipped cloths), since no markers were tracked"):format(value, rule.poisson.said)
+  if value < rule.poisson.value then provenance[field] = provenance[field] .. ("; not %g, since the yarn softens, and the law would be unstable"):format(rule.poisson.value) end
   return value
 end
 
--- Shear that relaxes, where a test told of it; and the line of the card's source where the tests that were made tell of none.
-local function viscous_of(t, told, source)
+-- Shear that relaxes, where a test shows it; and the line of the card's source where the tests show none.
+local function viscous_of(t, provenance, source)
   local v = t.viscous
   if not v then return end
   local made = v.viscous or (v.reason == nil and v or nil)
@@ -237,7 +237,7 @@ local function viscous_of(t, told, source)
   if type(shear) ~= "table" or type(shear.modulus) ~= "number" or type(shear.time) ~= "number" then
     fail "card: field 'viscous': expected a result of fabric.lab.viscous, or { shear={ modulus=, time= } }"
   end
-  told.viscous = origin.fitted(v, "viscous") or "typed"
+  provenance.viscous = origin.fitted(v, "viscous") or "typed"
   local engineering = t.shear and t.shear.measure == "engineering"
   return { shear = { modulus = engineering and shear.modulus / 2 or shear.modulus, time = shear.time } }
 end
@@ -249,34 +249,34 @@ end
 
 local function card(t)
   check_assume(t)
-  local told, made, bands, source, tested = {}, {}, {}, { t.source ~= "" and t.source or nil }, {}
+  local provenance, made, bands, source, tested = {}, {}, {}, { t.source ~= "" and t.source or nil }, {}
   for _, name in ipairs(parts) do
     if t[name] then check_part(t[name], name) end
   end
   for _, name in ipairs(parts) do
-    local fit = missing_part(t, name, told)
+    local fit = missing_part(t, name, provenance)
     check_part(fit, name)
-    told[name .. ".loading"] = told[name .. ".loading"] or origin.words(fit, "loading", name)
-    local poisson = name ~= "shear" and poisson_of(t, name, told) or nil
-    made[name] = { loading = fit.loading, unloading = unloading_of(t, fit, name, told), poisson = poisson and ratio_of(poisson) }
+    provenance[name .. ".loading"] = provenance[name .. ".loading"] or origin.words(fit, "loading", name)
+    local poisson = name ~= "shear" and poisson_of(t, name, provenance) or nil
+    made[name] = { loading = fit.loading, unloading = unloading_of(t, fit, name, provenance), poisson = poisson and ratio_of(poisson) }
     if name ~= "shear" and fit.loop then
       made[name].loop = fit.loop
-      told[name .. ".loop"] = told[name .. ".loading"]:find "^assumed" and told[name .. ".loading"] or origin.words(fit, "loop", name)
+      provenance[name .. ".loop"] = provenance[name .. ".loading"]:find "^assumed" and provenance[name .. ".loading"] or origin.words(fit, "loop", name)
     end
     tested[name] = fit.tested
     bands[name] = band_of(fit, made[name].unloading, poisson)
     bands.level = bands.level or bands[name] and fit.level
-    source[#source + 1] = summary(told[name .. ".loading"], name)
+    source[#source + 1] = summary(provenance[name .. ".loading"], name)
   end
   for _, field in ipairs { "thickness", "density" } do
-    if type(t.assume) == "table" and t.assume[field] then told[field] = "assumed: given by the deck" end
+    if type(t.assume) == "table" and t.assume[field] then provenance[field] = "assumed: given by the deck" end
   end
-  local viscous = viscous_of(t, told, source)
+  local viscous = viscous_of(t, provenance, source)
   made.shear.measure, made.shear.memory = t.shear and t.shear.measure or "tensor", t.shear and t.shear.memory
   return fabric.woven {
     name = t.name, source = table.concat(source, "; "), density = t.density, thickness = t.thickness,
     warp = made.warp, weft = made.weft, shear = made.shear, tested = tested,
-    bands = bands.level and bands or nil, bending = t.bending, viscous = viscous, provenance = told,
+    bands = bands.level and bands or nil, bending = t.bending, viscous = viscous, provenance = provenance,
   }
 end
 
@@ -296,7 +296,7 @@ define {
         .. "['weft.poisson']=...}, and {thickness=true} marks an argument; false: an error" },
     { name = "bending", kind = "table", optional = true, sentence = "as in fabric.woven" },
     { name = "viscous", kind = "table", optional = true,
-      sentence = "result of fabric.lab.viscous (which may tell of none), or { shear={ modulus=, time= } } in S12 over E12; default: nothing relaxes" },
+      sentence = "result of fabric.lab.viscous (which may find none), or { shear={ modulus=, time= } } in S12 over E12; default: nothing relaxes" },
   },
   sentence = "A woven card from fits, with bands, tested ranges and, in provenance, where each number comes from: fitted, copied off a card, "
     .. "typed, or assumed; card:write keeps them.",

@@ -31,7 +31,7 @@ function check.pull(call, field, forces, rows)
     if F < low then low, place = F, row end
     high = math.max(high, F)
   end
-  if low == 0 and high == 0 then fail(("%s: field '%s': expected a pull that carries something, got zeros alone"):format(call, field)) end
+  if low == 0 and high == 0 then fail(("%s: field '%s': expected a pull with a force, got only zeros"):format(call, field)) end
   if #rows > 0 and low < -below * math.max(high, 0) then
     fail(("%s: field '%s': force runs from %.4g to %.4g N (the least at place %d): a pull counts positive; change the sign of the record, or take off its offset"):format(
       call, field, low, high + 0.0, place))

@@ -49,14 +49,9 @@ local function pedestal(t, model)
   if t.self then model:contact { self = "all", friction = t.friction } end
 end
 
--- Weight over time: it comes along a half wave, and shakes of the pedestal go over it.
+-- Weight over time: it comes along a half wave.
 local function weight(t)
-  local quake = t.shakes > 0 and t.lowering + t.shakes * t.period or 0
-  return function(time)
-    local g = t.gravity * (time < t.lowering and (1 - math.cos(math.pi * time / t.lowering)) / 2 or 1)
-    if time > t.lowering and time < quake then g = g + t.shake * math.sin(2 * math.pi * (time - t.lowering) / t.period) end
-    return -g
-  end, math.max(t.lowering, quake)
+  return function(time) return -t.gravity * (time < t.lowering and (1 - math.cos(math.pi * time / t.lowering)) / 2 or 1) end
 end
 
 -- Stops the run at rest: over `window` no place of the rim has moved by more than `still` of the overhang, and the kinetic energy is below
@@ -119,7 +114,7 @@ end
 
 -- In motion until it rests.
 local function moved(t, model, rim, seed)
-  local history, from = weight(t)
+  local history, from = weight(t), t.lowering
   model:gravity { 0, 0, history }
   local a = fabric.dynamic { model = model, duration = t.duration, damping = t.damping > 0 and { mass = t.damping } or nil }
   if t.out then a:vtk(("%s/seed%d"):format(t.out, seed), { every = t.every }) end
@@ -128,7 +123,7 @@ local function moved(t, model, rim, seed)
   return a, rest
 end
 
--- Through equilibria under growing shares of the weight; time is that share. The tolerance is one of the largest force, which in stiff yarns that lie across the
+-- Through equilibria under growing fractions of the weight; time is that share. The tolerance is one of the largest force, which in stiff yarns that lie across the
 -- mesh is far above the weight: at 1e-4 whole shares of it are within.
 local function relaxed(t, model, seed)
   model:gravity { 0, 0, fabric.ramp(-t.gravity, 1) }
@@ -189,6 +184,7 @@ end
 
 -- The outlines over one another, as long as wide, each turned so that its warp goes to the right, with the level disc and the pedestal dashed.
 local colours = { "#1f5fa8", "#d9541e", "#2f9e6e", "#8e44ad", "#b8860b", "#444444" }
+local patterns = { "", "7 3", "2 2", "9 3 2 3", "12 4", "5 2 1 2 1 2", "1 4" } -- of the lines, one more than colours: no two of forty-two outlines are drawn alike
 local function escaped(name) return (name:gsub("[<>&]", { ["<"] = "&lt;", [">"] = "&gt;", ["&"] = "&amp;" })) end
 
 local function draw_contours(t, result)
@@ -205,28 +201,30 @@ local function draw_contours(t, result)
     local points, colour = {}, colours[(i - 1) % #colours + 1]
     local c, s = math.cos(math.rad(one.orientation)), math.sin(math.rad(one.orientation))
     for k, p in ipairs(one.contour) do points[k] = ("%.1f,%.1f"):format(x + scale * (c * p[1] + s * p[2]), y - scale * (c * p[2] - s * p[1])) end
-    add('<polygon points="%s" fill="none" stroke="%s" stroke-width="1.5"/>', table.concat(points, " "), colour)
-    add('<text x="24" y="%d" fill="%s">seed %d: %.1f %%, folds: %d</text>', size + line * (i + 1), colour, one.seed, 100 * one.coefficient, one.nodes)
+    local pattern, level = patterns[(i - 1) % #patterns + 1], size + line * (i + 1)
+    local stroke = ('stroke="%s" stroke-width="1.5"%s'):format(colour, pattern ~= "" and (' stroke-dasharray="%s"'):format(pattern) or "")
+    add('<polygon points="%s" fill="none" %s/>', table.concat(points, " "), stroke)
+    add('<line x1="24" y1="%d" x2="64" y2="%d" %s/>', level - 4, level - 4, stroke)
+    add('<text x="72" y="%d">seed %d: %.1f %%, folds: %d</text>', level, one.seed, 100 * one.coefficient, one.nodes)
   end
   add "</svg>"
   fabric.write(t.file, table.concat(out, "\n") .. "\n")
 end
 
 -- Says which of the given fields do nothing in this test, so that nobody compares two discs that are the same.
-local function tell_idle(t)
-  local function tell(condition, names, why)
+local function warn_idle(t)
+  local function warn(condition, names, why)
     local given = {}
     for _, name in ipairs(condition and names or {}) do
       if t[name] ~= usual[name] then given[#given + 1] = name end
     end
     if #given > 0 then fabric.warn(("cusick: %s: no effect %s"):format(table.concat(given, ", "), why)) end
   end
-  tell(t.by == "relaxation", { "lowering", "damping", "still", "window", "duration", "shake", "period", "every" }, 'with by = "relaxation", which knows no time')
-  tell(t.by == "motion", { "steps" }, 'with by = "motion": they are the shares of the weight of relaxation')
-  tell(t.by == "motion" and t.shakes == 0, { "shake", "period" }, "without shakes")
-  tell(t.by == "motion" and not t.out, { "every" }, "without out, the folder of the VTK series")
-  tell(not t.contact, { "edge", "side", "friction", "self" }, "with contact = false")
-  tell(t.seeds == 1, { "processes" }, "with one seed")
+  warn(t.by == "relaxation", { "lowering", "damping", "still", "window", "duration", "every" }, 'with by = "relaxation", which knows no time')
+  warn(t.by == "motion", { "steps" }, 'with by = "motion": they are the load steps of relaxation')
+  warn(t.by == "motion" and not t.out, { "every" }, "without out, the folder of the VTK series")
+  warn(not t.contact, { "edge", "side", "friction", "self" }, "with contact = false")
+  warn(t.seeds == 1, { "processes" }, "with one seed")
 end
 
 local function check(t)
@@ -238,15 +236,14 @@ local function check(t)
   t.held = t.held or t.support
   if t.held > t.support then refuse("held", ("at most the diameter of the support, %g m"):format(t.support), ("%g m"):format(t.held)) end
   if not t.contact and t.held < t.support then refuse("held", "the diameter of the support where contact = false holds the cloth at its edge", ("%g m"):format(t.held)) end
-  if t.by == "relaxation" and t.shakes > 0 then refuse("shakes", 'none with by = "relaxation", which knows no time', t.shakes) end
   if t.by == "relaxation" and not t.card.bending then
     refuse("card", 'a card with bending of its own with by = "relaxation", which creeps for hours without (fabric.card(name, { bending = "estimated" }))',
       "one that bends by its thickness")
   end
-  tell_idle(t)
+  warn_idle(t)
   t.side = t.side or t.disc / 2
   if t.by == "relaxation" then return end
-  t.duration = t.duration or t.lowering + t.shakes * t.period + 4
+  t.duration = t.duration or t.lowering + 4
   if t.duration <= t.lowering then refuse("duration", ("more than the lowering, %g s"):format(t.lowering), ("%g s"):format(t.duration)) end
 end
 
@@ -269,7 +266,7 @@ local function run(t)
     if one.inside then fabric.warn(("cusick: seed %d: the cloth hangs where the pedestal is; contact = true would keep it out"):format(one.seed)) end
     if not one.at_rest and not fabric.checking() then
       local how = one.moved < math.huge and ("its rim still moves by %.2g mm in %g s"):format(1e3 * one.moved, t.window)
-        or ("the run is shorter than the two windows of %g s that would tell"):format(t.window)
+        or ("the run is shorter than the two windows of %g s that the rule of rest needs"):format(t.window)
       fabric.warn(("cusick: seed %d is not at rest after %g s: %s; a longer duration= would do"):format(one.seed, one.time, how))
     end
   end
@@ -298,13 +295,10 @@ local definition = {
     { name = "contact", kind = "boolean", default = true, sentence = "false: the cloth touches nothing, it is held at the pedestal's rounded edge" },
     { name = "self", kind = "boolean", default = true, sentence = "the cloth may touch itself" },
     { name = "by", kind = "text", choices = { "motion", "relaxation" }, default = "motion", sentence = "how it comes to rest: relaxation goes through equilibria "
-      .. "under growing shares of the weight, in a fraction of the time where yarns are stiff; limp cloth comes to fewer and deeper folds so, and to a coefficient that is "
+      .. "under growing fractions of the weight, in a fraction of the time where yarns are stiff; limp cloth comes to fewer and deeper folds so, and to a coefficient that is "
       .. "3 to 7 points lower" },
-    { name = "steps", kind = "integer", low = 1, default = 10, sentence = "shares of the weight, of relaxation" },
+    { name = "steps", kind = "integer", low = 1, default = 10, sentence = "load steps of the weight, of relaxation" },
     { name = "lowering", kind = "number", unit = "s", above = 0, default = 1.5, sentence = "over which the weight comes" },
-    { name = "shakes", kind = "integer", low = 0, default = 0, sentence = "up and down of the pedestal, after the lowering: they work against friction" },
-    { name = "shake", kind = "number", unit = "m/s^2", low = 0, default = 5, sentence = "their acceleration" },
-    { name = "period", kind = "number", unit = "s", above = 0, default = 0.25, sentence = "of a shake" },
     { name = "damping", kind = "number", unit = "1/s", low = 0, default = 5, sentence = "of the masses" },
     { name = "gravity", kind = "number", unit = "m/s^2", above = 0, default = 9.80665, sentence = "of the place" },
     { name = "still", kind = "number", above = 0, default = 5e-3, sentence = "rest: no place of the rim moves by more than this part of the overhang in a window" },
@@ -316,6 +310,7 @@ local definition = {
     { name = "out", kind = "text", optional = true, sentence = "folder for a VTK series of each seed" },
     { name = "file", kind = "text", optional = true, sentence = "the outlines as a figure; ends in .svg" },
   },
+  retired = { "shakes", "shake", "period" },
   sentence = "Drape test: a disc of cloth is let down over a pedestal, in motion or by relaxation, until it rests; once for each seed, side by side. Returns coefficient (shadow "
     .. "of the overhang over that of the level cloth, 0 to 1), nodes (folds) and amplitude (half of their height in the outline, m), means over the seeds; "
     .. "scatter (their deviations from disc to disc, nan of one), contour (points {x, y} of the first disc's outline), at_rest, runs (each disc's own, with "

@@ -1,4 +1,4 @@
--- How tests differ beyond what a model explains, learned from the tests and carried to one that was not made (fabric.lab.pool, fabric.lab.bias_sizes).
+-- How tests differ beyond what a model explains, learned from the tests and applied to one that was not made (fabric.lab.pool, fabric.lab.bias_sizes).
 --
 -- What a test shows beside the model, over its scale (the predicted value itself, or one that is given), is a smooth function of the abscissa x,
 -- here c_1 + c_2 x + c_3 (3 x^2 - 1)/2 with x from -1 to 1 over all tests. A laboratory, a size, a direction, an angle and a specimen each have a function of
@@ -89,7 +89,7 @@ local function combinations(lists)
   return bases
 end
 
--- The combinations of a new test, and whether it hangs on one that no test has told of.
+-- The combinations of a new test, and whether it depends on one that is in no test.
 local function combined(bases, columns)
   local out, open, next_base = {}, false, 1
   for j = 1, #columns do
@@ -234,7 +234,7 @@ local function freedom_of(state, labels)
   return total ^ 2 / squares * state.freedom / (modes * (#state.tests - 1))
 end
 
--- A test that was not made: what is to be added to the model's values, and half the width of its band; nil with a reason where the tests cannot tell.
+-- A test that was not made: what is to be added to the model's values, and half the width of its band; nil with a reason where the tests do not determine it.
 local function predicted(state, new)
   if state.freedom < 1 then return nil, state.reason end
   for _, name in ipairs(state.asked) do

@@ -62,7 +62,7 @@ local function answers_of(t, count, work)
 end
 
 -- Log densities at several points, in parallel: minus infinity outside the bounds and where a simulation fails.
-local function densities(t, log, points, told)
+local function densities(t, log, points, failures)
   local out, work = {}, {}
   for k, x in ipairs(points) do
     out[k] = -math.huge
@@ -73,7 +73,7 @@ local function densities(t, log, points, told)
     if answer.trouble == "stopped" or (answer.trouble or ""):find("interrupted", 1, true) then error("interrupted", 0) end
     local value = answer[1]
     if answer.trouble or type(value) ~= "number" or value ~= value or value == math.huge then
-      told.failed, told.trouble = told.failed + 1, answer.trouble or ("expected a finite number, got " .. tostring(value))
+      failures.failed, failures.trouble = failures.failed + 1, answer.trouble or ("expected a finite number, got " .. tostring(value))
     else
       out[work[i]] = value
     end
@@ -99,7 +99,7 @@ local function begin(t, draw)
 end
 
 -- Moves one half, each walker along the line through a walker of the other half; returns the number of accepted moves.
-local function move_half(t, log, walkers, values, half, draw, told)
+local function move_half(t, log, walkers, values, half, draw, failures)
   local n, count = #t.parameters, t.walkers // 2
   local first, other = half * count, (1 - half) * count
   local points, factors = {}, {}
@@ -109,7 +109,7 @@ local function move_half(t, log, walkers, values, half, draw, told)
     points[k], factors[k] = {}, (n - 1) * math.log(z)
     for i = 1, n do points[k][i] = partner[i] + z * (x[i] - partner[i]) end
   end
-  local new, went = densities(t, log, points, told), 0
+  local new, went = densities(t, log, points, failures), 0
   for k = 1, count do
     if math.log(draw.uniform()) < factors[k] + new[k] - values[first + k] then
       walkers[first + k], values[first + k], went = points[k], new[k], went + 1
@@ -160,7 +160,7 @@ local function summarise(t, out, draws)
   end
 end
 
-local function text_of(t, out, told)
+local function text_of(t, out, failures)
   local lines = {}
   if out.steps < enough * out.time then
     lines[1] = ("too short a chain: %d steps are %.0f autocorrelation times, at least %d are wanted: give steps=%d"):format(out.steps, out.steps / out.time,
@@ -172,7 +172,7 @@ local function text_of(t, out, told)
   end
   lines[#lines + 1] = ("%d walkers, %d steps, %.0f %% of the moves accepted, autocorrelation time %.1f steps: worth %.0f independent draws"):format(t.walkers,
     out.steps, 100 * out.taken, out.time, out.independent)
-  if told.failed > 0 then lines[#lines + 1] = ("%d simulations failed and count as impossible; the last: %s"):format(told.failed, told.trouble) end
+  if failures.failed > 0 then lines[#lines + 1] = ("%d simulations failed and count as impossible; the last: %s"):format(failures.failed, failures.trouble) end
   return table.concat(lines, "\n")
 end
 
@@ -198,20 +198,20 @@ end
 local function ensemble(t)
   t.parameters = table.move(t.parameters, 1, #t.parameters, 1, {})
   check_arguments(t)
-  local log, draw, told = t.log or of_tests(t), random(t.seed), { failed = 0 }
+  local log, draw, failures = t.log or of_tests(t), random(t.seed), { failed = 0 }
   local walkers = begin(t, draw)
-  local values = densities(t, log, walkers, told)
+  local values = densities(t, log, walkers, failures)
   local possible = 0
   for _, v in ipairs(values) do possible = possible + (v > -math.huge and 1 or 0) end
   if possible < t.walkers / 2 then
     fail(("ensemble: expected a start around which the density is known, %d of %d walkers have none: %s"):format(t.walkers - possible, t.walkers,
-      told.trouble or "it is zero there"))
+      failures.trouble or "it is zero there"))
   end
   local discard = t.discard or t.steps // 4
   local draws, went, means, best = {}, 0, {}, nil
   for i = 1, #t.parameters do means[i] = {} end
   for step = 1, discard + t.steps do
-    local taken = move_half(t, log, walkers, values, 0, draw, told) + move_half(t, log, walkers, values, 1, draw, told)
+    local taken = move_half(t, log, walkers, values, 0, draw, failures) + move_half(t, log, walkers, values, 1, draw, failures)
     if step > discard then
       went = went + taken
       for i in ipairs(means) do
@@ -225,12 +225,12 @@ local function ensemble(t)
       end
     end
   end
-  local out = { steps = t.steps, walkers = t.walkers, taken = went / (t.steps * t.walkers), failed = told.failed, level = t.level, time = 1 }
+  local out = { steps = t.steps, walkers = t.walkers, taken = went / (t.steps * t.walkers), failed = failures.failed, level = t.level, time = 1 }
   for _, list in ipairs(means) do out.time = math.max(out.time, time_of(list)) end
   out.independent = t.steps * t.walkers / out.time
   out.best, out.log = named(t, best.x), best.log
   summarise(t, out, draws)
-  out.text = text_of(t, out, told)
+  out.text = text_of(t, out, failures)
   return out
 end
 

@@ -287,7 +287,7 @@ local function remember(out, known, t)
   local how = out.degree and ("polynomial of degree %d"):format(out.degree) or "monotone curve"
   origin.remember(out, {
     loading = ("fitted to %s, %s%s"):format(counted(out.tests), how,
-      out.loose and "; " .. out.loose or "") .. (out.tests == 1 and out.band and out.band.low and "; the band is that of the toe, one specimen tells nothing of others" or ""),
+      out.loose and "; " .. out.loose or "") .. (out.tests == 1 and out.band and out.band.low and "; the band is that of the toe, one specimen does not show how others differ" or ""),
     unloading = ("fitted to %s%s, rule '%s'"):format(known < out.tests and known .. " of " or "", counted(out.tests), t.rule),
   })
 end

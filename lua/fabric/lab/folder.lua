@@ -287,13 +287,13 @@ local function seen_in(found)
   return out
 end
 
--- What laboratory.lua asks for and no file can give, a line each; they are told as warnings too.
+-- What laboratory.lua asks for and no file can give, a line each; they are warnings too.
 local function missed_of(about, found)
   local out = {}
   if about.loops and not (found.warp and found.warp.loops or found.weft and found.weft.loops) then
     out[1] = "loops=true, but no record of a yarn's pull comes back, so there is no loop"
   end
-  if about.viscous and not found.shear then out[#out + 1] = "viscous=true, but there is no bias pull, so nothing tells what relaxes" end
+  if about.viscous and not found.shear then out[#out + 1] = "viscous=true, but there is no bias pull, so that relaxation cannot be determined" end
   for _, words in ipairs(out) do fabric.warn(("laboratory: %s: %s"):format(about.file, words)) end
   return out
 end

@@ -1,6 +1,7 @@
 -- A card for a cloth with measured bending and mass only. Its in-plane part is that of the card 'worsted' in force per width, the only
 -- apparel cloth of the library that was tested under the small loads of hanging cloth. The card states that.
 local fabric = require "fabric"
+local filled = require "fabric.lab.filled"
 
 local density = 400 -- kg/m^3, if the thickness was not measured; the four cloths of the thesis have 350 to 590
 local words = "assumed: force per width as of the card 'worsted', since nothing was pulled or sheared"
@@ -18,21 +19,19 @@ local function of_cantilevers(B)
 end
 
 -- t: name, source, mass (kg/m^2); thickness (m) if measured; cantilevers (three rigidities, nN.m), or bending as in fabric.woven with
--- bending_told, its origin.
+-- bending_origin, its origin.
 return function(t)
-  local bending, told = t.bending, t.bending_told
-  if t.cantilevers then bending, told = of_cantilevers(scaled(t.cantilevers, 1e-9)) end
+  local bending, origin = t.bending, t.bending_origin
+  if t.cantilevers then bending, origin = of_cantilevers(scaled(t.cantilevers, 1e-9)) end
   local thickness = t.thickness or t.mass / density
-  local provenance = { bending = told, thickness = t.thickness and "measured" or "assumed: the measured areal mass over 400 kg/m3",
+  local provenance = { bending = origin, thickness = t.thickness and "measured" or "assumed: the measured areal mass over 400 kg/m3",
     density = t.thickness and "measured: areal mass over the thickness" or "assumed: 400 kg/m3" }
-  local worsted, parts = fabric.card "worsted", {}
-  local factor = worsted.thickness / thickness
+  local parts, tested = {}, {}
   for _, name in ipairs { "warp", "weft", "shear" } do
-    local part = worsted[name]
-    parts[name] = { loading = scaled(part.loading, factor), unloading = part.unloading * factor, poisson = part.poisson, measure = part.measure }
+    parts[name], tested[name] = filled.part(name, thickness)
     provenance[name .. ".loading"], provenance[name .. ".unloading"] = words, words
-    if part.poisson then provenance[name .. ".poisson"] = words end
+    if parts[name].poisson then provenance[name .. ".poisson"] = words end
   end
   return fabric.woven { name = t.name, source = t.source, density = t.mass / thickness, thickness = thickness, warp = parts.warp, weft = parts.weft,
-    shear = parts.shear, tested = worsted.tested, bending = bending, provenance = provenance }
+    shear = parts.shear, tested = tested, bending = bending, provenance = provenance }
 end

@@ -1,7 +1,7 @@
 -- fabric.lab.identify: card parameters from measured curves by simulating the tests, for parameters without a formula.
 local fabric = require "fabric"
 local define = require "fabric.define"
-local carry = require "fabric.lab.carry"
+local card_bands = require "fabric.lab.card_bands"
 local store, check, text_of = require "fabric.lab.identify_store", require "fabric.lab.identify_check", require "fabric.lab.identify_text"
 local fail = define.fail
 
@@ -238,7 +238,7 @@ local function widen(t, out, scale)
   out.weakest_deviation = math.min(1, out.weakest_deviation)
 end
 
--- found:card(make): the card of the parameters, with their 95 % bands carried to its numbers; a parameter on a bound counts as known.
+-- found:card(make): the card of the parameters, with their 95 % bands propagated to its numbers; a parameter on a bound counts as known.
 local function card_of(t, out, make)
   local covariance = {}
   for i in ipairs(t.parameters) do
@@ -248,7 +248,7 @@ local function card_of(t, out, make)
       covariance[i][j] = C == C and C or 0
     end
   end
-  return carry("identify", out.parameters, t.parameters, covariance, fabric.lab.student(0.975, 1e6), 0.95, make)
+  return card_bands("identify", out.parameters, t.parameters, covariance, fabric.lab.student(0.975, 1e6), 0.95, make)
 end
 
 local function identify(t)
@@ -295,7 +295,7 @@ define {
   sentence = "Card parameters by bounded least squares through simulation. Returns parameters (by name), deviation (nan on a bound), "
     .. "on_bound (the bound, by name), known (by name), correlation, weakest, misses (per test: rms and worst over the largest measured value, "
     .. "deviations), chi2 (per degree of freedom), further (ranked), simulations, text, card(self, function(p) return card end): the "
-    .. "card with the parameters' 95 % bands carried to its numbers, for card:sample.",
+    .. "card with the parameters' 95 % bands propagated to its numbers, for card:sample.",
   example = "local fabric = require 'fabric'\n"
     .. "local function S(p) return { fabric.point(fabric.card 'blend':with{ shear={ unloading=p.Gu } }):path{ {0, 0, 0.2}, {0, 0, 0.19} }[2].S12 } end\n"
     .. "local f = fabric.lab.identify{ parameters={ {name='Gu', start=5e6, low=3e6, high=3e7} }, processes=1,\n"

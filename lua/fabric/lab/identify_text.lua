@@ -24,7 +24,7 @@ local function list_pairs(lines, t, out)
     for j = i + 1, n do
       local a, b, c = t.parameters[i].name, t.parameters[j].name, out.correlation[(i - 1) * n + j]
       if math.abs(c) > 0.95 and not out.on_bound[a] and not out.on_bound[b] then
-        local how = not out.known[a] and not out.known[b] and "cannot be told apart" or "hang together"
+        local how = not out.known[a] and not out.known[b] and "cannot be told apart" or "are correlated"
         lines[#lines + 1] = ("%s and %s %s (correlation %.3f)"):format(a, b, how, c)
       end
     end

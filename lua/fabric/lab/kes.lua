@@ -2,6 +2,7 @@
 -- SI; the numbers have the instruments' units: gf/(cm deg), gf/cm, gf cm^2/cm, gf cm/cm, gf cm/cm^2, per cent.
 local fabric = require "fabric"
 local define = require "fabric.define"
+local filled = require "fabric.lab.filled"
 
 local gf, cm = 9.80665e-3, 1e-2
 
@@ -309,7 +310,7 @@ local function compression_of(c, thickness, fibres)
 end
 
 -- Below the lightest pressure nothing is measured, and a soft beginning runs out far beyond T.
-local function tell_far(card, c)
+local function warn_far(card, c)
   local free, T = card:free_thickness(), card.thickness
   if free > 1.5 * T then
     fabric.warn(("kes_card: field 'compression': contact begins at %.3g mm, %.2g times T: as soft as LC %.3g and WC %.3g have it at 0.5 gf/cm^2, pressure runs out only there"):format(
@@ -338,6 +339,50 @@ local function compression_words(c)
   return c and ("; compression LC %.3g, WC %.3g as given, RC %.3g not: contact gives back all of it"):format(c.LC, c.WC, c.RC) or ""
 end
 
+-- --- what is not measured ---
+
+-- Of two yarns the one that was pulled stands for the other; without pulls both are as the library's.
+local function fill_yarn(fields, told, name, given, poisson)
+  local other = name == "warp" and "weft" or "warp"
+  if given[other] then
+    fields[name], fields.tested[name] = { loading = fields[other].loading, unloading = fields[other].unloading }, fields.tested[other]
+    told[name .. ".loading"] = filled.told_as_other(other)
+    told[name .. ".unloading"] = "assumed: as the " .. other .. "'s"
+  else
+    fields[name], fields.tested[name] = filled.part(name, fields.thickness)
+    told[name .. ".loading"], told[name .. ".unloading"] = filled.told(name), filled.unloading_told
+  end
+  fields[name].poisson = poisson
+end
+
+-- Adds the parts for which the sheet has no numbers, and says of each number where it comes from.
+local function fill(t, fields)
+  local told, missing = {}, {}
+  for _, name in ipairs { "warp", "weft" } do
+    if not t[name] then
+      missing[#missing + 1] = name
+      fill_yarn(fields, told, name, t, t.poisson and t.poisson[name] or filled.poisson)
+    end
+    if not t.poisson then told[name .. ".poisson"] = filled.poisson_told end
+  end
+  if not t.shear then
+    missing[#missing + 1] = "shear"
+    fields.shear, fields.tested.shear = filled.part("shear", fields.thickness)
+    told["shear.loading"], told["shear.unloading"] = filled.told "shear", filled.unloading_told
+  end
+  if #missing == 0 and t.poisson then return "" end
+  for _, name in ipairs { "warp", "weft", "shear" } do
+    told[name .. ".loading"] = told[name .. ".loading"] or "measured: KES"
+    told[name .. ".unloading"] = told[name .. ".unloading"] or "measured: KES"
+  end
+  if t.bending then
+    local loops = t.bending.warp["2HB"] and t.bending.weft["2HB"]
+    told.bending = (loops and "measured: B, 2HB" or "measured: B") .. (t.bending.twist and "" or "; assumed: twist half of the mean")
+  end
+  fields.provenance = told
+  return #missing == 0 and "" or ("; %s assumed: not on the sheet"):format(table.concat(missing, ", "))
+end
+
 local function row(name, unit, sentence, more)
   local out = { name = name, kind = "number", unit = unit, above = 0, sentence = sentence }
   for key, value in pairs(more or {}) do out[key] = value end
@@ -354,9 +399,9 @@ define {
     { name = "density", kind = "number", unit = "kg/m^3", above = 0, optional = true, sentence = "mass over volume; or W" },
     row("T", "mm", "thickness at 0.5 gf/cm^2, in place of thickness", { optional = true }),
     row("W", "mg/cm^2", "weight, in place of density", { optional = true }),
-    { name = "warp", kind = "fields", rows = pull_rows, sentence = "pull along the warp" },
-    { name = "weft", kind = "fields", rows = pull_rows, sentence = "pull along the weft" },
-    { name = "shear", kind = "fields", sentence = "with 2HG5 elastic shear with friction that grows with the angle",
+    { name = "warp", kind = "fields", optional = true, rows = pull_rows, sentence = "pull along the warp; without it as of the weft, without both as of the library's cloths" },
+    { name = "weft", kind = "fields", optional = true, rows = pull_rows, sentence = "pull along the weft, likewise" },
+    { name = "shear", kind = "fields", optional = true, sentence = "with 2HG5 elastic shear with friction that grows with the angle; without it as of the library's cloths",
       rows = { row("G", "gf/(cm deg)", "slope"), row("2HG", "gf/cm", "height of the loop at 0.5 degrees"),
         row("2HG5", "gf/cm", "at 5 degrees", { optional = true }) } },
     { name = "bending", kind = "fields", optional = true, sentence = "without it as of the thickness",
@@ -365,10 +410,11 @@ define {
     { name = "compression", kind = "fields", optional = true, sentence = "what contact presses with; RC is kept in the card's source, since contact gives back all",
       rows = { row("LC", "", "linearity"), row("WC", "gf cm/cm^2", "work"), row("RC", "per cent", "of the work that is recovered", { high = 100 }) } },
     row("fibre_density", "kg/m^3", "of what the yarns are made of, as in fabric.woven: cloth is pressed no thinner than its fibres", { optional = true }),
-    { name = "poisson", kind = "fields", sentence = "KES does not measure them",
+    { name = "poisson", kind = "fields", optional = true, sentence = "KES does not measure them; default 0.4, assumed",
       rows = { { name = "warp", kind = "number", sentence = "as in fabric.woven" }, { name = "weft", kind = "number", sentence = "as in fabric.woven" } } },
   },
-  sentence = "A card that reproduces the given KES numbers; its source says which it represents, and which not. fabric.lab.kes_sheet reads them back.",
+  sentence = "A card that reproduces the given KES numbers; its source says which it represents, and which not. fabric.lab.kes_sheet reads them back. Any part of the sheet will "
+    .. "do, bending alone too: what is missing is taken from the cards of the library, marked assumed in card.provenance with the range in which it may lie, and varied by fabric.budget.",
   example = "local c = require 'fabric'.lab.kes_card{ name='shirt', thickness=4e-4, density=400, warp={EMT=4, WT=9, RT=55}, weft={EMT=6, WT=13, RT=50},\n"
     .. "  shear={G=0.8, ['2HG']=1.5}, poisson={warp=0.2, weft=0.2} }\nassert(c:check().ok)",
   run = function(t)
@@ -380,18 +426,26 @@ define {
     end
     t.thickness = t.thickness or t.T * 1e-3
     t.density = t.density or t.W * 1e-2 / t.thickness
-    local warp, warp_reach = yarn_of(t.warp, t.thickness, t.poisson.warp, "warp")
-    local weft, weft_reach = yarn_of(t.weft, t.thickness, t.poisson.weft, "weft")
-    local shear, shear_reach, loop_words = shear_of(t.shear, t.thickness)
-    local fields = { name = t.name, source = "from KES numbers; Poisson ratios given; " .. loop_words .. compression_words(t.compression), density = t.density, thickness = t.thickness, warp = warp,
-      weft = weft, shear = shear, tested = { warp = warp_reach, weft = weft_reach, shear = shear_reach }, bending = t.bending and bending_of(t.bending),
-      fibre_density = t.fibre_density }
+    if not (t.warp or t.weft or t.shear or t.bending) then
+      define.fail "kes_card: expected the numbers of one test at least: warp, weft, shear or bending"
+    end
+    local fields = { name = t.name, density = t.density, thickness = t.thickness, tested = {}, bending = t.bending and bending_of(t.bending), fibre_density = t.fibre_density }
+    for _, name in ipairs { "warp", "weft" } do
+      if t[name] then fields[name], fields.tested[name] = yarn_of(t[name], t.thickness, t.poisson and t.poisson[name] or filled.poisson, name) end
+    end
+    local loop_words = ""
+    if t.shear then
+      fields.shear, fields.tested.shear, loop_words = shear_of(t.shear, t.thickness)
+      loop_words = "; " .. loop_words
+    end
+    local assumed_words = fill(t, fields)
+    fields.source = "from KES numbers; Poisson ratios " .. (t.poisson and "given" or "assumed") .. loop_words .. compression_words(t.compression) .. assumed_words
     local card = fabric.woven(fields)
     if not t.compression then return card end
     local _, fibres = card:free_thickness()
     fields.compression = compression_of(t.compression, t.thickness, fibres)
     card = fabric.woven(fields)
-    tell_far(card, t.compression)
+    warn_far(card, t.compression)
     return card
   end,
 }

@@ -1,6 +1,6 @@
 -- fabric.lab.loops: how far unloading and reloading are from the law's straight line, and the curved loop (loop of a yarn) that follows them.
 --
--- Between the residual strain (x = 0) and the peak (x = 1) of the way let go, and over the peak's stress, the law is an elastic part and strands
+-- Between the residual strain (x = 0) and the peak (x = 1) of the unloading, and over the peak's stress, the law is an elastic part and strands
 -- that slip (share/doc/law.md, Loops). The peak's stress is the one that was measured there, so that only the shape of the way back counts.
 local fabric = require "fabric"
 local define = require "fabric.define"
@@ -13,8 +13,8 @@ local fail = define.fail
 local strands = 6
 local most_rows, least_rows = 150, 8
 local taut = 0.01 -- of the peak stress: rows below it are slack, or nearly
-local near_peak = 0.85 -- of the largest strain: rows from there on tell the stress at it
-local least_way = 0.05 -- of the peak stress that a way back must let go to count
+local near_peak = 0.85 -- of the largest strain: rows from there on determine the stress at it
+local least_way = 0.05 -- of the peak stress by which an unloading must lower the stress to count
 
 -- --- the law ---
 
@@ -318,7 +318,7 @@ local function covariance(specimen, p)
   return out
 end
 
--- Friction and reach hang together along a valley that no line follows: their bands, and with them the others', hold every reach whose best fit is
+-- Friction and reach are correlated along a curved valley: their bands, and with them the others', hold every reach whose best fit is
 -- not worse than noise explains. Visits the parameters along it.
 local function along_valley(specimen, p, deviation, quantile, visit)
   if p.bound.reach or not (deviation > 0) then return end
@@ -483,14 +483,14 @@ local function check_fit(fit)
   end
 end
 
--- What a test tells, and the secant of its way back; nil if it does not let go of enough.
+-- The evidence of a test, and the secant of its unloading; nil if it unloads too little.
 local function specimen_of(test, i, fit)
   local specimen = legs_of(test, (fit.specimens or {})[i] and fit.specimens[i].slack or 0, fit.loading)
   local start = specimen and secant(specimen)
   if start then return specimen, start end
 end
 
--- Whether any of the tests tells of loops.
+-- Whether any of the tests shows loops.
 local function ready(tests, fit)
   for i, test in ipairs(tests) do
     if specimen_of(test, i, fit) then return true end
@@ -551,7 +551,7 @@ local function loops(t)
     words.unloading = ("fitted to %s, secant of curved loops"):format(counted)
     words.loop = ("fitted to %s: friction %.3g (%.3g to %.3g), reach %.3g (%.3g to %.3g), curve %.3g (%.3g to %.3g)"):format(counted, values.friction, out.low.friction,
       out.high.friction, values.reach, out.low.reach, out.high.reach, values.curve, out.low.curve, out.high.curve)
-    if #found == 1 then words.loop = words.loop .. "; that is the noise of its record, and the card has no band of it: one specimen tells nothing of others" end
+    if #found == 1 then words.loop = words.loop .. "; that is the noise of its record, and the card has no band of it: one specimen does not show how others differ" end
   end
   origin.remember(out, words)
   return out

@@ -147,7 +147,7 @@ define {
     { name = "gauge_length", kind = "number", unit = "m", above = 0, sentence = "between the grips" },
     { name = "width", kind = "number", unit = "m", above = 0, sentence = "of the specimen" },
     { name = "thickness", kind = "number", unit = "m", above = 0, sentence = "of one ply" },
-    { name = "plies", kind = "integer", low = 1, sentence = "layers that carry" },
+    { name = "plies", kind = "integer", low = 1, sentence = "layers that bear load" },
     { name = "compliance", kind = "number", unit = "m/N", low = 0, default = 0, sentence = "of the frame" },
     { name = "slip", kind = "number", unit = "m/N", low = 0, default = 0, sentence = "in the grips" },
   },

@@ -11,7 +11,7 @@
 -- specimen would count as a hundred specimens.
 local fabric = require "fabric"
 local define = require "fabric.define"
-local carry = require "fabric.lab.carry"
+local card_bands = require "fabric.lab.card_bands"
 local check = require "fabric.lab.identify_check"
 local numbers = require("fabric.lab.check").numbers
 local effects = require "fabric.lab.effects"
@@ -262,7 +262,7 @@ local function enclosed(inverse, M)
   return out
 end
 
--- Covariance of the parameters in two parts: by the specimens' factors, and by what they differ by besides (which hangs together along a curve).
+-- Covariance of the parameters in two parts: by the specimens' factors, and by what they differ by besides (which is correlated along a curve).
 local function covariances(t, A, weighted, between, rest)
   local n, factors, others, noise = #t.parameters, linear.zeros(#t.parameters), linear.zeros(#t.parameters), linear.zeros(#t.parameters)
   for i = 1, #t.tests do
@@ -340,7 +340,7 @@ local function check_speeds(t)
   local slow, fast = math.huge, 0
   for _, test in ipairs(t.tests) do slow, fast = math.min(slow, test.rate), math.max(fast, test.rate) end
   if fast < 1.01 * slow then
-    fail(("pool: field 'rate': expected tests at two speeds or more, got %d at one, %g, which tells nothing of what the speed does"):format(#t.tests, slow))
+    fail(("pool: field 'rate': expected tests at two speeds or more, got %d at one, %g, from which the effect of speed cannot be determined"):format(#t.tests, slow))
   end
 end
 
@@ -544,7 +544,7 @@ local function without_labels(t, group, prepare, visit)
 end
 
 -- The factor on the bands with which they hold the stated share of the points of labels left out, at least 1: how far a model that is not linear is off where
--- it was not fitted, its derivatives do not tell. Only where tests are not replicates.
+-- it was not fitted, its derivatives do not show it. Only where tests are not replicates.
 local function widening(t)
   local ratios = {}
   for _, group in ipairs(t.scaled and t.leave and t.groups or {}) do
@@ -655,7 +655,7 @@ local function pool(t)
   out.card = function(_, make)
     local C, n = {}, #t.parameters
     for i = 1, n do C[i] = table.move(out.covariance, (i - 1) * n + 1, i * n, 1, {}) end
-    return carry("pool", out.parameters, t.parameters, C, fabric.lab.student(0.5 + t.level / 2, math.max(1, freedom)), t.level, make)
+    return card_bands("pool", out.parameters, t.parameters, C, fabric.lab.student(0.5 + t.level / 2, math.max(1, freedom)), t.level, make)
   end
   out.predict = function(_, specimen) return predict_of(t, state, specimen) end
   out.text = text_of(t, out)
@@ -690,7 +690,7 @@ define {
     .. "per degree of freedom), tests (by name: predicted, low, high: band of the mean, next_low, next_high: of the next specimen, rms, factor: of this "
     .. "specimen), left_out (by name: inside, rms, at_end, predicted, low, high, from the others), coverage, left_out_by (by group a list {label, inside, points, rms, tests}), effects "
     .. "(what the model misses: freedom, deviation, shares), predict(self, {x=, ...}) -> {predicted, low, high, band, reason}: a specimen that was not tested; band is nil "
-    .. "and reason says why where the tests do not tell how wrong the model is; card(self, function(p) return card end): the card with the parameters' bands carried to its numbers; text.",
+    .. "and reason says why where the tests do not show how wrong the model is; card(self, function(p) return card end): the card with the parameters' bands propagated to its numbers; text.",
   example = "local tests = {}\nfor i, scale in ipairs{ 0.96, 1, 1.05, 0.99 } do\n"
     .. "  tests[i] = { name='pull '..i, measured={ 2*scale, 4*scale, 6*scale }, noise=0.02, predict=function(p) return { p.k, 2*p.k, 3*p.k } end }\nend\n"
     .. "local f = require 'fabric'.lab.pool{ parameters={ {name='k', start=1, low=0.1, high=10} }, tests=tests, processes=1 }\n"

@@ -44,10 +44,10 @@ local function unit_of(vocabulary, quantity, unit)
   if factor then return factor, "force per width" end
 end
 
--- Splits a unit without brackets from a name: "Extension mm", "displacement_mm".
+-- Splits a unit without brackets from a name: "Extension mm", "displacement_mm", "Load/N".
 local function split_unit(vocabulary, column)
   if column.unit ~= "" then return end
-  local name, unit = column.name:match "^(.-)[%s_,]+(%S+)$"
+  local name, unit = column.name:match "^(.-)[%s_,/]+(%S+)$"
   local quantity = name and quantity_of(vocabulary, name)
   if quantity and (unit_of(vocabulary, quantity, unit) or quantity == "strain" and unit_of(vocabulary, "displacement", unit)) then column.unit, column.bare = unit, name end
 end
@@ -89,7 +89,7 @@ end
 
 -- Says which column was taken where another, with numbers in a unit of the same kind, might be meant; a largest or mean value is not.
 local function is_summary(name) return name:find "max" or name:find "min" or name:find "peak" or name:find "mean" or name:find "average" end
-local function tell_choice(vocabulary, t, quantity, column, rest)
+local function warn_choice(vocabulary, t, quantity, column, rest)
   local names = {}
   for _, other in ipairs(rest) do
     if not other.trouble and not is_summary(plain(other.name)) and unit_of(vocabulary, quantity, other.unit) then names[#names + 1] = "'" .. other.name .. "'" end
@@ -120,21 +120,33 @@ local function named_column(t, file, quantity, wanted)
     math.type(wanted) == "integer" and (", got %d"):format(wanted) or ""))
 end
 
+-- Advice for specimens that stand side by side, a displacement and a force of each.
+local function side_by_side(vocabulary, file)
+  local places = { displacement = {}, force = {} }
+  for i, column in ipairs(file) do
+    local list = places[held(vocabulary, column)]
+    if list then list[#list + 1] = i end
+  end
+  local u, F = places.displacement, places.force
+  if #u < 2 or #u ~= #F then return "" end
+  return ("; if %d specimens stand side by side, read each: columns={ displacement=%d, force=%d }, then { displacement=%d, force=%d }"):format(#u, u[1], F[1], u[2], F[2])
+end
+
 -- The column of a quantity. needed: an error if there is none, or if two are possible.
 local function find_column(vocabulary, t, file, quantity, needed)
   local wanted = (t.columns or {})[quantity]
   if wanted == false then return end
   if wanted then return named_column(t, file, quantity, wanted) end
   local found, rest = candidates(vocabulary, file, quantity)
-  if #found == 1 and needed then tell_choice(vocabulary, t, quantity, found[1], rest) end
+  if #found == 1 and needed then warn_choice(vocabulary, t, quantity, found[1], rest) end
   if #found > 1 and needed then
     local names, places = {}, {}
     for i, column in ipairs(found) do
       names[i] = "'" .. column.name .. "'"
       for k, c in ipairs(file) do places[i] = c == column and k or places[i] end
     end
-    fail(("read: %s: columns %s (%s) may each be the %s; give columns={ %s=place }"):format(t.file, table.concat(names, " and "),
-      table.concat(places, ", "), quantity, quantity))
+    fail(("read: %s: columns %s (%s) may each be the %s; give columns={ %s=place }%s"):format(t.file, table.concat(names, " and "),
+      table.concat(places, ", "), quantity, quantity, side_by_side(vocabulary, file)))
   end
   return #found == 1 and found[1] or nil
 end
@@ -156,7 +168,7 @@ local function choice(vocabulary, quantity)
 end
 
 -- Says that a unit of mass was taken for the force of its weight.
-local function tell_mass(vocabulary, t, column, unit)
+local function warn_mass(vocabulary, t, column, unit)
   local _, force = house.per_width(vocabulary, unit)
   force = force or unit
   if house.masses[force] and not vocabulary.units.force[force] then
@@ -243,7 +255,7 @@ local function take(vocabulary, t, record, quantity, column)
   if column.trouble then fail("read: " .. column.trouble) end
   if quantity == "force" then
     local unit = (t.units or {}).force or column.unit
-    tell_mass(vocabulary, t, column, unit ~= "" and unit or (t.default_units or {}).force)
+    warn_mass(vocabulary, t, column, unit ~= "" and unit or (t.default_units or {}).force)
   end
   if meant == "force per width" then
     if not t.width then
@@ -278,7 +290,7 @@ local function missing(t, record, quantity)
 end
 
 -- Says why an optional column with numbers is not read: nothing is dropped without a word.
-local function tell_dropped(vocabulary, t, file, quantity, column)
+local function warn_dropped(vocabulary, t, file, quantity, column)
   if (t.columns or {})[quantity] == false then return end
   if column and column.trouble then
     fabric.warn(("read: %s: the %s is left out, since its column cannot be read: %s"):format(t.file, quantity, column.trouble))
@@ -325,8 +337,50 @@ local function check_leap(t, record, lines)
   end
 end
 
+-- The last row in which one of the columns has something.
+local function last_row(columns)
+  local last = #columns[1].values
+  local function is_empty(row)
+    for _, column in ipairs(columns) do
+      if not column.words or column.words[row] ~= "" then return false end
+    end
+    return true
+  end
+  while last > 0 and is_empty(last) do last = last - 1 end
+  return last
+end
+
+local function shorten(column, last)
+  local bad = false
+  for row = #column.values, last + 1, -1 do
+    column.values[row] = nil
+    if column.words then column.words[row] = nil end
+  end
+  for _, value in ipairs(column.values) do bad = bad or value ~= value end
+  if not bad then column.trouble, column.words = nil, nil end
+end
+
+-- Takes off the rows at the end in which no column that the deck names has anything: those below the shorter of specimens that stand side by side.
+local function end_with_numbers(file, named)
+  local last = #named > 0 and last_row(named) or 0
+  if last == 0 or last == #file[1].values then return end
+  for _, column in ipairs(file) do shorten(column, last) end
+  for row = #file.lines, last + 1, -1 do file.lines[row] = nil end
+end
+
+-- The columns of the quantities that the deck names by `columns`, each once.
+local function named_columns(t, file)
+  local out, seen = {}, {}
+  for quantity, wanted in pairs(t.columns or {}) do
+    local column = wanted and named_column(t, file, quantity, wanted)
+    if column and not seen[column] then out[#out + 1], seen[column] = column, true end
+  end
+  return out
+end
+
 -- The record of one table. Displacement (or strain), force and the columns given by the deck must exist; time and strain are optional.
 local function record_of(vocabulary, t, file)
+  end_with_numbers(file, named_columns(t, file))
   local record = { file = t.file, rows = #file[1].values, preamble = file.preamble, names = {}, specimen = file.specimen, lines = file.lines }
   if #file.left_out > 0 then record.left_out = file.left_out end
   for i, column in ipairs(file) do record.names[i] = column.name end
@@ -344,7 +398,7 @@ local function record_of(vocabulary, t, file)
     elseif quantity == "strain" and column and not record.displacement then
       take(vocabulary, t, record, quantity, column)
     elseif quantity ~= "displacement" then
-      tell_dropped(vocabulary, t, file, quantity, column)
+      warn_dropped(vocabulary, t, file, quantity, column)
     end
   end
   if record.strain and not record.displacement then check_strain(t, find_column(vocabulary, t, file, "strain", true)) end
@@ -362,7 +416,7 @@ local function is_record(vocabulary, t, file)
   return has "force" and (has "displacement" or has "strain")
 end
 
--- The tables that are records; the others are told.
+-- The tables that are records; the others are reported.
 local function records_among(vocabulary, t, files)
   if #files == 1 then return files end
   local out = {}

@@ -130,7 +130,7 @@ local function marked(part, what)
   return points
 end
 
--- The share of the band of the next specimens outside of which the card's curve lies; nil without a band.
+-- The fraction of the band of the next specimens outside of which the card's curve lies; nil without a band.
 local function outside_of(spread, E, S)
   if not spread then return end
   local out, n = 0, 0

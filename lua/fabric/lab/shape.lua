@@ -1,4 +1,4 @@
--- What specimens differ by beyond a factor, for fabric.lab.pool: how large it is, how it hangs together along a curve, and how well it is known.
+-- What specimens differ by beyond a factor, for fabric.lab.pool: how large it is, its correlation along a curve, and its uncertainty.
 --
 -- A specimen whose curve runs above the model at one point does so at the next one too. Taken for noise of single points that would make the
 -- parameters look better known than they are; and a prediction for the next specimen needs to know from how many independent differences its

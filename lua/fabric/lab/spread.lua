@@ -66,7 +66,7 @@ local function levels(values, n)
 end
 
 -- Specimens unlike the others: the level of each against those of the others by the studentised deviation, with the level of confidence for all
--- specimens together (Bonferroni) [cook1982]; less than a twentieth of the others' mean is not told.
+-- specimens together (Bonferroni) [cook1982]; less than a twentieth of the others' mean is not reported.
 local function unlike(values, n, level)
   local out, level_of = {}, levels(values, n)
   for held = 1, #values do

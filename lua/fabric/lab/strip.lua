@@ -141,9 +141,6 @@ function strip.run(t)
   local mesh, model = build(t, points, state)
   local a = fabric.static { model = model, duration = duration, step = duration / t.steps, stabilise = t.stabilise,
                             max_iterations = t.max_iterations, max_cuts = t.max_cuts, method = t.method, tolerance = t.tolerance }
-  if t.most_steps then
-    a:every("step", function() if #a.steps >= t.most_steps then a:stop(("%d steps"):format(t.most_steps)) end end)
-  end
   local centre, places = sheet.centre(mesh)
   local last = #mesh.nodes
   local curve = sheet.observe(a, strip.columns, t.out, "strip", function(run) return reading(run, t, last, centre) end,
@@ -180,7 +177,6 @@ strip.arguments = {
   { name = "tolerance", kind = "number", above = 0, default = 1e-10, sentence = "as for fabric.static" },
   { name = "max_iterations", kind = "integer", low = 1, default = 200, sentence = "as for fabric.static" },
   { name = "max_cuts", kind = "integer", low = 0, default = 12, sentence = "as for fabric.static" },
-  { name = "most_steps", kind = "integer", low = 1, optional = true, sentence = "the run stops after so many steps" },
   { name = "method", kind = "text", choices = { "newton", "relaxation", "either" }, default = "newton", sentence = "as for fabric.static" },
   { name = "width", kind = "number", unit = "m", above = 0, default = 25.4 * u.mm, sentence = "of the strip" },
   { name = "length", kind = "number", unit = "m", above = 0, default = 76.2 * u.mm, sentence = "between the grips" },

@@ -4,6 +4,9 @@ local fabric = require "fabric"
 local define = require "fabric.define"
 local random = require "fabric.lab.random"
 
+-- Standard deviations: of a reading of the force, N, and of the displacement, m; of the load cell, relative, one for all specimens; of a
+-- marker coordinate, m.
+local force_noise, displacement_noise, load_cell_error, position_noise = 0.02, 2e-6, 0.003, 1e-5
 local angles = { warp = 0, weft = 90, bias = 45 }
 
 -- The card of a specimen: each curve and each ratio multiplied by a random factor of mean one.
@@ -59,8 +62,8 @@ local function frame_record(t, r, rows, calibration, draw)
   local record, largest = { displacement = {}, force = {}, row = {} }, 0
   local function add(u, P, row)
     local n = #record.force + 1
-    record.displacement[n] = u + t.displacement_noise * draw.normal()
-    record.force[n] = P * calibration + t.force_noise * draw.normal()
+    record.displacement[n] = u + displacement_noise * draw.normal()
+    record.force[n] = P * calibration + force_noise * draw.normal()
     record.row[n] = row
   end
   local step = length * (math.sqrt(1 + 2 * r.E[1]) - 1)
@@ -99,8 +102,8 @@ local function photographs(t, r, record, draw)
     photo.displacement[#photo.displacement + 1], photo.force[#photo.force + 1] = record.displacement[at], record.force[at]
     for m = 0, grid.rows * grid.columns - 1 do
       local X, Y = (m % grid.columns) * t.pitch, (m // grid.columns) * t.pitch
-      grid.x[#grid.x + 1] = xx * X + xy * Y + t.position_noise * draw.normal()
-      grid.y[#grid.y + 1] = xy * X + yy * Y + t.position_noise * draw.normal()
+      grid.x[#grid.x + 1] = xx * X + xy * Y + position_noise * draw.normal()
+      grid.y[#grid.y + 1] = xy * X + yy * Y + position_noise * draw.normal()
     end
   end
   grid.frames = t.photographs
@@ -111,7 +114,7 @@ local function synthetic(t)
   t.thickness = t.thickness or t.card.thickness
   t.markers = t.markers or { 5, 4 }
   local draw, out = random(t.seed), {}
-  local calibration = 1 + t.calibration * draw.normal() -- one load cell for all specimens
+  local calibration = 1 + load_cell_error * draw.normal() -- one load cell for all specimens
   local reach = t.reach or (t.direction == "bias" and bias_reach(t) or t.card.tested[t.direction])
   for i = 1, t.specimens do
     local r, rows = response(t, scattered(t, draw), reach)
@@ -134,19 +137,15 @@ define {
     { name = "slack", kind = "number", unit = "m", low = 0, default = 0.5e-3, sentence = "largest displacement before first contact" },
     { name = "slip", kind = "number", unit = "m/N", low = 0, default = 0, sentence = "in the grips" },
     { name = "compliance", kind = "number", unit = "m/N", low = 0, default = 0, sentence = "of the frame" },
-    { name = "force_noise", kind = "number", unit = "N", low = 0, default = 0.02, sentence = "standard deviation" },
-    { name = "calibration", kind = "number", low = 0, high = 0.1, default = 0.003,
-      sentence = "relative error of the load cell, one for all specimens: standard deviation" },
-    { name = "displacement_noise", kind = "number", unit = "m", low = 0, default = 2e-6, sentence = "standard deviation" },
-    { name = "position_noise", kind = "number", unit = "m", low = 0, default = 1e-5, sentence = "of a marker coordinate" },
     { name = "markers", kind = "numbers", low = 2, optional = true, sentence = "{rows, columns}; default {5, 4}" },
     { name = "pitch", kind = "number", unit = "m", above = 0, default = 5e-3, sentence = "between markers" },
     { name = "photographs", kind = "integer", low = 2, default = 60, sentence = "over the whole test" },
     { name = "gauge_length", kind = "number", unit = "m", above = 0, default = 76.2e-3, sentence = "between the grips" },
     { name = "width", kind = "number", unit = "m", above = 0, default = 25.4e-3, sentence = "of the specimen" },
     { name = "thickness", kind = "number", unit = "m", above = 0, optional = true, sentence = "default: the card's" },
-    { name = "plies", kind = "integer", low = 1, default = 2, sentence = "layers that carry" },
+    { name = "plies", kind = "integer", low = 1, default = 2, sentence = "layers that bear load" },
   },
+  retired = { "force_noise", "calibration", "displacement_noise", "position_noise" },
   sentence = "Pulls of a card's cloth as a laboratory would have recorded them: a list of specimens {record={displacement, force}, "
     .. "photographs={markers, force, displacement, warp}}.",
   example = "local fabric = require 'fabric'\n"

@@ -31,7 +31,7 @@ local function record_of(t)
 end
 
 -- Says something worth knowing of a record, and keeps it with the result: test.warnings, each {code, text, row}.
-local function tell(test, record, t, sign)
+local function warn(test, record, t, sign)
   local from = t.file and t.file .. ": " or ""
   if record.specimen then from = ("%sspecimen %s: "):format(from, record.specimen) end
   test.warnings[#test.warnings + 1] = sign
@@ -102,7 +102,7 @@ local function check_record(record, t, test)
     local first = values[1]
     local meant = name == "force" and t.pretension and math.abs(first) <= t.pretension
     if not meant and math.abs(first) > 0.02 * (high - low) then
-      tell(test, record, t, { code = name == "force" and "preload" or "origin", row = 1,
+      warn(test, record, t, { code = name == "force" and "preload" or "origin", row = 1,
         text = ("%s begins at %.4g %s, of a range of %.4g: take it off with zero=true?"):format(name, first, unit, high - low) })
     end
   end
@@ -125,7 +125,7 @@ local function test_of(record, t)
   check_record(record, t, warnings)
   local bad, sign
   record, bad, sign = without_outliers(record, t)
-  if sign then tell(warnings, record, t, sign) end
+  if sign then warn(warnings, record, t, sign) end
   local top = largest(record.force)
   local test = fabric.lab.reduce {
     displacement = record.displacement, force = record.force, gauge_length = t.gauge_length, width = t.width,
@@ -139,7 +139,7 @@ local function test_of(record, t)
   mark(test, t)
   if record.strain then test.measured_strain = record.strain end
   if #bad > 0 then test.outliers = bad end
-  for _, found in ipairs(require "fabric.lab.signs".of(record.displacement, record.force, test.failure or top, t)) do tell(warnings, record, t, found) end
+  for _, found in ipairs(require "fabric.lab.signs".of(record.displacement, record.force, test.failure or top, t)) do warn(warnings, record, t, found) end
   if #warnings.warnings > 0 then test.warnings = warnings.warnings end
   return test
 end
@@ -166,7 +166,7 @@ define {
     { name = "gauge_length", kind = "number", unit = "m", above = 0, sentence = "between the grips" },
     { name = "width", kind = "number", unit = "m", above = 0, sentence = "of the specimen" },
     { name = "thickness", kind = "number", unit = "m", above = 0, sentence = "of one ply" },
-    { name = "plies", kind = "integer", low = 1, sentence = "layers that carry: 1, or 2 for a sewn loop on two pins" },
+    { name = "plies", kind = "integer", low = 1, sentence = "layers that bear load: 1, or 2 for a sewn loop on two pins" },
     { name = "compliance", kind = "number", unit = "m/N", low = 0, default = 0, sentence = "of frame and load cell" },
     { name = "slip", kind = "number", unit = "m/N", low = 0, default = 0, sentence = "in the grips, over the largest force so far" },
     { name = "zero", kind = "boolean", default = false, sentence = "displacement and force of the first row are taken off: a crosshead's position, an offset of the load cell" },

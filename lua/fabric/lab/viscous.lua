@@ -4,7 +4,7 @@
 -- goes straight from row to row q / modulus = a(t, time) is exact. For a given time the stress is linear in P (a cubic spline through zero) and
 -- in the modulus, so both follow from normal equations, and what remains is a curve over one number: how well each time explains the records.
 -- Its best place, and how far it stays nearly as good, are the answer; a curve that stays flat to an end of what was tried says that the records
--- do not tell the time. A specimen shows (1 + b + b' x) times what the cloth does, x going from -1 at no strain to 1 at the largest, with b of
+-- do not determine the time. A specimen shows (1 + b + b' x) times what the cloth does, x going from -1 at no strain to 1 at the largest, with b of
 -- deviation `scatter` and b' of half of it, so that two specimens at two speeds differ by more than noise.
 local fabric = require "fabric"
 local define = require "fabric.define"
@@ -18,7 +18,7 @@ local blocks, per_decade, rounds = 150, 12, 4
 local apart, parts = 1.5, 8 -- speeds that differ by this factor are two; parts of a test's time over which its own speed is taken
 local turned = 0.01 -- of the largest strain: a way back by less is noise of the reading
 local usual_scatter, bent = 0.04, 0.5
-local other_limits, least_rows = { 10, 20, 30 }, 12 -- degrees within which the conclusion must be the same; rows of a test that can tell
+local other_limits, least_rows = { 10, 20, 30 }, 12 -- degrees within which the conclusion must be the same; rows of a test that counts
 
 local function dot(a, b)
   local sum = 0
@@ -120,7 +120,7 @@ local function prepared(t, i)
   for _, k in ipairs(out.rows) do
     out.reach, out.peak = math.max(out.reach, out.zones[1].E[k]), math.max(out.peak, math.abs(out.measured[k]))
   end
-  if not (out.reach > 0 and out.peak > 0) then fail(("viscous: field '%s': expected a test that was sheared and carried something"):format(field)) end
+  if not (out.reach > 0 and out.peak > 0) then fail(("viscous: field '%s': expected a test with shear and force"):format(field)) end
   return out
 end
 
@@ -156,7 +156,7 @@ local function speed_of(test)
   return seconds > 0 and way / seconds or nil
 end
 
--- Whether the strain's rate changes within a test by the factor that tells speeds apart: over eighths of its time, in which a hold is a low rate.
+-- Whether the strain's rate changes within a test by the factor that separates speeds: over eighths of its time, in which a hold is a low rate.
 -- The rest before the pull does not count.
 local function turns(test)
   local E, at = test.zones[1].E, 1
@@ -176,7 +176,7 @@ local function turns(test)
   return most > apart * least
 end
 
--- Whether the tests can tell what relaxes from the elastic curve: speeds that differ, or one that changes within a test.
+-- Whether the tests can distinguish relaxation from the elastic curve: speeds that differ, or one that changes within a test.
 local function tells_speed(state)
   local slow, fast = math.huge, 0
   for _, test in ipairs(state.tests) do
@@ -252,7 +252,7 @@ local function without(list, u, square, variance)
   return out
 end
 
--- A list over the noise and without what hangs the rows of a specimen together: its own factor, and one that goes from end to end.
+-- A list over the noise and without what correlates the rows of a specimen: its own factor, and one that varies from end to end.
 local function whitened(state, test, list)
   local out = {}
   for k, x in ipairs(list) do out[k] = x / test.sigma[k] end
@@ -462,7 +462,7 @@ local function ends_of(state)
   if slow and fast.speed >= apart * slow.speed then return slow, fast end
 end
 
--- How much more or less the fastest carry than the slowest, beside one elastic curve for all: {slow, fast, ratio, low, high}.
+-- How much larger or smaller the stress of the fastest is than that of the slowest, beside one elastic curve for all: {slow, fast, ratio, low, high}.
 local function speeds_of(state)
   local slow, fast = ends_of(state)
   if not slow then return end
@@ -478,7 +478,7 @@ local function speeds_of(state)
     slow_name = slow[1].name, fast_name = fast[1].name }
 end
 
--- The mean of what a group's tests carry between two strains over one elastic curve for all; nil where one of them has no rising rows there.
+-- The mean stress of a group's tests between two strains over one elastic curve for all; nil where one of them has no rising rows there.
 local function level_between(group, low, high)
   local sum = 0
   for _, test in ipairs(group) do
@@ -545,9 +545,9 @@ local function bands_of(state, profile, best)
       one(at_time(state, inside(p) and low or high))
     end
   end
-  local told = {}
-  for _, p in ipairs(profile) do told[#told + 1] = p.weight > 0 and p or nil end
-  out.open_below, out.open_above = inside(told[1]), inside(told[#told])
+  local informative = {}
+  for _, p in ipairs(profile) do informative[#informative + 1] = p.weight > 0 and p or nil end
+  out.open_below, out.open_above = inside(informative[1]), inside(informative[#informative])
   return out
 end
 
@@ -596,8 +596,8 @@ local function decide(state, out, positive, negative, fixed)
   local softer = out.speed and out.speed.high < 0
   if not tells_speed(state) then
     out.one_speed = true
-    out.reason = ("One speed and no hold cannot tell a stiff toe of the elastic curve from relaxation, so that nothing is concluded: tests at speeds that "
-      .. "differ by a factor of %g or more would tell, or one with a hold."):format(apart)
+    out.reason = ("One speed and no hold cannot distinguish a stiff toe of the elastic curve from relaxation, so that nothing is concluded: tests at speeds that "
+      .. "differ by a factor of %g or more would decide, or one with a hold."):format(apart)
   elseif softer then
     out.contradicts = true
     out.reason = ("The faster record is the softer one: no positive viscosity explains it. Nothing of shear relaxes in what these tests show; what else "
@@ -615,11 +615,11 @@ local function decide(state, out, positive, negative, fixed)
     out.high = { modulus = bands.modulus[2], time = bands.time[2], viscosity = bands.viscosity[2] }
     out.open_below, out.open_above = bands.open_below, bands.open_above
     if out.open_above then
-      out.reason = ("Something relaxes, but these tests do not determine the time constant: they end before it is over (%.3g s and more). A longer hold would tell."):format(
+      out.reason = ("Something relaxes, but these tests do not determine the time constant: they end before it is over (%.3g s and more). A longer hold would decide."):format(
         out.low.time)
     elseif out.open_below then
       out.reason = ("Something relaxes, but these tests do not determine the time constant: it is %.3g s or less, and only modulus times time is told. A hold, or a "
-        .. "faster test, would tell; `time` gives one."):format(out.high.time)
+        .. "faster test, would decide; `time` gives one."):format(out.high.time)
     else
       out.viscous = { shear = { modulus = out.modulus, time = out.time } }
       out.reason = fixed and "Shear relaxes; the time was given." or "Shear relaxes."
@@ -724,7 +724,7 @@ local function withhold(t, out)
   out.by_limit = {}
   for _, limit in ipairs(other_limits) do
     if limit ~= t.limit and reached(t, limit) then
-      local good, own = pcall(analysed, setmetatable({ limit = limit }, { __index = t })) -- a part that carries nothing yet tells nothing
+      local good, own = pcall(analysed, setmetatable({ limit = limit }, { __index = t })) -- a part without stress determines nothing
       out.by_limit[#out.by_limit + 1] = good and { limit = limit, verdict = verdict_of(own), relaxes = own.modulus ~= nil, contradicts = own.contradicts == true, speed = own.speed } or nil
     end
   end
@@ -734,7 +734,7 @@ local function withhold(t, out)
     if turned_round then words[#words + 1] = ("up to %g degrees %s"):format(other.limit, other.verdict) end
   end
   if #words == 0 then return end
-  out.reason = ("Nothing is concluded, since it hangs on the angles that are taken: up to %g degrees %s, but %s."):format(t.limit, own, table.concat(words, ", "))
+  out.reason = ("Nothing is concluded, since it depends on the angles that are used: up to %g degrees %s, but %s."):format(t.limit, own, table.concat(words, ", "))
   for _, name in ipairs { "viscous", "modulus", "time", "low", "high", "contradicts", "open_below", "open_above" } do out[name] = nil end
   out.withheld = true
 end
@@ -764,7 +764,7 @@ define {
   sentence = "The part of shear that relaxes (viscous of a card) from tests at several speeds or with holds: viscous {shear {modulus, time}} or nil where the "
     .. "tests do not tell it, modulus, time, low and high {modulus, time, viscosity} (by the profile of the sum of squares), open_below, open_above (the "
     .. "time is not determined), contradicts (the faster is the softer), speed {ratio, low, high, decades}, ratio {angle, E, ratio, low, high} (the fastest over the slowest against the angle), "
-    .. "withheld (the conclusion hangs on the angles that are taken: none is drawn), by_limit ({limit, verdict}, ...), elastic {E, S}, shear (for fabric.lab.card), "
+    .. "withheld (the conclusion depends on the angles that are used: none is drawn), by_limit ({limit, verdict}, ...), elastic {E, S}, shear (for fabric.lab.card), "
     .. "scatter, rms, profile, reason, text.",
   example = "local E, S, time = {}, {}, {}\nfor k = 1, 200 do\n  time[k] = k / 10\n  E[k] = math.min(0.05, 0.05 * time[k])\n"
     .. "  local q = 2e6 * 3 * 0.05 * (1 - math.exp(-math.min(1, time[k]) / 3)) * math.exp(-math.max(0, time[k] - 1) / 3)\n  S[k] = 4e6 * E[k] + q\nend\n"

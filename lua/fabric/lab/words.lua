@@ -36,18 +36,18 @@ function words.per_width(vocabulary, unit)
   if top and below and times and times > 0 then return top / (times * below), force end
 end
 
--- Parts of names, in lower case without accents: English, German, French, Italian, Spanish, Portuguese, Dutch, Turkish, Polish, Russian, Chinese,
+-- Parts of names, in lower case without accents: English, German, French, Italian, Spanish, Portuguese, Dutch, Swedish, Turkish, Polish, Czech, Russian, Chinese,
 -- Japanese (UTF-8 and Shift-JIS, whose second bytes may be letters, here in lower case; frames also write Katakana of half width), Korean. The unit
 -- decides between a displacement and a strain.
 words.names = {
   displacement = { "displacement", "extension", "elongation", "crosshead", "stroke", "position", "travel", "weg", "verlangerung", "verlaengerung",
     "verformung", "auszug", "deplacement", "allongement", "deformation", "course", "elongazione", "spostamento", "allungamento", "estensione", "corsa", "przemieszczenie", "wydluzenie", "droga", "skok",
     "desplazamiento", "alargamiento", "elongacion", "recorrido", "carrera", "deslocamento", "alongamento", "extensao", "verplaatsing", "uitrekking", "verlenging",
-    "uzama", "yer degistirme", "deplasman", "przesuniecie", "rozciagniecie", "перемещение", "удлинение", "растяжение",
+    "draha", "posuv", "protazeni", "forlangning", "forskjutning", "uzama", "yer degistirme", "deplasman", "przesuniecie", "rozciagniecie", "перемещение", "удлинение", "растяжение",
     "位移", "伸长", "伸長", "变形", "變形", "行程", "변위", "신장", "연신", "스트로크",
     "\u{ff7d}\u{ff84}\u{ff9b}\u{ff70}\u{ff78}", "\u{4f38}\u{5ea6}",
     "\u{5909}\u{4f4d}", "\u{30b9}\u{30c8}\u{30ed}\u{30fc}\u{30af}", "\u{4f38}\u{3073}", "\x95\xcf\x88\xca", "\x83x\x83g\x83\x8d\x81[\x83n" },
-  force = { "force", "load", "kraft", "belastung", "effort", "charge", "forza", "carico", "sila", "obciazenie", "fuerza", "carga", "forca", "kracht", "belasting", "kuvvet",
+  force = { "force", "load", "kraft", "belastung", "effort", "charge", "forza", "carico", "sila", "obciazenie", "fuerza", "carga", "forca", "kracht", "belasting", "kuvvet", "zatizeni",
     "сила", "усилие", "нагрузка", "载荷", "載荷", "负荷", "負荷", "拉力", "力值", "试验力", "試驗力", "하중", "시험력", "\u{8377}\u{91cd}", "\u{8a66}\u{9a13}\u{529b}", "\x89\xd7\x8fd",
     "\x8e\x8e\x8c\xb1\x97\xcd" },
   time = { "time", "zeit", "temps", "tempo", "czas", "tiempo", "tijd", "zaman", "время", "时间", "時間", "시간", "\x8e\x9e\x8a\xd4" },
@@ -56,7 +56,7 @@ words.names = {
 -- Names that consist of one of these only.
 words.letters = { u = "displacement", ext = "displacement", disp = "displacement", elong = "displacement", dl = "displacement", p = "force", f = "force", t = "time",
   last = "force", yuk = "force", ["力"] = "force", ["힘"] = "force", hub = "displacement", slag = "displacement", curso = "displacement", ["ход"] = "displacement", rek = "strain",
-  sure = "time" }
+  sure = "time", cas = "time", tid = "time", ["\xc1\xa6"] = "force" } -- the last: one sign of Chinese in GBK
 -- Chinese in GBK and Russian in Windows-1251, as frames write them that know no UTF-8.
 words.bytes = {
   { "\xce\xbb\xd2\xc6", "displacement" }, { "\xb1\xe4\xd0\xce", "displacement" }, { "\xc9\xec\xb3\xa4", "displacement" }, { "\xca\xb1\xbc\xe4", "time" },
@@ -74,7 +74,7 @@ words.quantities = { "displacement", "force", "time", "strain" }
 
 local plain_letters = { ["\u{df}"] = "ss", ["\u{a0}"] = " ", ["\u{202f}"] = " ", ["\u{3000}"] = " ", ["\u{307}"] = "", ["\u{301}"] = "", ["\u{308}"] = "" }
 for plain, letters in pairs {
-  e = "éÉèÈêÊëËęĘ", a = "àÀáÁâÂäÄãÃąĄåÅ", u = "üÜùÙúÚûÛ", o = "öÖòÒóÓôÔõÕ", l = "łŁ", c = "ćĆçÇ", s = "śŚşŞ", z = "żŻźŹ", n = "ńŃñÑ", i = "ìÌíÍîÎïÏıİ", g = "ğĞ",
+  e = "éÉèÈêÊëËęĘěĚ", a = "àÀáÁâÂäÄãÃąĄåÅ", u = "üÜùÙúÚûÛůŮ", o = "öÖòÒóÓôÔõÕ", l = "łŁ", c = "ćĆçÇčČ", s = "śŚşŞšŠ", z = "żŻźŹžŽ", n = "ńŃñÑňŇ", r = "řŘ", y = "ýÝ", i = "ìÌíÍîÎïÏıİ", g = "ğĞ",
 } do
   for _, code in utf8.codes(letters) do plain_letters[utf8.char(code)] = plain end
 end

@@ -100,7 +100,7 @@ table.sort(all, function(a, b) return a.mass < b.mass end)
 local cloth = all[(#all + 1) // 2]
 local twist = lab.twist { warp = cloth.warp, weft = cloth.weft, bias = cloth.bias, simulate = true }
 local card = hanging { name = "bending", source = "[feng2022], the cloth of the middle mass", mass = cloth.mass, bending = twist.bending,
-  bending_told = "measured: cantilevers along warp and weft; twist from 45 degrees" }
+  bending_origin = "measured: cantilevers along warp and weft; twist from 45 degrees" }
 print(("%.4f kg/m2: %s"):format(cloth.mass, twist.words or "the twist that the strip at 45 degrees needs"))
 for _, side in ipairs { { "warp", 0 }, { "weft", 90 }, { "bias", 45 } } do
   local shown = lab.cantilever { card = card, direction = side[2], cells = 20 }

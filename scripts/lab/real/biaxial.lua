@@ -77,11 +77,24 @@ print "crimp that goes from one yarn to the other, seven numbers; strains in %:"
 print(pool.text)
 local checks = {}
 local function end_of(p, k) return p.low and ("%.2f, %.2f to %.2f"):format(p.predicted[k], p.low[k], p.high[k]) or ("%.2f, no band: %s"):format(p.predicted[k], p.reason) end
+-- The direction of the loads in degrees, 0: warp alone, 90: weft alone. Beyond those of the others nothing was pulled straight that is pulled there.
+local function direction(ratio)
+  local w, f = ratio:match "^([%d.]+):([%d.]+)$"
+  return math.deg(math.atan(tonumber(f), tonumber(w)))
+end
+local function beyond(ratio)
+  local low, high = math.huge, -math.huge
+  for _, other in ipairs(ratios) do
+    if other ~= ratio then low, high = math.min(low, direction(other)), math.max(high, direction(other)) end
+  end
+  local own = direction(ratio)
+  return (own < low - 1e-9 or own > high + 1e-9) and "; beyond the ratios of the others, where the band does not hold" or ""
+end
 for _, held in ipairs(pool.left_out_by.ratio) do
   for _, yarn in ipairs { "warp", "weft" } do
     local own, n = held.tests[held.label .. " " .. yarn], #rows[held.label].load
-    print(("%s from the others, %s: at the end %s, measured %.2f%s"):format(held.label, yarn, end_of(own, n), rows[held.label][yarn][n], own.inside
-      and (", %.0f %% of the points in the band"):format(100 * own.inside) or ""))
+    print(("%s from the others, %s: at the end %s, measured %.2f%s%s"):format(held.label, yarn, end_of(own, n), rows[held.label][yarn][n], own.inside
+      and (", %.0f %% of the points in the band"):format(100 * own.inside) or "", beyond(held.label)))
   end
 end
 
@@ -93,11 +106,11 @@ for _, yarn in ipairs { "warp", "weft" } do
   local test = { yarn = yarn, ratio = asked, x = first.load, scale = scale_of(first.load), n_w = {}, n_f = {} }
   for k, n in ipairs(first.load) do test.n_w[k], test.n_f[k] = n * share_w / most, n * share_f / most end
   local p = pool:predict(test)
-  print(("%s predicted, %s: at the end %s"):format(asked, yarn, end_of(p, #first.load)))
-  curves[#curves + 1] = { x = first.load, y = p.predicted, label = asked .. " " .. yarn .. ", predicted", band = p.low and { low = p.low, high = p.high } or nil }
+  print(("%s predicted, %s: at the end %s%s"):format(asked, yarn, end_of(p, #first.load), beyond(asked)))
+  curves[#curves + 1] = { x = first.load, y = p.predicted, label = asked .. " " .. yarn .. (p.low and beyond(asked) == "" and ", predicted, 95 % band" or p.low and ", predicted, band of other ratios" or ", predicted"), band = p.low and { low = p.low, high = p.high } or nil }
   if rows[asked] then curves[#curves + 1] = { x = rows[asked].load, y = rows[asked][yarn], label = asked .. " " .. yarn .. ", measured", style = "points" } end
 end
-fabric.plot { file = out .. "/predicted.svg", title = asked .. " from the other ratios", xlabel = "larger load, kN/m", ylabel = "strain, %", curves = curves }
+fabric.plot { file = out .. "/predicted.svg", xlabel = "larger load, kN/m", ylabel = "strain, %", curves = curves }
 
 -- The same records by the law of a card: loads that its strains call for (kN/m beyond the first row). Two yarns, ratios with nu12 nu21 < 1, and one biaxial spring.
 local thickness = 1e-3

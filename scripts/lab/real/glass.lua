@@ -50,6 +50,15 @@ for _, size in ipairs(sizes) do
   if times[size.name] > 1 then size.name = size.name .. ", " .. size.stem end
 end
 
+-- In the legend of the figure: size and laboratory, and a number where several are of one size and laboratory.
+local same = {}
+for _, size in ipairs(sizes) do
+  local own = size.laboratory:match "^that of " and "" or ", " .. size.laboratory
+  size.label = ("%g × %g mm%s"):format(size.width / mm, size.length / mm, own)
+  same[size.label] = (same[size.label] or 0) + 1
+  if same[size.label] > 1 then size.label = ("%s, no. %d"):format(size.label, same[size.label]) end
+end
+
 local thickness = 1 * mm -- assumed: the shear force per width is what the test shows
 
 -- N over the angle, up to the limit, as a test for the fit.
@@ -138,10 +147,10 @@ if #sizes > 1 then
     local d, F = {}, {}
     for k, row in ipairs(size.shear.rows) do d[k], F[k] = size.record.displacement[row], size.record.force[row] end
     local p = b:predict { displacement = d, width = size.width, length = size.length }
-    curves[#curves + 1] = { x = p.angle, y = p.force, label = size.name .. ", predicted", band = p.band and { low = p.low, high = p.high } or nil }
-    curves[#curves + 1] = { x = p.angle, y = F, label = size.name .. ", measured", style = "points" }
+    curves[#curves + 1] = { x = p.angle, y = p.force, label = size.label .. (p.band and ", predicted, 95 % band" or ", predicted"), band = p.band and { low = p.low, high = p.high } or nil }
+    curves[#curves + 1] = { x = p.angle, y = F, label = size.label .. ", measured", style = "points" }
   end
-  fabric.plot { file = out .. "/sizes.svg", title = "bias extension, sizes with 95 % bands", xlabel = "shear angle, degrees", ylabel = "force, N", curves = curves }
+  fabric.plot { file = out .. "/sizes.svg", xlabel = "shear angle, °", ylabel = "force, N", curves = curves }
 end
 all:write(out .. "/card.lua")
 print(all)

@@ -55,6 +55,7 @@ Bodies::Bodies(const model::Model& model, contact::Scene& scene) : model_(model)
     double far = 0;
     for (std::size_t i = body.first; i < body.first + body.count; ++i)
       far = std::max(far, (reference_[i] - free.committed.centre()).norm());
+    free.arm = far;
     far += scene.surfaces()[static_cast<std::size_t>(body.surface)].radius;
     const double moment = Eigen::SelfAdjointEigenSolver<Mat3>(free.committed.inertia()).eigenvalues()[0];
     // Of the whole body: the other part is pushed at the same time.
@@ -64,7 +65,7 @@ Bodies::Bodies(const model::Model& model, contact::Scene& scene) : model_(model)
   free_of_.assign(reference_.size(), -1);
   for (const Body& body : bodies_)
     std::fill_n(free_of_.begin() + static_cast<std::ptrdiff_t>(body.first), body.count, body.free);
-  aim(0, 0);
+  set_time(0, 0);
   committed_ = target_;
 }
 
@@ -151,12 +152,18 @@ bool Bodies::any_driven() const {
                      [](const Body& b) { return b.motion != nullptr || b.moving.has_value(); });
 }
 
+Vec3 Bodies::displaced(const Body& body, double time) const {
+  Vec3 moved = Vec3::Zero();
+  for (int c = 0; c < 3; ++c)
+    if (const auto& h = body.motion->displacement[c]) moved[c] = h->value(time);
+  return moved;
+}
+
 contact::Pose Bodies::driven(const Body& body, double time) const {
   contact::Pose pose;
   if (body.motion == nullptr) return pose;
   try {
-    for (int c = 0; c < 3; ++c)
-      if (const auto& h = body.motion->displacement[c]) pose.place[c] = h->value(time);
+    pose.place = displaced(body, time);
     if (const auto& turn = body.motion->turn) {
       pose.turn = contact::Pose::about(turn->axis, kRadian * turn->angle.value(time));
       const Vec3 centre = turn->centre.value_or(body.given->centre());
@@ -166,6 +173,104 @@ contact::Pose Bodies::driven(const Body& body, double time) const {
     throw Error("move: the " + model_.interactions().name_of(*body.given) + ": " + error.what());
   }
   return pose;
+}
+
+// --- what a step may be long, so that the straight ways from its beginning to its end stand for the paths
+
+namespace {
+
+constexpr int kLooks = 32;      // times within a step at which a path is looked at
+constexpr int kTries = 60;      // a step becomes no shorter than by 2^-60
+constexpr double kSame = 1e-9;  // shares of a limit that are the same
+
+// m, from a point to the segment from a to b.
+double off(const Vec3& p, const Vec3& a, const Vec3& b) {
+  const Vec3 way = b - a;
+  const double length = way.squaredNorm();
+  const double share = length > 0 ? std::clamp(way.dot(p - a) / length, 0.0, 1.0) : 0;
+  return (p - a - share * way).norm();
+}
+
+bool runs_straight(const model::BodyMotion& motion) {
+  const auto is_table = [](const auto& h) { return !h || h->is_constant() || !h->kinks().empty(); };
+  return std::all_of(motion.displacement.begin(), motion.displacement.end(), is_table) &&
+         (!motion.turn || is_table(std::optional(motion.turn->angle)));
+}
+
+}  // namespace
+
+// m: the largest distance of the body's points from the axis that it turns about. A plane that turns in
+// itself has none; else it reaches as far as the cloth.
+double Bodies::lever(const Body& body, const BoundingBox& cloth) const {
+  if (body.free >= 0) return free_[body.free].arm;
+  const auto& turn = *body.motion->turn;
+  const Vec3 axis = turn.axis.normalized(), centre = turn.centre.value_or(body.given->centre());
+  if (const auto* plane = std::get_if<model::Plane>(&body.given->shape())) {
+    const bool in_itself = axis.cross(plane->normal.normalized()).norm() < kNear;
+    return in_itself ? 0 : (cloth.middle() - centre).norm() + cloth.size().norm() / 2;
+  }
+  double most = 0;
+  for (std::size_t i = body.first; i < body.first + body.count; ++i)
+    most = std::max(most, axis.cross(reference_[i] - centre).norm());
+  return most;
+}
+
+namespace {
+
+// Whether a ball of this radius that flies from a place by `way` may come to the cloth, m.
+bool may_reach(const BoundingBox& cloth, const Vec3& place, const Vec3& way, double radius) {
+  const Vec3 margin = Vec3::Constant(radius + way.norm() / 2);
+  return ((place.cwiseMin(place + way) - margin).array() <= cloth.high.array()).all() &&
+         ((place.cwiseMax(place + way) + margin).array() >= cloth.low.array()).all();
+}
+
+}  // namespace
+
+// Between two kinks, at which every step ends, tables are straight lines; a function of time may do anything.
+// A point at the distance r from an axis leaves its chord by r angle^2 / 8. A free body may begin to roll.
+Bodies::BodyPath Bodies::path(const Body& body, double from, double to, double near,
+                              const BoundingBox& cloth) const {
+  if (body.free >= 0) {
+    const Free& free = free_[body.free];
+    const Vec3 way = (to - from) * free.committed.velocity();
+    const double spun = free.committed.spin().norm() * (to - from);
+    const bool rolls = may_reach(cloth, free.committed.centre(), way, free.size);
+    return {std::max(spun, rolls ? way.norm() / free.size : 0) / largest_turn,
+            free.arm * spun * spun / 8 / near};
+  }
+  const Vec3 start = displaced(body, from), end = displaced(body, to);
+  const auto& turn = body.motion->turn;
+  const int looks = runs_straight(*body.motion) ? 1 : kLooks;
+  double angle = 0, aside = 0, before = turn ? turn->angle.value(from) : 0;
+  for (int k = 1; k <= looks; ++k) {
+    const double time = k == looks ? to : from + (to - from) * k / looks;
+    if (k < looks) aside = std::max(aside, off(displaced(body, time), start, end));
+    if (!turn) continue;
+    const double now = turn->angle.value(time);
+    angle += kRadian * std::abs(now - before);
+    before = now;
+  }
+  const double bend = angle > 0 ? lever(body, cloth) * angle * angle / 8 : 0;
+  return {angle / largest_turn, (aside + bend) / near};
+}
+
+double Bodies::follows(std::size_t i, double from, double to, double near, const BoundingBox& cloth) const {
+  const Body& body = bodies_[i];
+  if (body.free < 0 && body.motion == nullptr) return to;
+  double end = to;
+  for (int tries = 0; tries < kTries; ++tries) {
+    const double parts = path(body, from, end, near, cloth).parts();
+    if (!(parts > 1 + kSame)) break;
+    end = from + (end - from) / std::clamp(std::ceil(parts * (1 - kSame)), 2.0, 1e6);
+  }
+  return end;
+}
+
+double Bodies::turned_most() const {
+  double most = 0;
+  for (const Body& body : bodies_) most = std::max(most, body.turned.norm());
+  for (const Free& free : free_) most = std::max(most, free.predicted.spin().norm() * (to_ - from_));
+  return most;
 }
 
 void Bodies::place(const Body& body, double time, std::span<Vec3> x) const {
@@ -207,7 +312,7 @@ void Bodies::fly() {
   }
 }
 
-void Bodies::aim(double from, double to) {
+void Bodies::set_time(double from, double to) {
   from_ = from;
   to_ = to;
   for (Body& body : bodies_) {
@@ -248,6 +353,16 @@ double Bodies::largest_residual() const {
   for (const Free& free : free_)
     most = std::max({most, (free.trial.force - free.end.force).lpNorm<Eigen::Infinity>(),
                      (free.trial.torque - free.end.torque).lpNorm<Eigen::Infinity>() / free.size});
+  return most;
+}
+
+double Bodies::largest_force() const {
+  double most = 0;
+  for (const Free& free : free_) {
+    const contact::Wrench& is = loaded_ ? free.trial : free.wrench;
+    most =
+        std::max({most, is.force.lpNorm<Eigen::Infinity>(), is.torque.lpNorm<Eigen::Infinity>() / free.size});
+  }
   return most;
 }
 
@@ -413,13 +528,13 @@ std::vector<Vec3> Bodies::moved(std::size_t i, const std::vector<Vec3>& points) 
   return out;
 }
 
-Bodies::State Bodies::state(std::size_t i) const {
+Bodies::BodyKinematics Bodies::state(std::size_t i) const {
   const Body& body = bodies_[i];
   if (body.free >= 0) {
     const contact::FreeBody at = kicked(free_[body.free]);
     return {at.centre(), at.velocity(), at.spin()};
   }
-  State state{body.given->centre(), Vec3::Zero(), Vec3::Zero()};
+  BodyKinematics state{body.given->centre(), Vec3::Zero(), Vec3::Zero()};
   if (body.moving) {
     const std::vector<Vec3> x = moved(i, std::vector<Vec3>(body.count));
     state.place = std::accumulate(x.begin(), x.end(), Vec3(Vec3::Zero())) / double(body.count);
@@ -435,6 +550,29 @@ Bodies::State Bodies::state(std::size_t i) const {
   const Eigen::AngleAxisd turned(after.turn * before.turn.transpose());
   state.spin = turned.angle() / width * turned.axis();
   return state;
+}
+
+double Bodies::inverse_mass_pressed(std::size_t i) const {
+  if (bodies_[i].free < 0) return 0;
+  const Free& free = free_[bodies_[i].free];
+  return free.arm > 0 ? free.bound : 1 / free.committed.mass();
+}
+
+double Bodies::size(std::size_t i) const {
+  const model::RigidShape& shape = bodies_[i].given->shape();
+  if (const auto* ball = std::get_if<model::Sphere>(&shape)) return ball->radius;
+  if (const auto* rod = std::get_if<model::Cylinder>(&shape)) return rod->radius;
+  if (std::holds_alternative<model::Plane>(shape)) return 0;
+  double most = 0;
+  const auto all = std::span(reference_).subspan(bodies_[i].first, bodies_[i].count);
+  for (const Vec3& x : all) most = std::max(most, (x - bodies_[i].given->centre()).norm());
+  return most;
+}
+
+double Bodies::fastest_free() const {
+  double most = 0;
+  for (const Free& free : free_) most = std::max(most, free.committed.velocity().norm());
+  return most;
 }
 
 double Bodies::inverse_mass(std::size_t i) const {

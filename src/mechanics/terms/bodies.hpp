@@ -8,11 +8,15 @@
 // gravity acts with its mean.
 // Newton's iterations take them there by shares, along straight lines, so that no contact is passed over.
 #pragma once
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <span>
 #include <vector>
 
 #include "base/archive.hpp"
 #include "contact/rigid.hpp"
+#include "geometry/box.hpp"
 #include "model/model.hpp"
 
 namespace fabricsh::mechanics {
@@ -32,8 +36,16 @@ class Bodies {
   bool any_free() const;
   bool any_driven() const;  // a body is moved, rotated, or changes its shape
 
+  // The largest turn of a body in a step, rad: friction takes its direction in the step as one.
+  static constexpr double largest_turn = std::numbers::pi / 6;
+  // s: the latest end, up to `to`, of a step from `from` on in which body i turns by no more than that, and
+  // its points stay within `near` (m) of their straight ways. `cloth`: where the cloth is; a plane has no
+  // points farther out, and a free body that flies towards it may come to roll on it.
+  double follows(std::size_t i, double from, double to, double near, const BoundingBox& cloth) const;
+  double turned_most() const;  // rad, of any body in the step
+
   // Sets the times of the step's beginning and end, s. Error: a history is not finite.
-  void aim(double from, double to);
+  void set_time(double from, double to);
   std::span<const Vec3> committed() const { return committed_; }  // m, vertices of all bodies
   std::span<const Vec3> target() const { return target_; }        // at the end of the step
 
@@ -52,6 +64,7 @@ class Bodies {
   // body: those that act, less those with which its flight was computed.
   std::size_t unknowns() const { return implicit_ ? 6 * free_.size() : 0; }
   Eigen::VectorXd residual() const;
+  double largest_force() const;              // N, torques over the body's size
   double largest_residual() const;           // N, torques over the body's size
   void direct(std::span<const double> way);  // the change that move() takes shares of
   void begin_iterate();
@@ -71,16 +84,21 @@ class Bodies {
   // ones.
   double step_work() const;
   Vec3 force(std::size_t i) const;  // N, of the cloth on body i
-  struct State {
+  struct BodyKinematics {
     Vec3 place, velocity, spin;  // of its centre, m, m/s; rad/s
   };
-  State state(std::size_t i) const;
+  BodyKinematics state(std::size_t i) const;
   // The motion of the body since time 0.
   contact::Pose pose(std::size_t i) const;
   // The present positions of points given for the declared body; for a moving surface, of all its vertices.
   std::vector<Vec3> moved(std::size_t i, const std::vector<Vec3>& points) const;
   // 1/kg, an upper bound of the inverse effective mass of a vertex.
   double inverse_mass(std::size_t i) const;
+  // 1/kg, the same of what pressing meets; a ball has all of its mass there.
+  double inverse_mass_pressed(std::size_t i) const;
+  // m: of its surface from its centre, a rod's or disc's radius; 0 for a plane.
+  double size(std::size_t i) const;
+  double fastest_free() const;  // m/s, of the centres of free bodies
   // Of each free body that a plane of symmetry cuts, what that means for it.
   const std::vector<std::string>& halves() const { return halves_; }
 
@@ -90,6 +108,7 @@ class Bodies {
     contact::Wrench wrench, trial;  // on it, without gravity; N, N m about its centre
     double bound = 0;               // 1/kg
     double size = 0;                // m, of what is farthest from its centre
+    double arm = 0;                 // m, the same of its points, without their radius
     // The diagonals of what planes of symmetry leave of forces and torques, if any cuts the body.
     bool cut = false;
     Vec3 moves = Vec3::Ones(), turns = Vec3::Ones();
@@ -113,6 +132,15 @@ class Bodies {
   bool is_cut(const model::SymmetryPlane& plane, const Body& body, const contact::Mass& mass,
               const contact::Scene& scene) const;
   contact::Pose driven(const Body& body, double time) const;
+  Vec3 displaced(const Body& body, double time) const;
+  // Of a body's path from one time to another: how much more it turns and bends than contact follows, 1: just
+  // as much. A step that is n times as short has a share n or n^2 times as small.
+  struct BodyPath {
+    double turn = 0, bend = 0;
+    double parts() const { return std::max(turn, std::sqrt(bend)); }
+  };
+  BodyPath path(const Body& body, double from, double to, double near, const BoundingBox& cloth) const;
+  double lever(const Body& body, const BoundingBox& cloth) const;
   void place(const Body& body, double time, std::span<Vec3> x) const;
   Vec3 gravity(double time) const;
   contact::Wrench first_half(const Free& body) const;  // what kicks it before it flies, gravity included

@@ -186,7 +186,7 @@ void Cloth::make_force_slots() {
   for (std::size_t n = 0; n < X_.size(); ++n) first_slot_[n + 1] += first_slot_[n];
   force_slots_.resize(first_slot_.back());
   auto next = first_slot_;
-  for (const Place place : place_) {
+  for (const BatchLane place : place_) {
     const Batch& batch = batches_[place.batch];
     for (int a = 0; a < batch.kind->corners; ++a) {
       const auto on_x = static_cast<std::uint32_t>(batch.force + 3 * a * lanes + place.lane);
@@ -232,7 +232,7 @@ void Cloth::order_sums() {
 // Prefetches the numbers that the forces of a batch read. They are far from those of the batch before, so
 // that the processor does not prefetch them by itself.
 void Cloth::fetch(const Batch& batch, const double* trial) const {
-  const Kind& kind = *batch.kind;
+  const BatchKind& kind = *batch.kind;
   const long states = static_cast<long>(kind.in_plane) * batch.section->state_size * lanes;
   const double* law = states_.committed().data() + batch.law;
   for (long i = 0; i < states; i += lanes) __builtin_prefetch(law + i);
@@ -321,7 +321,8 @@ Index Cloth::evaluate(Index b, const law::Step& step, double* trial, const Tange
   if (in_place) states_.end_group(log);
   const double* const reached = in_place ? now : trial;
   if (!tangent.law_only) look_for_astray(b, x, d);
-  if (!share_.empty() && !tangent.law_only && !tangent.known) share_[b] = share_of(batch, reached);
+  if (!strain_ratio_.empty() && !tangent.law_only && !tangent.known)
+    strain_ratio_[b] = strain_ratio_of(batch, reached);
   if (sums_expected_ && tangent.K == nullptr)
     batch_energies(batch, x, d, reached, sums_.data() + b * law::energy_values * lanes);
   return failed == 0 ? -1 : batch.element[__builtin_ctz(failed)];
@@ -381,7 +382,7 @@ Outcome Cloth::outcome(Index failed) {
   if (failed < 0) return {};
   if (states_.in_place()) states_.rollback();
   const auto committed = states_.committed();
-  const Place place = place_[failed];
+  const BatchLane place = place_[failed];
   const Batch& batch = batches_[place.batch];
   const int numbers = batch.kind->in_plane * batch.section->state_size;
   const double* state = committed.data() + batch.law + place.lane;
@@ -448,21 +449,21 @@ bool Cloth::symmetric() const {
                      [](const section::Section& s) { return s.symmetric; });
 }
 
-bool Cloth::hangs_on_time() const {
+bool Cloth::is_rate_dependent() const {
   for (const auto& section : model_.sections())
     for (const auto& point : section.points)
-      if (law::hangs_on_time(*point.law)) return true;
+      if (law::is_rate_dependent(*point.law)) return true;
   return false;
 }
 
 // --- reading
 
 void Cloth::visit(Index element, const PointVisitor& f) const {
-  const Place place = place_[element];
+  const BatchLane place = place_[element];
   const Batch& batch = batches_[place.batch];
   const auto& section = *batch.section;
   const int points = static_cast<int>(section.points.size());
-  const Kind& kind = *batch.kind;
+  const BatchKind& kind = *batch.kind;
   alignas(64) double x[12 * lanes], d[12 * lanes];
   std::vector<double> E(static_cast<std::size_t>(kind.in_plane) * points * 5 * lanes),
       state(section.state_size + 1);
@@ -491,11 +492,11 @@ Vec3 Cloth::centre(Index element) const {
 }
 
 BendingEnergy Cloth::bending_energy(Index element) const {
-  const Place place = place_[element];
+  const BatchLane place = place_[element];
   const Batch& batch = batches_[place.batch];
   const auto& section = *batch.section;
   if (!section.bends_apart) return {};
-  const Kind& kind = *batch.kind;
+  const BatchKind& kind = *batch.kind;
   alignas(64) double x[12 * lanes], d[12 * lanes], kappa[element::gauss_points * 3 * lanes];
   gather(batch, x, d, nullptr);
   const double* geometry = batch.geometry;
@@ -523,7 +524,7 @@ void Cloth::batch_energies(const Batch& batch, const double* x, const double* d,
                            double* sum) const {
   const auto& section = *batch.section;
   const int points = static_cast<int>(section.points.size());
-  const Kind& kind = *batch.kind;
+  const BatchKind& kind = *batch.kind;
   constexpr int most_points = 9 * element::gauss_points;
   alignas(64) double E[5 * most_points * lanes], one[law::energy_values * lanes];
   std::vector<double, LineAllocator<double>> many;
@@ -574,7 +575,7 @@ void Cloth::add_energies(const Trial&, std::vector<Energy>& out) const {
   for (std::size_t e = 0; e < bending.size(); ++e) bending[e] = bending_energy(static_cast<Index>(e));
   double sum[law::energy_values] = {}, bent = 0;
   for (Index e = 0; e < elements(); ++e) {
-    const Place place = place_[e];
+    const BatchLane place = place_[e];
     for (int i = 0; i < law::energy_values; ++i)
       sum[i] += of_batch[place.batch * each + i * lanes + place.lane];
     if (!bends) continue;
@@ -616,7 +617,9 @@ std::span<const unsigned char> Cloth::astray() {
   return astray_;
 }
 
+// The directors of a membrane do not follow it.
 Index Cloth::inverted_element(std::span<const Index> but_for) const {
+  if (model_.membrane()) return -1;
   Index first = -1;
   const auto counts = [&](const std::array<Index, 4>& nodes) {
     return std::none_of(nodes.begin(), nodes.end(),

@@ -22,10 +22,10 @@ namespace fabricsh::mechanics {
 
 // The point with the largest strain relative to the range in which its card was tested.
 struct Strained {
-  double share = 0;   // strain over tested strain: 1.2 is 20 % beyond
-  double strain = 0;  // E11, E22 or |E12| (tensor)
-  double tested = 0;  // the strain up to which the card was tested
-  int yarn = 0;       // 0 warp, 1 weft, 2 shear
+  double strain_ratio = 0;  // strain over tested strain: 1.2 is 20 % beyond
+  double strain = 0;        // E11, E22 or |E12| (tensor)
+  double tested = 0;        // the strain up to which the card was tested
+  int yarn = 0;             // 0 warp, 1 weft, 2 shear
   Index element = -1;
 };
 
@@ -45,7 +45,7 @@ class Cloth final : public Term {
   // Updates the law's states in place (see LawStates): for runs that compute the forces once in a step.
   void update_in_place();
   bool symmetric() const override;
-  bool hangs_on_time() const;  // whether the law of any card depends on time
+  bool is_rate_dependent() const;  // whether the law of any card depends on time
   void add_energies(const Trial&, std::vector<Energy>& out) const override;
   double stable_step(bool scaled) const override;
   void expect_energies(bool expected) override { sums_expected_ = expected; }
@@ -82,15 +82,15 @@ class Cloth final : public Term {
 
   // --- strain beyond the tested range of the cards (cloth_strained.cpp), at the last forces or tangent. For
   // yarns it is the largest strain so far. 0: no card states its tested range.
-  double largest_share() const;
+  double largest_strain_ratio() const;
   Strained most_strained() const;
-  double share(Index element) const;  // of one element; 0: its card does not state a tested range
+  double strain_ratio(Index element) const;  // of one element; 0: its card does not state a tested range
 
   // --- reading
   Index elements() const { return static_cast<Index>(place_.size()); }
   const std::vector<std::array<Index, 4>>& mesh_elements() const { return model_.mesh().elements; }
   std::span<const Batch> batches() const { return batches_; }
-  std::span<const Place> places() const { return place_; }
+  std::span<const BatchLane> places() const { return place_; }
   // Material strains and law states of one element: f(point weight in m^3, law, E[5], state*). In-plane point
   // by in-plane point, and for each through the thickness in the order of the section's points.
   using PointVisitor =
@@ -122,11 +122,11 @@ class Cloth final : public Term {
   double membrane_step() const;
   double inertia_per_mass(const section::Section& section, bool scaled) const;
   // The rotary inertia of the nodes and the bounds of the elements' frequencies, computed when first used.
-  struct Bounds {
+  struct FrequencyBounds {
     bool made = false;
     std::vector<double> rates, rotary;
   };
-  const Bounds& bounds(bool scaled) const;
+  const FrequencyBounds& bounds(bool scaled) const;
   struct ElementBound {
     double rate, inertia_per_mass;  // 1/s^2, m^2
   };
@@ -167,18 +167,18 @@ class Cloth final : public Term {
   };
   void find_tested();
   const std::vector<TestedPoint>& tested(const Batch& batch) const;
-  double share_of(const Batch& batch, const double* states) const;  // states: of this batch
+  double strain_ratio_of(const Batch& batch, const double* states) const;  // states: of this batch
   void look_for_astray(Index batch, const double* x, const double* d);
   Strained most_strained_of(const Batch& batch, int first_lane, int last_lane) const;
 
   const model::Model& model_;
   const Configuration& configuration_;
   const std::vector<Vec3>& X_;
-  std::vector<Kind> kinds_;  // per region: quadrilaterals, triangles
+  std::vector<BatchKind> kinds_;  // per region: quadrilaterals, triangles
   std::vector<Batch> batches_;
   std::vector<Index> colour_start_;  // the batches of colour c are [colour_start_[c], colour_start_[c + 1])
   std::vector<Index> order_;         // in which the forces of the batches are computed
-  std::vector<Place> place_;         // per element
+  std::vector<BatchLane> place_;     // per element
   GeometryStore geometry_;
   LawStates states_;
   std::size_t most_states_ = 0;  // numbers of a batch
@@ -200,11 +200,11 @@ class Cloth final : public Term {
   std::vector<std::uint32_t> finished_, first_finished_, begun_;
   std::vector<double> mass_, mass_moment_;
   const std::vector<Vec3>& directors_;  // reference
-  mutable Bounds bounds_[2];            // with true and with scaled rotary inertia
+  mutable FrequencyBounds bounds_[2];   // with true and with scaled rotary inertia
   double step_of_membrane_ = 0;         // s
   std::vector<Index> node_element_;
   std::vector<std::vector<TestedPoint>> tested_;  // per region
-  law::ShareFunction share_at_ = nullptr;
+  law::StrainRatioFunction strain_ratio_at_ = nullptr;
   // Energies of the batches, as from batch_energies(), summed together with the forces if they are expected.
   // They belong to the configuration with this version.
   bool sums_expected_ = false;
@@ -214,7 +214,7 @@ class Cloth final : public Term {
   std::vector<double> most_bent_;  // per batch; empty: directors are not watched
   std::vector<unsigned char> astray_;
   std::uint64_t astray_version_ = 0;  // the configuration of astray_
-  std::vector<double> share_;         // per batch the largest share; empty: no card states a tested range
+  std::vector<double> strain_ratio_;  // per batch the largest; empty: no card states a tested range
 };
 
 }  // namespace fabricsh::mechanics

@@ -13,7 +13,7 @@ namespace fabricsh::mechanics {
 
 namespace {
 
-// The share of the stable step that the bound of every element should permit. Runs take 0.7 of the stable
+// The fraction of the stable step that the bound of every element should permit. Runs take 0.7 of the stable
 // step, and at most 0.9 of the bound.
 constexpr double kKept = 0.78;
 
@@ -111,8 +111,8 @@ std::array<Cloth::ElementBound, lanes> Cloth::bounds_of(const Batch& batch, bool
 }
 
 // Batches that share their geometry share their bounds.
-const Cloth::Bounds& Cloth::bounds(bool scaled) const {
-  Bounds& of = bounds_[scaled];
+const Cloth::FrequencyBounds& Cloth::bounds(bool scaled) const {
+  FrequencyBounds& of = bounds_[scaled];
   if (of.made) return of;
   std::map<std::pair<const double*, int>, std::size_t> known;
   std::vector<std::size_t> same(batches_.size()), first;

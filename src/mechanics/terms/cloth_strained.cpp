@@ -24,38 +24,39 @@ void Cloth::find_tested() {
     any = any || !tested_.back().empty();
   }
   if (!any) return;
-  share_at_ = law::share_function(best_isa());
-  share_.assign(batches_.size(), 0);
+  strain_ratio_at_ = law::strain_ratio_function(best_isa());
+  strain_ratio_.assign(batches_.size(), 0);
 }
 
 const std::vector<Cloth::TestedPoint>& Cloth::tested(const Batch& batch) const {
   return tested_[static_cast<std::size_t>(batch.section - model_.sections().data())];
 }
 
-double Cloth::share_of(const Batch& batch, const double* states) const {
+double Cloth::strain_ratio_of(const Batch& batch, const double* states) const {
   const long stride = static_cast<long>(batch.section->state_size) * lanes;
   double most = 0;
   for (const TestedPoint& point : tested(batch))
-    most = std::max(
-        most, share_at_(*point.law, point.inverse.data(), states + static_cast<long>(point.state) * lanes,
-                        stride, batch.kind->in_plane));
+    most = std::max(most, strain_ratio_at_(*point.law, point.inverse.data(),
+                                           states + static_cast<long>(point.state) * lanes, stride,
+                                           batch.kind->in_plane));
   return most;  // empty lanes repeat an element
 }
 
-double Cloth::largest_share() const {
-  return share_.empty() ? 0 : *std::max_element(share_.begin(), share_.end());
+double Cloth::largest_strain_ratio() const {
+  return strain_ratio_.empty() ? 0 : *std::max_element(strain_ratio_.begin(), strain_ratio_.end());
 }
 
 Strained Cloth::most_strained() const {
-  if (share_.empty()) return {};
-  const Batch& batch = batches_[std::max_element(share_.begin(), share_.end()) - share_.begin()];
+  if (strain_ratio_.empty()) return {};
+  const Batch& batch =
+      batches_[std::max_element(strain_ratio_.begin(), strain_ratio_.end()) - strain_ratio_.begin()];
   return most_strained_of(batch, 0, batch.used);
 }
 
-double Cloth::share(Index element) const {
-  if (share_.empty()) return 0;
-  const Place place = place_[element];
-  return most_strained_of(batches_[place.batch], place.lane, place.lane + 1).share;
+double Cloth::strain_ratio(Index element) const {
+  if (strain_ratio_.empty()) return 0;
+  const BatchLane place = place_[element];
+  return most_strained_of(batches_[place.batch], place.lane, place.lane + 1).strain_ratio;
 }
 
 // The most strained point of the elements in lanes first_lane to last_lane - 1.
@@ -68,8 +69,8 @@ Strained Cloth::most_strained_of(const Batch& batch, int first_lane, int last_la
         const long offset = static_cast<long>(g * batch.section->state_size + point.state) * lanes + lane;
         const auto peak = law::peak_strains(*point.law, law + offset, lanes);
         for (std::size_t i = 0; i < 3; ++i)
-          if (const double share = peak[i] * point.inverse[i]; share > most.share)
-            most = {share, peak[i], point.tested[i], static_cast<int>(i), batch.element[lane]};
+          if (const double strain_ratio = peak[i] * point.inverse[i]; strain_ratio > most.strain_ratio)
+            most = {strain_ratio, peak[i], point.tested[i], static_cast<int>(i), batch.element[lane]};
       }
   return most;
 }

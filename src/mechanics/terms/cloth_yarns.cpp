@@ -33,9 +33,9 @@ Bases bases(const std::array<Vec3, 4>& p, int corners) {
 }  // namespace
 
 std::pair<Vec3, Vec3> Cloth::yarns(Index element, int ply) const {
-  const Place place = place_[element];
+  const BatchLane place = place_[element];
   const Batch& batch = batches_[place.batch];
-  const Kind& kind = *batch.kind;
+  const BatchKind& kind = *batch.kind;
   const auto& section = *batch.section;
   const int k = middle_point(section, ply), points = static_cast<int>(section.points.size());
   const auto& point = section.points[k];

@@ -13,15 +13,15 @@ namespace fabricsh::mechanics {
 
 namespace {
 
-constexpr double kLeast = 0.75;       // largest floor, as a share of the thickness
-constexpr double kDense = 1e6;        // Pa, pressure that presses woven cloth down to its fibres
-constexpr double kNearest = 1e-3;     // smallest gap at the start that is opened, as a share of the whole
-constexpr double kOfCloth = 0.6;      // largest step with contact, as a share of the cloth's stable step
-constexpr double kCarried = 0.2;      // stiffness * step^2 / areal mass
-constexpr double kInGuard = 1;        // the same while the guard acts
-constexpr double kFar = 5;            // mean edges, the farthest that one of Newton's steps goes
-constexpr std::size_t kShare = 4096;  // number of nodes from which loops use several threads
-constexpr std::size_t kTold = 5;      // number of overlaps named in a message
+constexpr double kLeast = 0.75;        // largest floor, as a share of the thickness
+constexpr double kDense = 1e6;         // Pa, pressure that presses woven cloth down to its fibres
+constexpr double kNearest = 1e-3;      // smallest gap at the start that is opened, as a share of the whole
+constexpr double kOfBodies = 0.05;     // stiffness * step^2 / reduced mass of two bodies: 14 steps in contact
+constexpr double kPressed = 0.1;       // of the smaller radius: how deep bodies press each other at most
+constexpr double kPressedLeast = 0.1;  // of that: the smallest distance left, below which is the floor
+constexpr double kFar = 5;             // mean edges, the farthest that one of Newton's steps goes
+constexpr std::size_t kShare = 4096;   // number of nodes from which loops use several threads
+constexpr std::size_t kTold = 5;       // number of overlaps named in a message
 
 // Of surfaces whose corners are the leaders of joints.
 contact::Scene scene_of(const model::Model& model, const model::Surfaces& surfaces, const Joints& joints) {
@@ -41,8 +41,8 @@ contact::Scene scene_of(const model::Model& model, const model::Surfaces& surfac
 
 // Whether two sections resist being pressed alike.
 bool alike(const section::Section& a, const section::Section& b) {
-  return a.thickness == b.thickness && a.areal_mass == b.areal_mass && a.fibre == b.fibre &&
-         a.compression == b.compression;
+  return a.thickness == b.thickness && a.areal_mass == b.areal_mass &&
+         a.solid_thickness == b.solid_thickness && a.compression == b.compression;
 }
 
 // For each element the first element of its sheet, that is, of those connected to it by common nodes.
@@ -111,7 +111,7 @@ model::Surfaces split_by_kind(const model::Model& model, const model::Surfaces& 
     return side < cloth ? parts[side]
                         : std::vector<int>{static_cast<int>(out.elements.size()) + side - cloth};
   };
-  for (const model::Meeting& m : given.meetings)
+  for (const model::SurfacePair& m : given.meetings)
     for (const int a : parts_of(m.first))
       for (const int b : parts_of(m.second))
         if (m.first != m.second || a <= b)
@@ -163,13 +163,14 @@ Contacts::Contacts(const model::Model& model, const Configuration& configuration
     : model_(model),
       configuration_(configuration),
       cloth_(cloth),
+      dofs_(dofs),
       joints_(dofs.joints()),
       freedoms_(dofs.freedoms()),
       surfaces_(std::move(surfaces)),
       scene_(scene_of(model, surfaces_, joints_)),
       bodies_(model, scene_),
       least_areal_(std::numeric_limits<double>::infinity()),
-      step_(kOfCloth * cloth.stable_step(true)),
+      step_(contact_step_of_cloth * cloth.stable_step(true)),
       nodes_(model.mesh().nodes.size()) {
   for (const auto& elements : surfaces_.elements) {
     sheets_.push_back(sheet(elements));
@@ -177,14 +178,15 @@ Contacts::Contacts(const model::Model& model, const Configuration& configuration
     least_areal_ = std::min(least_areal_, sheets_.back().areal);
   }
   edge_ = mean_edge(scene_);
-  for (const model::Meeting& m : surfaces_.meetings) {
+  for (const model::SurfacePair& m : surfaces_.meetings) {
     const auto& given = model.interactions().contacts()[m.contact];
     meetings_.push_back(meeting_of(m));
     const double loss = 2 * damping_of(given.restitution) * std::sqrt(moving_mass(m));
-    scene_.meet(m.first, m.second, contact::Law(meetings_.back().data), given.friction, loss);
-    friction_ = friction_ || given.friction > 0;
+    scene_.meet(m.first, m.second, contact::Law(meetings_.back().data), given.friction, loss, given.sticking);
+    friction_ = friction_ || given.friction > 0 || given.sticking.value_or(0) > 0;
     rubs_ = rubs_ || friction_ || loss > 0;
   }
+  sew_scene();
   moves_ = bodies_.any_free() || bodies_.any_driven();
   open_overlaps();
   contact_ = std::make_unique<contact::Contact>(scene_);
@@ -205,19 +207,37 @@ Contacts::Sheet Contacts::sheet(const std::vector<Index>& elements) const {
     const auto& section = model_.sections()[model_.region_of(e)];
     out.thickness = std::max(out.thickness, section.thickness);
     out.areal = std::min(out.areal, section.areal_mass);
-    out.floor = std::max(out.floor, section.fibre);
+    out.floor = std::max(out.floor, section.solid_thickness);
     if (e == elements.front()) out.compression = section.compression;
     if (out.compression != section.compression) out.compression.clear();  // cloths of several kinds
   }
   return out;
 }
 
-// kg/m2, of a sheet on a body, or the reduced mass of two sheets that meet.
-double Contacts::moving_mass(const model::Meeting& m) const {
+// kg/m2, of a sheet on a body, or the reduced mass of two sheets that meet; kg, that of two bodies.
+double Contacts::moving_mass(const model::SurfacePair& m) const {
   double inverse = 0;
   for (const int side : {m.first, m.second})
-    if (side < static_cast<int>(sheets_.size())) inverse += 1 / sheets_[side].areal;
+    if (side < static_cast<int>(sheets_.size()))
+      inverse += 1 / sheets_[side].areal;
+    else if (m.first >= static_cast<int>(sheets_.size()))
+      inverse += bodies_.inverse_mass_pressed(side - sheets_.size());
   return 1 / inverse;
+}
+
+// Two bodies press by a share of the smaller of their sizes at most, with the stiffness that the explicit
+// step of the cloth carries.
+Contacts::Meeting Contacts::meeting_of_bodies(const model::SurfacePair& m) const {
+  Meeting out;
+  out.names = name_of(m.second) + " on " + name_of(m.first);
+  out.bodies = true;
+  double size = std::numeric_limits<double>::infinity();
+  for (const int side : {m.first, m.second})
+    if (const double s = bodies_.size(side - sheets_.size()); s > 0) size = std::min(size, s);
+  out.data.gap = kPressed * size;
+  out.data.floor = kPressedLeast * out.data.gap;
+  out.data.stiffness = out.carried = kOfBodies * moving_mass(m) / (step_ * step_);
+  return out;
 }
 
 std::string Contacts::name_of(int side) const {
@@ -229,7 +249,8 @@ std::string Contacts::name_of(int side) const {
 }
 
 // A sheet occupies half of its thickness on either side of its midsurface.
-Contacts::Meeting Contacts::meeting_of(const model::Meeting& m) const {
+Contacts::Meeting Contacts::meeting_of(const model::SurfacePair& m) const {
+  if (m.first >= static_cast<int>(sheets_.size())) return meeting_of_bodies(m);
   const auto& given = model_.interactions().contacts()[m.contact];
   Meeting out;
   out.names =
@@ -238,7 +259,7 @@ Contacts::Meeting Contacts::meeting_of(const model::Meeting& m) const {
   out.settle = given.settle;
   contact::LawData& data = out.data;
   double areal = std::numeric_limits<double>::infinity();
-  std::vector<law::Pressed> halves;
+  std::vector<law::CompressionCurve> halves;
   for (const int side : {m.first, m.second}) {
     if (side >= static_cast<int>(sheets_.size())) continue;
     const Sheet& sheet = sheets_[side];
@@ -248,7 +269,7 @@ Contacts::Meeting Contacts::meeting_of(const model::Meeting& m) const {
     areal = std::min(areal, sheet.areal);
     halves.push_back({sheet.compression, thickness, 0.5});
   }
-  out.carried = kCarried * areal / (step_ * step_);
+  out.carried = carried_stiffness * areal / (step_ * step_);
   if (!given.stiffness && !given.thickness) data.curve = law::pressed_together(halves);
   if (!data.curve.empty())
     data.floor = std::min(data.floor, kLeast * data.curve.front().first);
@@ -271,9 +292,16 @@ std::vector<std::string> Contacts::describe() const {
   for (std::size_t i = 0; i < meetings_.size(); ++i) {
     const Meeting& m = meetings_[i];
     const auto& it = scene_.interactions()[i];
+    if (m.bodies) {
+      lines.push_back(m.names + ": from where they touch to a depth of " +
+                      number(it.law.gap() - it.law.floor()) + " m, stiffness " + number(it.law.stiffest()) +
+                      " N/m (default), no friction");
+      continue;
+    }
     lines.push_back(m.names + ": from a gap of " + number(it.law.gap()) + " m, floor " +
                     number(it.law.floor()) + " m, " + stiffness_words(m, it.law) + ", friction " +
-                    number(it.friction));
+                    number(it.friction) +
+                    (it.sticking > it.friction ? ", static " + number(it.sticking) : ""));
     if (m.near > 0)
       lines.back() += "; " + std::to_string(m.near) + (m.near == 1 ? " point is" : " points are") +
                       " nearer than that at the start, the nearest by " + number(it.law.gap() - m.nearest) +
@@ -380,54 +408,29 @@ double Contacts::opening_pace(std::span<const Vec3> x, double time, double dt) {
 // false if there is not enough room for the opening. Afterwards contact is opened as at the end of the step.
 bool Contacts::work_of_opening() {
   opening_work_ = 0;
-  const double from = configuration_.time(), dt = aimed_ - from;
+  const double from = configuration_.time(), dt = trial_time_ - from;
   if (!(from < opened_at_) || !(dt > 0)) return true;
   positions(configuration_.committed_kinematics(), 0, start_);
-  const double first = opening_pace(start_, from, dt), last = opening_pace(x_, aimed_, dt);
+  const double first = opening_pace(start_, from, dt), last = opening_pace(x_, trial_time_, dt);
   opening_work_ = (first + last) / 2;
-  open_to(aimed_);
+  open_to(trial_time_);
   return std::isfinite(opening_work_);
 }
 
-void Contacts::aim(double time) {
-  aimed_ = time;
+void Contacts::set_time(double time) {
+  trial_time_ = time;
   met_.reset();
-  bodies_.aim(configuration_.time(), time);
+  bodies_.set_time(configuration_.time(), time);
   open_to(time);
-}
-
-double Contacts::share_of_cloth() const { return kOfCloth; }
-
-double Contacts::largest_step(bool scaled) const {
-  double stiffest = 0;
-  for (const auto& it : scene_.interactions()) stiffest = std::max(stiffest, it.law.stiffest());
-  return std::min(kOfCloth * cloth_.stable_step(scaled), std::sqrt(kCarried * least_areal_ / stiffest));
-}
-
-double Contacts::speed_stopped() const {
-  double least = std::numeric_limits<double>::infinity();
-  for (const auto& it : scene_.interactions()) {
-    // Two sheets that meet share the speed: half of the mass has all of it.
-    const bool sheets = it.second < static_cast<std::int32_t>(sheets_.size());
-    const double range = it.law.gap() - it.law.guard_gap(), mass = sheets ? least_areal_ / 2 : least_areal_;
-    least = std::min(least, range * std::sqrt(it.law.stiffest() / mass));
-  }
-  return least;
 }
 
 bool Contacts::may_have_passed() {
   if (blocked_) return true;
-  if (contact::cannot_meet(moved_, trial_.gap) && contact_->points_tell(start_, x_)) return false;
+  if (contact::cannot_meet(moved_, trial_.gap) && contact_->vertex_motion_bounds_surface_motion(start_, x_))
+    return false;
   by_.resize(x_.size());
   for (std::size_t i = 0; i < x_.size(); ++i) by_[i] = x_[i] - start_[i];
   return contact_->may_have_passed(start_, by_, trial_.gap);
-}
-
-double Contacts::carried_step() const {
-  double stiffest = 0;
-  for (const auto& it : scene_.interactions())
-    stiffest = std::max(stiffest, it.law(it.law.floor() + trial_.gap).stiffness);
-  return std::sqrt(kInGuard * least_areal_ / stiffest);
 }
 
 int Contacts::surface_of(std::int32_t point) const {
@@ -440,18 +443,22 @@ int Contacts::surface_of(std::int32_t point) const {
 }
 
 std::string Contacts::words(const std::array<std::int32_t, 4>& points) const {
-  std::string nodes, body;
-  int count = 0;
+  std::string nodes, named;
+  int count = 0, last = -1;
   for (const std::int32_t p : points) {
     if (p < 0) continue;
-    if (static_cast<std::size_t>(p) >= nodes_) {
-      body = model_.interactions().name_of(bodies_.body(surface_of(p)));
+    if (static_cast<std::size_t>(p) < nodes_) {
+      nodes += (count++ > 0 ? ", " : "") + std::to_string(p + 1);
       continue;
     }
-    nodes += (count++ > 0 ? ", " : "") + std::to_string(p + 1);
+    const int body = surface_of(p);
+    if (body != last)
+      named += (named.empty() ? "the " : " and the ") + model_.interactions().name_of(bodies_.body(body));
+    last = body;
   }
-  std::string words = count > 1 ? "nodes " + nodes : "node " + nodes;
-  return body.empty() ? words : words + " and the " + body;
+  if (count == 0) return named;
+  const std::string words = count > 1 ? "nodes " + nodes : "node " + nodes;
+  return named.empty() ? words : words + " and " + named;
 }
 
 void Contacts::refuse_overlaps() {
@@ -598,7 +605,7 @@ void Contacts::prepare_tangent(const Trial& trial) {
           known = known && std::binary_search(pairs_.begin(), pairs_.end(), pair);
         });
       },
-      way(aimed_ - configuration_.time()));
+      way(trial_time_ - configuration_.time()));
   if (known) return;
   const double skin = edge_ / 3;
   for (const auto& candidate : contact::find_pairs(scene_, x_, skin))
@@ -653,13 +660,15 @@ double Contacts::near_share(const Trial& trial) {
 
 double Contacts::safe_share(const Trial& trial) {
   positions(trial.configuration.x(), share_, by_);
-  const bool points_tell = contact_->points_tell(marked_, by_);
+  const bool vertex_motion_bounds_surface_motion =
+      contact_->vertex_motion_bounds_surface_motion(marked_, by_);
   double most = 0;
   for (std::size_t i = 0; i < by_.size(); ++i) {
     by_[i] -= marked_[i];
     most = std::max(most, by_[i].squaredNorm());
   }
-  if (evaluated_ && contact::cannot_meet(std::sqrt(most), trial_.gap) && points_tell) return 1;
+  if (evaluated_ && contact::cannot_meet(std::sqrt(most), trial_.gap) && vertex_motion_bounds_surface_motion)
+    return 1;
   return contact_->safe_share(marked_, by_);
 }
 
@@ -690,9 +699,10 @@ void Contacts::keep(Archive& archive) {
   archive(committed_.contact, committed_.guard, committed_.stick, committed_.gap, lost_, impact_, pairs_);
   contact_->keep(archive);
   std::vector<double> apart = scene_.apart();
-  if (joints_.any()) archive(apart);
+  const bool parts = joints_.any() || !dofs_.stitches().empty();
+  if (parts) archive(apart);
   if (!archive.reading()) return;
-  if (joints_.any()) set_apart(std::move(apart));
+  if (parts) set_apart(std::move(apart));
   committed_pairs_ = pairs_;
   reading_.version = 0;
 }

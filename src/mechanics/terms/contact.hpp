@@ -19,6 +19,10 @@
 
 namespace fabricsh::mechanics {
 
+// The largest explicit step with contact as a share of the cloth's stable step, and the stiffness that it
+// carries times its square over the areal mass.
+inline constexpr double contact_step_of_cloth = 0.6, carried_stiffness = 0.2;
+
 class Contacts final : public Term {
  public:
   // Errors: sides that share nodes (see model::work_out_surfaces); an overlap at the start, with its pairs.
@@ -33,7 +37,7 @@ class Contacts final : public Term {
   void add_energies(const Trial&, std::vector<Energy>& out) const override;
   // Of what drives bodies, of gravity on free ones, and of what opens overlaps.
   double step_work() const override { return bodies_.step_work() + (evaluated_ ? opening_work_ : 0); }
-  void aim(double time) override;
+  void set_time(double time) override;
   void commit() override;
   void rollback() override;
   void renumbered(Forces& forces) override;
@@ -48,7 +52,7 @@ class Contacts final : public Term {
     share_ = at_ + scale * (1 - at_);
     bodies_.move(scale);
   }
-  bool arrived() const override { return share_ >= 1 || !moves_; }
+  bool at_target() const override { return share_ >= 1 || !moves_; }
   // The share of the way from the marked positions to the trial ones without any surface passing another.
   void mark(const Trial& trial);
   double safe_share(const Trial& trial);
@@ -56,11 +60,18 @@ class Contacts final : public Term {
   // motion.
   double near_share(const Trial& trial);
 
+  // s: the latest end, up to `to`, of a step from the committed state for which the straight ways of the
+  // bodies stand for their paths: they leave them by no more than the smallest distance that contact allows,
+  // so that what a body passes over on its path it would also come that near to on its straight way.
+  double follows(double to) const;
+  bool turns_too_far() const;  // a body in the trial step
+
   // --- implicit steps take the forces of contact at their end, while the cloth keeps its own rule
   // [kane1999]: then contact cannot make energy, and what it takes is the energy "impact". The scheme's
   // balance has these forces `weight` times, and so has the tangent.
   void go_implicit(double weight);
   double weight() const { return weight_; }
+  void set_weight(double weight) { weight_ = weight; }                            // from the next step on
   std::span<const Vec3> push() const { return std::span(force_).first(nodes_); }  // N, on the nodes
   // J, of these forces on the nodes that move freely, in the step.
   double work_on_cloth() const;
@@ -76,6 +87,7 @@ class Contacts final : public Term {
   Eigen::MatrixXd body_response() const;
   Eigen::VectorXd body_residual() const;
   void direct_bodies(std::span<const double> way) { bodies_.direct(way); }
+  double largest_body_force() const;  // N, on a free body, where bodies meet each other; else 0
   double largest_body_residual() const { return bodies_.largest_residual(); }
 
   // --- explicit steps
@@ -88,10 +100,16 @@ class Contacts final : public Term {
   // s: the largest step: 0.6 of the cloth's own stable step, limited by the stiffest contact.
   double largest_step(bool scaled) const;
   // s: the largest step for the stiffness at the smallest gap, including that of the guard.
-  double carried_step() const;
+  double largest_contact_step() const;
   // m/s: the least speed, over all contacts, that uses up the range of contact above the guard when cloth of
-  // the least areal mass meets it flat. What comes faster is pressed into the guard.
-  double speed_stopped() const;
+  // the least areal mass meets it. What comes faster is pressed into the guard. `flat`: where all of it is
+  // pressed at once; `anywhere`: where an element meets no more than one corner or edge of a body.
+  struct Stopped {
+    double flat, anywhere;
+    bool given;  // the stiffness of that contact, which is then not that of smaller elements
+  };
+  Stopped speed_stopped() const;
+  double fastest_body() const { return bodies_.fastest_free(); }  // m/s, of the free ones
   bool blocked() const { return blocked_; }  // the state of the last forces is impossible
 
   // --- reading of the present state of the configuration
@@ -122,6 +140,7 @@ class Contacts final : public Term {
     contact::LawData data;
     std::string names;             // "the ball on the cloth"
     double carried = 0;            // Pa/m, by an explicit step
+    bool bodies = false;           // two rigid bodies meet
     bool given = false;            // the stiffness
     bool softened = false;         // to what is carried
     std::optional<double> settle;  // s
@@ -131,14 +150,16 @@ class Contacts final : public Term {
   struct Block {
     std::array<std::int32_t, 4> point;
     contact::Matrix12 k;
-    int body = -1;  // of the free ones
   };
-  // How a pair's forces and torque change with the place and the turn of a free body.
+  // How a pair's forces and torque change with the place and the turn of a free body. Two bodies that meet
+  // have one each of the same pair.
   struct OnBody {
     std::size_t block;
+    int body;                             // of the free ones
+    Eigen::Matrix<double, 12, 6> by;      // its corners, by the body's place and turn
     Eigen::Matrix<double, 12, 6> force;   // on its corners, by the body's place and turn, with the other sign
     Eigen::Matrix<double, 6, 12> answer;  // on the body, by its corners
-    Eigen::Matrix<double, 6, 6> own;      // on the body, by its own place and turn
+    Eigen::Matrix<double, 6, 6> rubbed;   // on the body, by its own place and turn, through friction alone
   };
   struct Reading {
     std::uint64_t version = 0;
@@ -152,12 +173,17 @@ class Contacts final : public Term {
   void find_masses();
   contact::Triangle corners_of(const contact::TriangleRow& row) const;
   std::vector<double> lips() const;
+  void sew_scene();
+  std::vector<double> parted_lips() const;
   void set_apart(std::vector<double> apart);
   void follow_lips();
-  Meeting meeting_of(const model::Meeting& meeting) const;
-  double moving_mass(const model::Meeting& m) const;
+  Meeting meeting_of(const model::SurfacePair& meeting) const;
+  Meeting meeting_of_bodies(const model::SurfacePair& meeting) const;
+  double moving_mass(const model::SurfacePair& m) const;
   std::string name_of(int side) const;
   std::string stiffness_words(const Meeting& m, const contact::Law& law) const;
+  double weakest_share(const contact::Interaction& it) const;
+  double carried_by_bodies(double share, bool guarded) const;
   void soften(bool measured);
   void open_overlaps();
   void open_to(double time) const;
@@ -183,6 +209,7 @@ class Contacts final : public Term {
   const model::Model& model_;
   const Configuration& configuration_;
   const Cloth& cloth_;
+  const Dofs& dofs_;
   const Joints& joints_;
   const Freedoms& freedoms_;
   const model::Surfaces surfaces_;
@@ -191,7 +218,7 @@ class Contacts final : public Term {
   Bodies bodies_;
   mutable std::unique_ptr<contact::Contact> contact_;
   std::vector<Meeting> meetings_;         // by interaction
-  double aimed_ = 0;                      // s
+  double trial_time_ = 0;                 // s
   double opened_at_ = 0;                  // s: when all overlaps are opened
   double opening_work_ = 0;               // J, in the step
   mutable std::vector<double> share_of_;  // see open_to()

@@ -1,4 +1,6 @@
 // Free bodies in implicit steps: how their forces and those on the cloth change with each other.
+#include <algorithm>
+
 #include "geometry/node_view.hpp"
 #include "mechanics/terms/contact.hpp"
 
@@ -14,32 +16,40 @@ Mat3 cross_matrix(const Vec3& a) {
 
 }  // namespace
 
-// Adds the coupling of the last block with a free body, if it has one.
+using Columns = Eigen::Matrix<double, 12, 6>;
+
+// Adds the coupling of the last block with the free bodies that it has: one, or two that meet each other.
 void Contacts::add_on_body(const contact::FrictionTangent* friction) {
-  Block& block = blocks_.back();
-  OnBody out{blocks_.size() - 1, {}, {}, {}};
-  Eigen::Matrix<double, 12, 6> by = Eigen::Matrix<double, 12, 6>::Zero();  // corners by place and turn
+  const Block& block = blocks_.back();
+  const auto begin = on_bodies_.size();
   for (int q = 0; q < 4; ++q) {
-    const std::int32_t p = block.point[q];
-    if (p < static_cast<std::int32_t>(nodes_)) continue;
-    block.body = bodies_.free_of(static_cast<std::size_t>(p) - nodes_);
-    if (block.body < 0) return;
+    const auto v = static_cast<std::size_t>(block.point[q]) - nodes_;
+    if (block.point[q] < static_cast<std::int32_t>(nodes_) || bodies_.free_of(v) < 0) continue;
+    const int body = bodies_.free_of(v);
+    if (on_bodies_.size() == begin || on_bodies_.back().body != body)
+      on_bodies_.push_back({blocks_.size() - 1, body, Columns::Zero(), Columns::Zero(),
+                            Eigen::Matrix<double, 6, 12>::Zero(), Bodies::Matrix6::Zero()});
+    auto& by = on_bodies_.back().by;
     by.block<3, 3>(3 * q, 0).setIdentity();
-    by.block<3, 3>(3 * q, 3) = -cross_matrix(bodies_.lever(static_cast<std::size_t>(p) - nodes_));
+    by.block<3, 3>(3 * q, 3) = -cross_matrix(bodies_.lever(v));
   }
-  if (block.body < 0) return;
-  out.force = block.k * by;
-  out.answer = -by.transpose() * block.k;
-  if (friction != nullptr) {
+  for (std::size_t i = begin; i < on_bodies_.size(); ++i) {
+    OnBody& out = on_bodies_[i];
+    out.force = block.k * out.by;
+    out.answer = -out.by.transpose() * block.k;
+    if (friction == nullptr) continue;
     out.force.rightCols<3>() -= friction->by_turn;
     out.answer.bottomRows<3>() += friction->torque_by_x;
+    out.rubbed.rightCols<3>() += out.by.transpose() * friction->by_turn;
+    out.rubbed.bottomRightCorner<3, 3>() += friction->torque_by_turn;
   }
-  out.own = out.answer * by;
-  if (friction != nullptr) {
-    out.own.rightCols<3>() += by.transpose() * friction->by_turn;
-    out.own.bottomRightCorner<3, 3>() += friction->torque_by_turn;
-  }
-  on_bodies_.push_back(out);
+}
+
+// Two bodies may meet where no cloth has any force.
+double Contacts::largest_body_force() const {
+  const auto& all = scene_.interactions();
+  const bool meet = std::any_of(all.begin(), all.end(), [](const auto& it) { return it.rigid; });
+  return meet ? bodies_.largest_force() : 0;
 }
 
 bool Contacts::body_push(std::size_t j, std::span<double> on_x) const {
@@ -48,12 +58,12 @@ bool Contacts::body_push(std::size_t j, std::span<double> on_x) const {
   std::fill(on_x.begin(), on_x.end(), 0.0);
   bool any = false;
   for (const OnBody& part : on_bodies_) {
-    const Block& block = blocks_[part.block];
-    if (block.body != body) continue;
+    if (part.body != body) continue;
     any = true;
     const contact::Vector12 f = part.force * moved;
     for (int a = 0; a < 4; ++a)
-      if (const std::int32_t p = block.point[a]; p >= 0 && p < static_cast<std::int32_t>(nodes_))
+      if (const std::int32_t p = blocks_[part.block].point[a];
+          p >= 0 && p < static_cast<std::int32_t>(nodes_))
         at(on_x, p) += weight_ * f.segment<3>(3 * a);
   }
   return any;
@@ -62,22 +72,31 @@ bool Contacts::body_push(std::size_t j, std::span<double> on_x) const {
 Eigen::VectorXd Contacts::body_answer(std::span<const double> move) const {
   Eigen::VectorXd out = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(bodies_.unknowns()));
   for (const OnBody& part : on_bodies_) {
-    const Block& block = blocks_[part.block];
     contact::Vector12 x = contact::Vector12::Zero();
     for (int a = 0; a < 4; ++a)
-      if (const std::int32_t p = block.point[a]; p >= 0 && p < static_cast<std::int32_t>(nodes_))
+      if (const std::int32_t p = blocks_[part.block].point[a];
+          p >= 0 && p < static_cast<std::int32_t>(nodes_))
         x.segment<3>(3 * a) = at(move, p);
-    out.segment<6>(6 * block.body) += part.answer * x;
+    out.segment<6>(6 * part.body) += part.answer * x;
   }
   return out;
 }
 
+// Bodies that meet answer each other; the parts of one pair stand beside each other.
 Eigen::MatrixXd Contacts::body_response() const {
   const auto m = static_cast<Eigen::Index>(bodies_.unknowns());
   Eigen::MatrixXd out = Eigen::MatrixXd::Zero(m, m);
-  for (const OnBody& part : on_bodies_) {
-    const auto row = 6 * blocks_[part.block].body;
-    out.block<6, 6>(row, row) += part.own * bodies_.compliance(static_cast<std::size_t>(row) / 6);
+  const auto add = [&](const OnBody& part, const OnBody& other) {
+    const auto compliance = bodies_.compliance(static_cast<std::size_t>(other.body));
+    Bodies::Matrix6 answer = part.answer * other.by;
+    if (part.body == other.body) answer += part.rubbed;
+    out.block<6, 6>(6 * part.body, 6 * other.body) += answer * compliance;
+  };
+  for (std::size_t i = 0; i < on_bodies_.size(); ++i) {
+    add(on_bodies_[i], on_bodies_[i]);
+    if (i + 1 == on_bodies_.size() || on_bodies_[i + 1].block != on_bodies_[i].block) continue;
+    add(on_bodies_[i], on_bodies_[i + 1]);
+    add(on_bodies_[i + 1], on_bodies_[i]);
   }
   return out;
 }
@@ -93,7 +112,7 @@ Eigen::VectorXd Contacts::body_residual() const {
     for (int a = 0; a < 4; ++a)
       if (const std::int32_t p = block.point[a]; p >= static_cast<std::int32_t>(nodes_))
         x.segment<3>(3 * a) = (1 - share_) * (to[p - nodes_] - from[p - nodes_]);
-    out.segment<6>(6 * block.body) += part.answer * x;
+    out.segment<6>(6 * part.body) += part.answer * x;
   }
   return out;
 }

@@ -1,9 +1,11 @@
-// What is given of a contact and cannot be: cloth that starts inside a solid, and motions that pass through
-// each other.
+// What is given of a contact: cloth that starts inside a solid, motions that pass through each other, and
+// bodies that turn farther in a step than contact follows.
 #include <algorithm>
+#include <limits>
 
 #include "base/error.hpp"
 #include "contact/intersect.hpp"
+#include "geometry/node_view.hpp"
 #include "mechanics/terms/contact.hpp"
 
 namespace fabricsh::mechanics {
@@ -19,12 +21,12 @@ void Contacts::refuse_inside() const {
     for (const auto& it : scene_.interactions()) {
       if (it.second != bodies_.surface(number)) continue;
       for (const std::int32_t p : scene_.surfaces()[static_cast<std::size_t>(it.first)].points)
-        if (scene_.sheet(p) == p &&
+        if ((it.rigid || scene_.sheet(p) == p) &&
             contact::encloses(vertices, facets->triangles, x_[static_cast<std::size_t>(p)]))
-          throw Error("contact: node " + std::to_string(p + 1) + " starts inside the " +
-                      model_.interactions().name_of(*given) +
-                      ", which bounds a solid: expected the cloth outside of it (a hollow body has neither "
-                      "closed=true nor a mass)");
+          throw Error("contact: " + words({p, -1, -1, -1}) + " starts inside the " +
+                      model_.interactions().name_of(*given) + ", which bounds a solid: expected " +
+                      (it.rigid ? "it" : "the cloth") +
+                      " outside of it (a hollow body has neither closed=true nor a mass)");
     }
   }
 }
@@ -46,7 +48,7 @@ void Contacts::find_driven() {
 // Newton's iterations take driven nodes and driven bodies to their ends one after the other, along ways on
 // which they may miss each other. So the way of the whole step is looked at, once, when both have arrived.
 bool Contacts::driven_meet() {
-  if (driven_.empty() || !(share_ >= 1 || !moves_) || !(aimed_ > configuration_.time())) return false;
+  if (driven_.empty() || !(share_ >= 1 || !moves_) || !(trial_time_ > configuration_.time())) return false;
   if (met_) return *met_;
   positions(configuration_.committed_kinematics(), 0, start_);
   by_.assign(x_.size(), Vec3::Zero());
@@ -59,5 +61,26 @@ bool Contacts::driven_meet() {
   met_ = contact_->safe_share(start_, by_, driven_) < 1;
   return *met_;
 }
+
+double Contacts::follows(double to) const {
+  const double from = configuration_.time();
+  if (!moves_ || !(to > from)) return to;
+  BoundingBox cloth{at(configuration_.x(), 0), at(configuration_.x(), 0)};
+  for (std::size_t n = 1; n < nodes_; ++n) {
+    const Vec3 x = at(configuration_.x(), static_cast<Index>(n));
+    cloth.low = cloth.low.cwiseMin(x);
+    cloth.high = cloth.high.cwiseMax(x);
+  }
+  for (std::size_t b = 0; b < bodies_.count(); ++b) {
+    double near = std::numeric_limits<double>::infinity();
+    for (const auto& it : scene_.interactions())
+      if (it.first == bodies_.surface(b) || it.second == bodies_.surface(b))
+        near = std::min(near, it.law.floor());
+    to = bodies_.follows(b, from, to, near, cloth);
+  }
+  return to;
+}
+
+bool Contacts::turns_too_far() const { return bodies_.turned_most() > (1 + 1e-6) * Bodies::largest_turn; }
 
 }  // namespace fabricsh::mechanics

@@ -65,12 +65,44 @@ std::vector<double> Contacts::lips() const {
   return apart;
 }
 
+// The points that seams hold together.
+void Contacts::sew_scene() {
+  if (dofs_.stitches().empty()) return;
+  std::vector<std::vector<std::int32_t>> partners(nodes_);
+  for (const auto& stitch : dofs_.stitches())
+    for (const auto& lead : stitch.leads) {
+      partners[stitch.node].push_back(static_cast<std::int32_t>(lead.node));
+      partners[lead.node].push_back(static_cast<std::int32_t>(stitch.node));
+    }
+  for (auto& of_node : partners) std::sort(of_node.begin(), of_node.end());
+  scene_.sew(std::move(partners));
+}
+
+// As lips(), of seams that have parted.
+std::vector<double> Contacts::parted_lips() const {
+  std::vector<double> apart(x_.size(), -1);
+  const auto part = [&](Index n) { apart[n] = std::max(0.0, scene_.apart(static_cast<std::int32_t>(n))); };
+  for (std::size_t i = 0; i < dofs_.stitches().size(); ++i) {
+    if (dofs_.sewn().parted[i] == 0) continue;
+    part(dofs_.stitches()[i].node);
+    for (const auto& lead : dofs_.stitches()[i].leads) part(lead.node);
+  }
+  return apart;
+}
+
 // The force on a joint that has opened goes to its parts as they have its area.
 void Contacts::renumbered(Forces& forces) {
+  if (!joints_.any()) {
+    contact_->scene_changed();
+    find_masses();
+    return set_apart(parted_lips());
+  }
   const std::vector<Vec3> before = force_;
   std::vector<double> area(nodes_);
   for (std::size_t n = 0; n < nodes_; ++n) area[n] = scene_.area(static_cast<std::int32_t>(n));
   std::vector<double> apart = lips();
+  const std::vector<double> parted = parted_lips();
+  for (std::size_t n = 0; n < apart.size(); ++n) apart[n] = std::max(apart[n], parted[n]);
   scene_ = scene_.with_corners([this](const contact::TriangleRow& row) { return corners_of(row); });
   for (std::size_t n = 0; n < nodes_; ++n) {
     const auto led = static_cast<std::size_t>(led_by_[n]);

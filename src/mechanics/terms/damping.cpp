@@ -28,7 +28,7 @@ void StiffnessDamping::resist(const Trial& trial, std::span<double> r) {
 }
 
 void StiffnessDamping::add_resistance(const Trial& trial, linear::Matrix& K) {
-  K_.carry(K.pattern);  // the pattern may have grown in the step
+  K_.change_pattern(K.pattern);  // the pattern may have grown in the step
   const double c = trial.motion->damping_weight();
   for (std::size_t k = 0; k < K.value.size(); ++k) K.value[k] += c * b_ * K_.value[k];
 }

@@ -353,13 +353,13 @@ namespace {
 
 // The lean s = (cos 45 |N| - d.N) / m, with m^2 = (|N|^2 + A^2) / 2 and A the value of |N| in the reference:
 // a difference of cosines where the sheet keeps its area, and zero with N.
-struct Measure {
+struct TiltMeasure {
   double s, size, m, excess;
   Vec3 by_normal, by_director;
 };
 
-Measure measure(const Vec3& N, const Vec3& d, double area) {
-  Measure v;
+TiltMeasure measure(const Vec3& N, const Vec3& d, double area) {
+  TiltMeasure v;
   v.size = N.norm();
   v.m = std::sqrt((v.size * v.size + area * area) / 2);
   v.excess = kUpright * v.size - d.dot(N);
@@ -376,7 +376,7 @@ bool Directors::lean_of(Index node, const Configuration& configuration, Lean& le
   if (!(weight_[node] > 0)) return false;
   lean.node = node;
   lean.normal = plane_projected(node, normal_at(node, configuration.x()));
-  const Measure v = measure(lean.normal, at(configuration.d(), node), area_[node]);
+  const TiltMeasure v = measure(lean.normal, at(configuration.d(), node), area_[node]);
   if (!(v.s > 0)) return false;
   const Ramp R = ramp(v.s / kUpright);
   lean.energy = weight_[node] * kUpright * R.value;
@@ -408,7 +408,7 @@ void Directors::add_lean_forces(const Lean& lean, std::span<const double> x, For
 void Directors::add_lean_tangent(const Lean& lean, const Configuration& now, TangentSink& sink) const {
   const auto x = now.x();
   const Vec3 d = at(now.d(), lean.node), &N = lean.normal;
-  const Measure v = measure(N, d, area_[lean.node]);
+  const TiltMeasure v = measure(N, d, area_[lean.node]);
   const Ramp R = ramp(v.s / kUpright);
   const double w = weight_[lean.node], U1 = w * R.slope, U2 = w * R.bend / kUpright, m3 = v.m * v.m * v.m;
   const Mat3 one = Mat3::Identity();
@@ -501,6 +501,7 @@ bool Directors::sound(Index element, const Vec3& mean, const Configuration& conf
 
 std::vector<Index> Directors::turned_over(const Configuration& configuration) const {
   std::vector<Index> turned;
+  if (model_.membrane()) return turned;
   for (const Index n : leaning_nodes(configuration)) {
     const Vec3 normal = normal_at(n, configuration.x());
     const auto about = elements_of(n);

@@ -22,21 +22,21 @@ bool is_constant(const model::Components& value) {
   return std::all_of(value.begin(), value.end(), [](const auto& h) { return !h || h->is_constant(); });
 }
 
-Spread spread(const mesh::Mesh& mesh, const std::string& set, const model::Components& value,
-              const Mat3& frame, bool total) {
-  Spread s{mesh.set(set), {}, value, frame};
+DistributedLoad spread(const mesh::Mesh& mesh, const std::string& set, const model::Components& value,
+                       const Mat3& frame, bool total) {
+  DistributedLoad s{mesh.set(set), {}, value, frame};
   const Tributary t = tributary(mesh, s.nodes);
-  if (!total && t.kind == Tributary::Kind::count)
+  if (!total && t.kind == Tributary::MeasureKind::count)
     throw Error("traction: set '" + set + "' holds neither whole elements nor whole edges");
-  s.share = t.measure;
+  s.weight = t.measure;
   if (total)
-    for (double& share : s.share) share /= t.total;
+    for (double& weight : s.weight) weight /= t.total;
   return s;
 }
 
 }  // namespace
 
-Vec3 Spread::at(double time) const {
+Vec3 DistributedLoad::at(double time) const {
   Vec3 total = Vec3::Zero();
   for (int c = 0; c < 3; ++c)
     if (value[c]) total += value[c]->value(time) * frame.row(c).transpose();
@@ -51,7 +51,7 @@ Gravity::Gravity(const model::Model& model, const std::vector<double>& mass,
   const bool weighs =
       std::any_of(acceleration_.begin(), acceleration_.end(), [](const auto& g) { return bool(g); });
   turns_ = weighs && std::any_of(mass_moment_.begin(), mass_moment_.end(), [](double m) { return m != 0; });
-  aim(0);
+  set_time(0);
 }
 
 Vec3 Gravity::at(double time) const { return value_at(acceleration_, time); }
@@ -65,7 +65,7 @@ void Gravity::add_dead(double time, std::span<double> on_x) const {
 
 Outcome Gravity::add_forces(const law::Step&, const Trial&, Forces& forces) {
   for (std::size_t i = 0; turns_ && i < mass_.size(); ++i)
-    fabricsh::at(forces.on_d, static_cast<Index>(i)) -= mass_moment_[i] * aimed_;
+    fabricsh::at(forces.on_d, static_cast<Index>(i)) -= mass_moment_[i] * at_trial_time_;
   return {};
 }
 
@@ -76,13 +76,14 @@ void Gravity::add_follower(double time, const Trial&, std::span<double>, std::sp
 }
 
 void Gravity::add_tangent(const Trial& trial, TangentSink& sink) const {
-  if (!(aimed_.norm() > 0)) return;
+  if (!(at_trial_time_.norm() > 0)) return;
   const auto d = trial.configuration.d();
   for (std::size_t i = 0; i < mass_.size(); ++i) {
     if (mass_moment_[i] == 0) continue;
     const auto n = static_cast<Index>(i);
     // The second variation of the director.
-    sink.on_director(n, (mass_moment_[i] * aimed_).dot(fabricsh::at(d, n)) * Eigen::Matrix2d::Identity());
+    sink.on_director(
+        n, (mass_moment_[i] * at_trial_time_).dot(fabricsh::at(d, n)) * Eigen::Matrix2d::Identity());
   }
 }
 
@@ -97,12 +98,13 @@ DeadLoads::DeadLoads(const model::Model& model) {
 void DeadLoads::add_dead(double time, std::span<double> on_x) const {
   for (const auto& load : loads_) {
     const Vec3 total = load.at(time);
-    for (std::size_t i = 0; i < load.nodes.size(); ++i) at(on_x, load.nodes[i]) += load.share[i] * total;
+    for (std::size_t i = 0; i < load.nodes.size(); ++i) at(on_x, load.nodes[i]) += load.weight[i] * total;
   }
 }
 
 bool DeadLoads::constant() const {
-  return std::all_of(loads_.begin(), loads_.end(), [](const Spread& s) { return is_constant(s.value); });
+  return std::all_of(loads_.begin(), loads_.end(),
+                     [](const DistributedLoad& s) { return is_constant(s.value); });
 }
 
 // --- pressure
@@ -152,12 +154,12 @@ Pressure::Pressure(const model::Model& model) {
     for (const auto e : mesh.elements_in(mesh.set(p.set))) faces.elements.push_back(mesh.elements[e]);
     faces_.push_back(std::move(faces));
   }
-  aim(0);
+  set_time(0);
 }
 
-void Pressure::aim(double time) {
-  aimed_.clear();
-  for (const auto& p : faces_) aimed_.push_back(p.value.value(time));
+void Pressure::set_time(double time) {
+  at_trial_time_.clear();
+  for (const auto& p : faces_) at_trial_time_.push_back(p.value.value(time));
 }
 
 void Pressure::add(const Faces& faces, double pressure, std::span<const double> x,
@@ -173,7 +175,7 @@ void Pressure::add(const Faces& faces, double pressure, std::span<const double> 
 
 Outcome Pressure::add_forces(const law::Step&, const Trial& trial, Forces& forces) {
   for (std::size_t k = 0; k < faces_.size(); ++k)
-    add(faces_[k], -aimed_[k], trial.configuration.x(), forces.on_x);
+    add(faces_[k], -at_trial_time_[k], trial.configuration.x(), forces.on_x);
   return {};
 }
 
@@ -195,7 +197,8 @@ void Pressure::add_tangent(const Trial& trial, TangentSink& sink) const {
         const Mat3 C1 = cross_matrix(t.a1), C2 = cross_matrix(t.a2);
         // delta (a1 x a2) = -a2 x delta a1 + a1 x delta a2; negative, because it is an internal force here.
         for (int a = 0; a < n; ++a)
-          for (int b = 0; b < n; ++b) block[a][b] -= aimed_[k] * p.N[a] * (p.N2[b] * C1 - p.N1[b] * C2);
+          for (int b = 0; b < n; ++b)
+            block[a][b] -= at_trial_time_[k] * p.N[a] * (p.N2[b] * C1 - p.N1[b] * C2);
       }
       for (int a = 0; a < n; ++a)
         for (int b = 0; b < n; ++b) sink.on_positions(nodes[a], nodes[b], block[a][b]);
@@ -204,26 +207,26 @@ void Pressure::add_tangent(const Trial& trial, TangentSink& sink) const {
 
 // --- moments
 
-Moments::Moments(const model::Model& model) : aimed_(model.mesh().nodes.size(), Vec3::Zero()) {
+Moments::Moments(const model::Model& model) : at_trial_time_(model.mesh().nodes.size(), Vec3::Zero()) {
   for (const auto& m : model.moments()) loads_.push_back(spread(model.mesh(), m.set, m.total, m.frame, true));
-  aim(0);
+  set_time(0);
 }
 
 std::vector<Vec3> Moments::at_time(double time) const {
-  std::vector<Vec3> all(aimed_.size(), Vec3::Zero());
+  std::vector<Vec3> all(at_trial_time_.size(), Vec3::Zero());
   for (const auto& m : loads_) {
     const Vec3 total = m.at(time);
-    for (std::size_t i = 0; i < m.nodes.size(); ++i) all[m.nodes[i]] += m.share[i] * total;
+    for (std::size_t i = 0; i < m.nodes.size(); ++i) all[m.nodes[i]] += m.weight[i] * total;
   }
   return all;
 }
 
-void Moments::aim(double time) { aimed_ = at_time(time); }
+void Moments::set_time(double time) { at_trial_time_ = at_time(time); }
 
 Outcome Moments::add_forces(const law::Step&, const Trial& trial, Forces& forces) {
   const auto d = trial.configuration.d();
-  for (std::size_t i = 0; i < aimed_.size(); ++i)
-    at(forces.on_d, static_cast<Index>(i)) -= aimed_[i].cross(at(d, static_cast<Index>(i)));
+  for (std::size_t i = 0; i < at_trial_time_.size(); ++i)
+    at(forces.on_d, static_cast<Index>(i)) -= at_trial_time_[i].cross(at(d, static_cast<Index>(i)));
   return {};
 }
 
@@ -236,9 +239,9 @@ void Moments::add_follower(double time, const Trial& trial, std::span<double>, s
 
 void Moments::add_tangent(const Trial& trial, TangentSink& sink) const {
   const auto d = trial.configuration.d(), b1 = trial.configuration.b1();
-  for (std::size_t i = 0; i < aimed_.size(); ++i) {
+  for (std::size_t i = 0; i < at_trial_time_.size(); ++i) {
     const auto n = static_cast<Index>(i);
-    const Vec3& M = aimed_[i];
+    const Vec3& M = at_trial_time_[i];
     const Vec3 dd = at(d, n), first = at(b1, n), second = dd.cross(first);
     Eigen::Matrix2d k = M.cross(dd).dot(dd) * Eigen::Matrix2d::Identity();  // second variation of d
     k(0, 0) -= M.cross(first).dot(first);

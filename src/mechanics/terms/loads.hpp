@@ -15,7 +15,7 @@ class Gravity final : public Term {
   // mass: kg per node; mass_moment: its first moment about the reference surface, kg m.
   Gravity(const model::Model& model, const std::vector<double>& mass, const std::vector<double>& mass_moment);
   const char* name() const override { return "gravity"; }
-  void aim(double time) override { aimed_ = at(time); }
+  void set_time(double time) override { at_trial_time_ = at(time); }
   void add_dead(double time, std::span<double> on_x) const override;
   bool constant() const override;
   bool follows_directors() const override { return turns_; }
@@ -28,13 +28,13 @@ class Gravity final : public Term {
   model::Components acceleration_;
   const std::vector<double>&mass_, &mass_moment_;
   bool turns_ = false;  // whether it acts on directors
-  Vec3 aimed_ = Vec3::Zero();
+  Vec3 at_trial_time_ = Vec3::Zero();
 };
 
 // A vector history distributed over the nodes of a set.
-struct Spread {
+struct DistributedLoad {
   mesh::NodeSet nodes;
-  std::vector<double> share;
+  std::vector<double> weight;
   model::Components value;
   Mat3 frame;
   Vec3 at(double time) const;
@@ -50,7 +50,7 @@ class DeadLoads final : public Term {
   bool constant() const override;
 
  private:
-  std::vector<Spread> loads_;
+  std::vector<DistributedLoad> loads_;
 };
 
 // Pressure along the normal of the present surface: f_A = p sum_g N_A a1 x a2. Its stiffness is not
@@ -59,7 +59,7 @@ class Pressure final : public Term {
  public:
   explicit Pressure(const model::Model& model);
   const char* name() const override { return "pressure"; }
-  void aim(double time) override;
+  void set_time(double time) override;
   bool follows_positions() const override { return true; }
   void add_follower(double time, const Trial&, std::span<double> on_x, std::span<double> on_d) const override;
   bool symmetric() const override { return false; }
@@ -73,7 +73,7 @@ class Pressure final : public Term {
   };
   void add(const Faces& faces, double pressure, std::span<const double> x, std::span<double> on_x) const;
   std::vector<Faces> faces_;
-  std::vector<double> aimed_;  // Pa
+  std::vector<double> at_trial_time_;  // Pa
 };
 
 // Moments about axes fixed in space: the work M . (d x delta d) gives M x d on a director. Not symmetric.
@@ -81,18 +81,18 @@ class Moments final : public Term {
  public:
   explicit Moments(const model::Model& model);
   const char* name() const override { return "moments"; }
-  void aim(double time) override;
+  void set_time(double time) override;
   bool follows_directors() const override { return true; }
   void add_follower(double time, const Trial&, std::span<double> on_x, std::span<double> on_d) const override;
   bool symmetric() const override { return false; }
-  const std::vector<Vec3>* moments() const override { return &aimed_; }
+  const std::vector<Vec3>* moments() const override { return &at_trial_time_; }
   Outcome add_forces(const law::Step&, const Trial& trial, Forces& forces) override;
   void add_tangent(const Trial& trial, TangentSink& sink) const override;
 
  private:
   std::vector<Vec3> at_time(double time) const;
-  std::vector<Spread> loads_;
-  std::vector<Vec3> aimed_;  // N m per node
+  std::vector<DistributedLoad> loads_;
+  std::vector<Vec3> at_trial_time_;  // N m per node
 };
 
 // Linear springs to ground.

@@ -14,6 +14,11 @@ namespace {
 // corner add twice this share each.
 constexpr double kStiffest = 0.5;
 
+// Distance of the origin from closed lips over the opening at which a string carries nothing more, where
+// steps are not explicit: the way back is a thousand times stiffer than the way out, and the direction of the
+// force is that at the opening as long as the lips part less than this.
+constexpr double kOrigin = 1e-3;
+
 const char* const kYarn[] = {"warp", "weft"};
 
 Vec3 sum(const std::vector<Index>& nodes, std::span<const double> x) {
@@ -51,6 +56,18 @@ double BridgingString::lost() const {
   return work - strength() * w * (w + 2 * offset) / (2 * (w + offset));
 }
 
+// On the way out a string softens along itself; on the way back, and across itself, it is a spring.
+Mat3 BridgingString::stiffness(const Vec3& way) const {
+  const double held = strength();
+  if (held == 0) return Mat3::Zero();
+  Mat3 k = held / (widest + offset) * Mat3::Identity();
+  if (widest > committed) {
+    const Vec3 along = way.normalized();
+    k -= (held / (widest + offset) + force.norm() / vanishes()) * along * along.transpose();
+  }
+  return k;
+}
+
 // --- forces
 
 Outcome Tears::add_forces(const law::Step&, const Trial& trial, Forces& forces) {
@@ -76,6 +93,20 @@ void Tears::measure(std::span<const double> x, std::span<const double> on_x) {
     line.share = std::max(0.0, force.dot(yarn.normalized())) /
                  (line.length * sites_[line.site].strength[static_cast<std::size_t>(line.family)]);
   }
+}
+
+void Tears::add_tangent(const Trial& trial, TangentSink& sink) const {
+  for (const BridgingString& string : strings_) {
+    const Mat3 k = string.stiffness(string.way(trial.configuration.x()));
+    sink.on_positions(string.a, string.a, k);
+    sink.on_positions(string.b, string.b, k);
+    sink.on_positions(string.a, string.b, -k);
+    sink.on_positions(string.b, string.a, -k);
+  }
+}
+
+void Tears::couple(const Trial&, std::vector<NodePair>& pairs) {
+  for (const BridgingString& string : strings_) pairs.emplace_back(string.a, string.b);
 }
 
 void Tears::add_energies(const Trial& trial, std::vector<Energy>& out) const {
@@ -115,8 +146,9 @@ std::vector<Joints::Edge> Tears::let_go(double step) {
       string.b = spoke.b;
       string.family = line.family;
       string.force = part * line.force;
-      string.offset = line.force.norm() * step * step / (kStiffest * mass);
       string.energy = site.energy[static_cast<std::size_t>(line.family)] * spoke.length;
+      string.offset =
+          step > 0 ? line.force.norm() * step * step / (kStiffest * mass) : kOrigin * string.vanishes();
       ready_.push_back(string);
     }
   }
@@ -133,10 +165,12 @@ void Tears::renumbered(Forces& forces) {
   ready_.clear();
   find_lines();
   measure(configuration_.x(), forces.on_x);
+  committed_share_ = worst().share;
 }
 
 void Tears::commit() {
   for (BridgingString& string : strings_) string.committed = string.widest;
+  committed_share_ = worst().share;
 }
 
 void Tears::rollback() {
@@ -146,7 +180,9 @@ void Tears::rollback() {
 void Tears::keep(Archive& archive) {
   archive(strings_);
   for (Line& line : lines_) archive(line.share);
-  if (archive.reading()) rollback();
+  if (!archive.reading()) return;
+  rollback();
+  committed_share_ = worst().share;
 }
 
 // Sites ascend by their places, and lines by their sites.

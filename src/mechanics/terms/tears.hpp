@@ -17,7 +17,8 @@ namespace fabricsh::mechanics {
 
 // A string between two corners that were one: it carries the force f0 where it opens, and linearly less with
 // the opening, down to none at 2 G / f0; back it goes to the origin. The origin lies `offset` before the
-// closed lips, along the force there, so that the way back is no stiffer than an explicit step can bear.
+// closed lips, along the force there, so that the way back is no stiffer than an explicit step or Newton's
+// method can bear.
 struct BridgingString {
   Index a = 0, b = 0;                // nodes
   int family = 0;                    // that broke
@@ -29,6 +30,7 @@ struct BridgingString {
   double vanishes() const;                    // m, the opening at which it carries nothing more
   double strength() const;                    // N, carried at the largest opening
   Vec3 pull(const Vec3& way);                 // N, on a from b; moves `widest`
+  Mat3 stiffness(const Vec3& way) const;      // N/m, d pull / d way, after pull()
   double stored(const Vec3& way) const;       // J, against closed lips
   double lost() const;                        // J, never falls as `widest` grows
   void keep(Archive& archive) {
@@ -46,21 +48,24 @@ class Tears final : public Term {
 
   const char* name() const override { return "tears"; }
   Outcome add_forces(const law::Step&, const Trial& trial, Forces& forces) override;
+  void add_tangent(const Trial& trial, TangentSink& sink) const override;
+  void couple(const Trial&, std::vector<NodePair>& pairs) override;
   void add_energies(const Trial& trial, std::vector<Energy>& out) const override;
   void renumbered(Forces& forces) override;
   void commit() override;
   void rollback() override;
   void keep(Archive& archive) override;
 
-  // The joint whose yarns are nearest to their strength in the committed state.
+  // The joint whose yarns are nearest to their strength in the state of the last forces.
   struct Worst {
     double share = 0, strength = 0;  // N/m
     const char* yarn = "";
     Vec3 at = Vec3::Zero();  // m, reference
   };
   Worst worst() const;
-  // Prepares strings for all that have reached it, stable with a step in s; returns the ends of edges to be
-  // opened next.
+  double committed_share() const { return committed_share_; }  // its share
+  // Prepares strings for all that have reached it, stable with an explicit step in s (0: the steps are not
+  // explicit); returns the ends of edges to be opened next.
   std::vector<Joints::Edge> let_go(double step);
   // Force over strength at the joints of an element, the largest; 1 where a yarn has broken. family: 0 warp,
   // 1 weft.
@@ -111,6 +116,7 @@ class Tears final : public Term {
   std::vector<Site> sites_;
   std::vector<Line> lines_;
   std::vector<BridgingString> strings_, ready_;  // ready: of the joints that are about to open
+  double committed_share_ = 0;
   std::vector<std::string> said_;
 };
 

@@ -40,7 +40,7 @@ double draw(std::uint64_t seed, Index place, int family) {
 // Strength over its mean: after Weibull, for a length of yarn in m.
 double scattered(const card::YarnBreak& yarn, double length, double chance) {
   if (!yarn.scatter) return 1;
-  const card::Scatter& s = *yarn.scatter;
+  const card::StrengthScatter& s = *yarn.scatter;
   const double size = s.length ? std::pow(*s.length / length, s.exponent.value_or(1 / s.modulus)) : 1;
   return size * std::pow(-std::log(chance), 1 / s.modulus) / std::tgamma(1 + 1 / s.modulus);
 }
@@ -159,7 +159,7 @@ double Tears::coarse(const model::Zone& zone, std::size_t region, int family, do
                      double h) {
   const double per_stiffness = across(region, family, strength);
   const double length = energy / (per_stiffness * strength * strength);
-  if (!(kFine * h > length)) return strength;
+  if (zone.keep || !(kFine * h > length)) return strength;
   const double lowered = std::sqrt(energy / (per_stiffness * kFine * h));
   const std::string words = "tearable zone of set '" + zone.set + "': its elements, " + number(h, 3) +
                             " m along the tear, are coarse for tears across the " + kYarn[family] +
@@ -181,6 +181,11 @@ void Tears::set_strengths() {
   for (std::size_t z = model_.zones().size(); z-- > 0;)
     for (const Index e : mesh.elements_in(mesh.set(model_.zones()[z].set)))
       zone_of[static_cast<std::size_t>(e)] = z;
+  const auto off_path = [&](const Site& site, const model::Zone& zone) {
+    if (zone.path.empty()) return false;
+    const auto& path = mesh.set(zone.path);
+    return !std::binary_search(path.begin(), path.end(), site.place);
+  };
   std::map<std::tuple<std::size_t, std::size_t, int, long>, double> known;
   for (Site& site : sites_)
     for (const Corner& corner : site.corners)
@@ -190,6 +195,7 @@ void Tears::set_strengths() {
         if (z == model_.zones().size() || !rupture || !of_family(*rupture, family)) continue;
         const card::YarnBreak& yarn = *of_family(*rupture, family);
         const auto& zone = model_.zones()[z];
+        if (off_path(site, zone)) continue;
         const auto region = static_cast<std::size_t>(model_.region_of(corner.element));
         const double h = spacing(site, 1 - family);
         const auto [entry, fresh] = known.try_emplace({z, region, family, std::lround(1e3 * std::log(h))}, 0);

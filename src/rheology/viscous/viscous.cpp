@@ -7,7 +7,7 @@ namespace fabricsh::rheology::viscous {
 namespace {
 
 // x int_0^1 ((1 - exp(-x s)) / x)^2 ds, by a series where x is small and the closed form loses digits.
-double pulled_share(double x, double left, double left_twice) {
+double pulled_fraction(double x, double left, double left_twice) {
   if (x > 0.5) return (1 - 2 * left / x + left_twice / (2 * x)) / x;
   double sum = 0, power = x, two = 4, factorial = 2;
   for (int n = 2; n < 20; ++n) {
@@ -21,8 +21,8 @@ double pulled_share(double x, double left, double left_twice) {
 
 }  // namespace
 
-std::vector<Row<Parameters>> Element::rows() {
-  const Row<Parameters> shear("shear", "a spring and a dashpot in series beside in-plane shear"),
+std::vector<ParameterRow<Parameters>> Element::rows() {
+  const ParameterRow<Parameters> shear("shear", "a spring and a dashpot in series beside in-plane shear"),
       modulus("shear.modulus", &Parameters::modulus, "Pa", positive,
               "of the part that relaxes, in shear's measure"),
       time("shear.time", &Parameters::time, "s", positive,
@@ -36,7 +36,8 @@ std::vector<Row<Parameters>> Element::rows() {
 StepEffect effect_of_step(double x) {
   if (!(x > 0)) return {};
   const double left = -std::expm1(-x), left_twice = -std::expm1(-2 * x);
-  return {std::exp(-x), left / x, left_twice / 2, left * left / (2 * x), pulled_share(x, left, left_twice)};
+  return {std::exp(-x), left / x, left_twice / 2, left * left / (2 * x),
+          pulled_fraction(x, left, left_twice)};
 }
 
 }  // namespace fabricsh::rheology::viscous

@@ -22,9 +22,9 @@ struct Data {
 struct Element {
   static constexpr const char* name = "viscous";
   static constexpr const char* sentence = "stress that relaxes with time, law potential only";
-  static constexpr int numbers = 3;            // of the state
-  static constexpr bool hangs_on_time = true;  // the stress changes at constant strain
-  static std::vector<Row<Parameters>> rows();
+  static constexpr int numbers = 3;                // of the state
+  static constexpr bool is_rate_dependent = true;  // the stress changes at constant strain
+  static std::vector<ParameterRow<Parameters>> rows();
   // measure: d(strain of the card's shear)/d(gamma), 1/2 for the tensor E12.
   static Data compile(const Parameters& given, double measure) {
     return {true, given.modulus * measure, given.time};
@@ -38,10 +38,10 @@ inline constexpr int gamma = 0, q = 1, lost = 2;
 }
 
 // The effect of a step of x = dt / tau, the same for all points:
-//   q1 = decay q0 + share G dgamma,   lost = (q0^2 own + 2 q0 (G dgamma) mixed + (G dgamma)^2 pulled) / G
-// An instantaneous step (x = 0): decay = share = 1 and nothing is lost.
+//   q1 = decay q0 + factor G dgamma,   lost = (q0^2 own + 2 q0 (G dgamma) mixed + (G dgamma)^2 pulled) / G
+// An instantaneous step (x = 0): decay = factor = 1 and nothing is lost.
 struct StepEffect {
-  double decay = 1, share = 1;
+  double decay = 1, factor = 1;
   double own = 0, mixed = 0, pulled = 0;
 };
 StepEffect effect_of_step(double x);
@@ -53,13 +53,13 @@ void add_stress(const Data& data, double dt, const T E[5], const T* s0, T* s1, O
   const StepEffect w = effect_of_step(dt / data.time);
   const T G(data.modulus), q0 = s0[state::q];
   const T pulled = G * (E[4] - s0[state::gamma]);
-  const T q = T(w.decay) * q0 + T(w.share) * pulled;
+  const T q = T(w.decay) * q0 + T(w.factor) * pulled;
   s1[state::gamma] = E[4];
   s1[state::q] = q;
   s1[state::lost] = s0[state::lost] +
                     (T(w.own) * q0 * q0 + T(2 * w.mixed) * q0 * pulled + T(w.pulled) * pulled * pulled) / G;
   out.S[4] += q;
-  out.C55 += T(w.share) * G;
+  out.C55 += T(w.factor) * G;
 }
 
 template <class T, class Out>

@@ -48,25 +48,25 @@ int chain(const Call& call) {
 }
 
 int solve(Call& call) {
-  const auto run = call.self<Run>();
-  drive(*run, {Made::solve, std::max(run->analysis->duration(), run->analysis->time())});
+  const auto run = call.self<DeckRun>();
+  drive(*run, {CallKind::solve, std::max(run->analysis->duration(), run->analysis->time())});
   return chain(call);
 }
 
 int advance(Call& call) {
   const double time = call.number("time");
-  drive(*call.self<Run>(), {Made::advance, time});
+  drive(*call.self<DeckRun>(), {CallKind::advance, time});
   return chain(call);
 }
 
 int step(Call& call) {
-  const auto run = call.self<Run>();
-  drive(*run, {Made::step, run->analysis->duration()});
+  const auto run = call.self<DeckRun>();
+  drive(*run, {CallKind::step, run->analysis->duration()});
   return chain(call);
 }
 
 int stop(Call& call) {
-  const auto run = call.self<Run>();
+  const auto run = call.self<DeckRun>();
   if (!repeats_change(*run)) run->analysis->stop(call.text("reason"));
   return 0;
 }
@@ -74,13 +74,13 @@ int stop(Call& call) {
 // --- hooks ---
 
 void run_hook(const Hook& hook) {
-  const Free free = hook.free();
+  const ChangeAllowed free = hook.free();
   lua_State* L = hook.push();
   call_deck(L, 1, 0);
 }
 
 int every(Call& call) {
-  const auto run = call.self<Run>();
+  const auto run = call.self<DeckRun>();
   const Hook hook(call, "action", run.get());
   const auto act = [hook](run::Run&) { run_hook(hook); };
   if (call.is("interval", LUA_TSTRING))
@@ -91,7 +91,7 @@ int every(Call& call) {
 }
 
 double event_value(const Hook& hook) {
-  const Still still = hook.still();
+  const ChangeRefused still = hook.still();
   lua_State* L = hook.push();
   call_deck(L, 1, 1);
   if (lua_type(L, -1) != LUA_TNUMBER)
@@ -102,7 +102,7 @@ double event_value(const Hook& hook) {
 }
 
 int event(Call& call) {
-  const auto run = call.self<Run>();
+  const auto run = call.self<DeckRun>();
   const Hook value(call, "value", run.get());
   run::Run::Hook act;
   if (call.has("action")) act = [hook = Hook(call, "action", run.get())](run::Run&) { run_hook(hook); };
@@ -112,7 +112,7 @@ int event(Call& call) {
 
 // Runs until a value reaches a target; the run ends there.
 int reach(Call& call) {
-  const auto run = call.self<Run>();
+  const auto run = call.self<DeckRun>();
   const double target = call.number("target");
   std::function<double(const run::Run&)> value;
   if (call.is("value", LUA_TFUNCTION)) {
@@ -132,7 +132,7 @@ int reach(Call& call) {
                          a.stop("reached " + exact_number(target));
                        });
   try {
-    drive(*run, {Made::reach, run->analysis->duration()});
+    drive(*run, {CallKind::reach, run->analysis->duration()});
   } catch (...) {
     *sought = false;
     throw;
@@ -151,7 +151,7 @@ int reach(Call& call) {
 // --- reading ---
 
 int reaction(Call& call) {
-  const auto& run = *call.self<Run>()->analysis;
+  const auto& run = *call.self<DeckRun>()->analysis;
   const auto body = call.object<const model::Rigid>("set");
   const Vec3 r = body ? run::body_state(run, *body).force : run.reaction(call.text("set"));
   for (int i = 0; i < 3; ++i) lua_pushnumber(call.L(), r[i]);
@@ -159,10 +159,10 @@ int reaction(Call& call) {
 }
 
 // Pushes a table with the values, by name, of all fields at one node or element.
-int push_fields(Call& call, run::Place place) {
-  const auto& run = *call.self<Run>()->analysis;
+int push_fields(Call& call, run::FieldPlace place) {
+  const auto& run = *call.self<DeckRun>()->analysis;
   const auto item = static_cast<mesh::Index>(call.integer("number") - 1);
-  place == run::Place::node ? (void)run.node(item) : (void)run.element(item);  // an error if it is wrong
+  place == run::FieldPlace::node ? (void)run.node(item) : (void)run.element(item);  // an error if it is wrong
   lua_createtable(call.L(), 0, 20);
   std::array<double, 5> values{};
   for (const auto& field : run::result_fields()) {
@@ -176,17 +176,17 @@ int push_fields(Call& call, run::Place place) {
   return 1;
 }
 
-int node(Call& call) { return push_fields(call, run::Place::node); }
-int element(Call& call) { return push_fields(call, run::Place::element); }
+int node(Call& call) { return push_fields(call, run::FieldPlace::node); }
+int element(Call& call) { return push_fields(call, run::FieldPlace::element); }
 
 int mean(Call& call) {
-  lua_pushnumber(call.L(), call.self<Run>()->analysis->mean(call.text("name"), call.text("set")));
+  lua_pushnumber(call.L(), call.self<DeckRun>()->analysis->mean(call.text("name"), call.text("set")));
   return 1;
 }
 
 int field(Call& call) {
   lua_State* L = call.L();
-  const auto& run = *call.self<Run>()->analysis;
+  const auto& run = *call.self<DeckRun>()->analysis;
   const auto part = run::find_field(run, call.text("name"));
   const auto values = run::values_of(run, part);
   const std::size_t width = part.component < 0 ? part.field->size() : 1;
@@ -201,7 +201,7 @@ int field(Call& call) {
 }
 
 int energy(Call& call) {
-  const run::Energy e = call.self<Run>()->analysis->energy();
+  const run::EnergyAccount e = call.self<DeckRun>()->analysis->energy();
   const std::pair<const char*, double> values[] = {{"kinetic", e.kinetic},
                                                    {"scaled", e.scaled},
                                                    {"stored", e.stored},
@@ -232,12 +232,12 @@ int energy(Call& call) {
 }
 
 int beyond(Call& call) {
-  const auto& run = *call.self<Run>()->analysis;
+  const auto& run = *call.self<DeckRun>()->analysis;
   const auto far = run.beyond();
   lua_State* L = call.L();
   if (!far) return lua_pushnil(L), 1;
   lua_newtable(L);
-  for (const auto& [name, value] : {std::pair{"share", far->share},
+  for (const auto& [name, value] : {std::pair{"share", far->strain_ratio},
                                     {"time", far->time},
                                     {"first", far->first},
                                     {"strain", far->strain},
@@ -252,7 +252,7 @@ int beyond(Call& call) {
 }
 
 int warnings(Call& call) {
-  push_warnings(call.L(), call.self<Run>()->analysis->warnings());
+  push_warnings(call.L(), call.self<DeckRun>()->analysis->warnings());
   return 1;
 }
 
@@ -265,17 +265,17 @@ std::string codes_text() {
 }
 
 int time(Call& call) {
-  lua_pushnumber(call.L(), call.self<Run>()->analysis->time());
+  lua_pushnumber(call.L(), call.self<DeckRun>()->analysis->time());
   return 1;
 }
 
 int duration(Call& call) {
-  lua_pushnumber(call.L(), call.self<Run>()->analysis->duration());
+  lua_pushnumber(call.L(), call.self<DeckRun>()->analysis->duration());
   return 1;
 }
 
 int stopped(Call& call) {
-  const auto run = call.self<Run>();
+  const auto run = call.self<DeckRun>();
   if (run->analysis->stopped())
     lua_pushstring(call.L(), run->analysis->stop_reason().c_str());
   else
@@ -285,7 +285,7 @@ int stopped(Call& call) {
 
 // Only their number is noted for a restart: the steps themselves are in the checkpoint, unless a restore()
 // has replaced them.
-lua_Integer count_of_steps(lua_State* L, Run& run) {
+lua_Integer count_of_steps(lua_State* L, DeckRun& run) {
   const auto count = [&] {
     lua_pushinteger(L, static_cast<lua_Integer>(run.analysis->steps().size()));
     return 1;
@@ -299,7 +299,7 @@ lua_Integer count_of_steps(lua_State* L, Run& run) {
 
 int steps(Call& call) {
   lua_State* L = call.L();
-  const auto run = call.self<Run>();
+  const auto run = call.self<DeckRun>();
   const lua_Integer count = count_of_steps(L, *run);
   lua_newtable(L);
   for (lua_Integer i = 0; i < count;) {
@@ -321,7 +321,7 @@ int steps(Call& call) {
 }
 
 int snapshot(Call& call) {
-  const auto run = call.self<Run>();
+  const auto run = call.self<DeckRun>();
   auto snapshot = run->analysis->snapshot();
   if (run->passes_over()) run->passed_snapshots.push_back(snapshot);
   push_object(call.L(), std::move(snapshot));
@@ -337,7 +337,7 @@ int snapshot_text(lua_State* L) {
 }
 
 int restore(Call& call) {
-  go_back(*call.self<Run>(), call.object<const run::Run::Snapshot>("snapshot"));
+  go_back(*call.self<DeckRun>(), call.object<const run::Run::Snapshot>("snapshot"));
   return chain(call);
 }
 
@@ -357,7 +357,7 @@ int push_run_text(lua_State* L, const run::Run& a) {
 }
 
 int run_text(lua_State* L) {
-  const auto run = to_object<Run>(L, 1);
+  const auto run = to_object<DeckRun>(L, 1);
   std::string trouble;
   try {
     return read_between(L, *run, "tostring", "", [&] { return push_run_text(L, *run->analysis); });
@@ -369,7 +369,7 @@ int run_text(lua_State* L) {
 }
 
 // The values available for nodes or elements: "E11 (1), stored (J/m^3), ...".
-std::string numbers_of(run::Place place) {
+std::string numbers_of(run::FieldPlace place) {
   std::string words;
   for (const auto& field : run::result_fields()) {
     if (field.place != place || field.components.empty()) continue;
@@ -479,14 +479,14 @@ std::vector<Entry> reading() {
       {"analysis:node",
        Style::positional,
        {integer_("number", from_one, "of the node")},
-       "Where a node is and how it moves, global: a table of " + numbers_of(run::Place::node) + ".",
+       "Where a node is and how it moves, global: a table of " + numbers_of(run::FieldPlace::node) + ".",
        run + "assert(math.abs(a:solve():node(8).uy - 0.018) < 1e-12)",
        node},
       {"analysis:element",
        Style::positional,
        {integer_("number", from_one, "of the element")},
        "Averages over the element's reference volume, material axes: a table of " +
-           numbers_of(run::Place::element) + ".",
+           numbers_of(run::FieldPlace::element) + ".",
        run + "assert(a:solve():element(1).S11 > 0)",
        element},
       {"analysis:mean",

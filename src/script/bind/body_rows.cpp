@@ -106,25 +106,25 @@ void read_layers(const Fields& given, model::Options& options) {
 }
 
 // Refuses a card that fails its check; shows each of its warnings once. The warning about bending is given by
-// the run, which knows whether the sheet can leave its surface.
+// the run, in which it is known whether the sheet can leave its plane.
 void check_card(Session& session, const card::Card& card) {
   const auto report = law::check(card);
   for (const auto& item : report.items) {
     const std::string words = "card '" + card.name + "': " + item.key + ": " + item.text;
-    if (item.severity == law::Severity::error) throw Error(words);
+    if (item.severity == Severity::error) throw Error(words);
     const bool is_bending = item.key.starts_with("bending.");
-    if (item.severity == law::Severity::warning && !is_bending) session.warn("card", words);
+    if (item.severity == Severity::warning && !is_bending) session.warn("card", words);
   }
 }
 
 // Card or plies, thickness, warp and points of a body or region.
-struct Made {
+struct BodyMaterial {
   card::Card card;
   model::Options options;
 };
 
-Made read_made(const Fields& given) {
-  Made made;
+BodyMaterial read_made(const Fields& given) {
+  BodyMaterial made;
   read_layers(given, made.options);
   if (made.options.plies.empty() == !given.has("card"))
     given.refuse("card", made.options.plies.empty()
@@ -168,7 +168,7 @@ std::vector<Argument> made_rows(const char* warp_default) {
               .or_else(0.0)};
 }
 
-constexpr const char* flat_default = "default 0 on a flat generated mesh";
+constexpr const char* flat_default = "default: along the grain of a panel, 0 on another flat generated mesh";
 constexpr const char* region_words =
     "{ set = {card=, thickness=, warp=, ...}, ... }: sets of elements with a card or section of their own";
 
@@ -207,7 +207,7 @@ std::vector<model::RegionGiven> read_regions(const Fields& given, const std::str
   for (const std::string& set : sets) {
     lua_getfield(L, table, set.c_str());
     const Fields region(L, lua_gettop(L), region_fields(), path + "regions." + set + ".");
-    Made made = read_made(region);
+    BodyMaterial made = read_made(region);
     if (!made.options.warp) {
       made.options.warp = body.warp;
       made.options.warp_text = body.warp_text;
@@ -221,7 +221,7 @@ std::vector<model::RegionGiven> read_regions(const Fields& given, const std::str
 }
 
 model::BodyGiven read_body(const Fields& given, const std::string& name, const std::string& path) {
-  Made made = read_made(given);
+  BodyMaterial made = read_made(given);
   auto regions = read_regions(given, path, made.options);
   return {name, given.object<mesh::Mesh>("mesh"), std::move(made.card), std::move(made.options),
           std::move(regions)};
@@ -265,6 +265,19 @@ std::vector<model::BodyGiven> read_bodies(const Call& call) {
 
 }  // namespace
 
+// Without bending for the model as a whole. Errors: plies, or a reference surface off the middle.
+void make_membrane(const Call& call, std::vector<model::BodyGiven>& bodies) {
+  const auto make = [&](model::Options& options) {
+    if (!options.plies.empty() || options.offset != 0)
+      call.refuse("membrane", "expected a card without layers and offset, of which a membrane knows nothing");
+    options.membrane = true;
+  };
+  for (auto& body : bodies) {
+    make(body.options);
+    for (auto& region : body.regions) make(region.options);
+  }
+}
+
 std::vector<Argument> model_rows() {
   std::vector<Argument> rows{object_("mesh", "mesh", "the surface").optional()};
   for (Argument& row : made_rows(flat_default)) rows.push_back(std::move(row));
@@ -273,6 +286,11 @@ std::vector<Argument> model_rows() {
                         "{ {name=, mesh=, card=, regions=, ...}, ... }: several meshes in place of one; "
                         "their sets are then name.left")
                      .optional());
+  rows.push_back(
+      value_("membrane", boolean,
+             "cloth without bending and transverse shear, whose directors are held: for sheets that "
+             "are taut, or fold more sharply than an element can show")
+          .or_else(false));
   return rows;
 }
 
@@ -284,8 +302,10 @@ int make_model(Call& call) {
     bodies = read_bodies(call);
   else
     bodies.push_back(read_body(call, "", ""));
-  std::vector<std::unique_ptr<Still>> still;
-  for (const auto& body : bodies) still.push_back(std::make_unique<Still>(call.session(), body.mesh.get()));
+  if (call.flag("membrane")) make_membrane(call, bodies);
+  std::vector<std::unique_ptr<ChangeRefused>> still;
+  for (const auto& body : bodies)
+    still.push_back(std::make_unique<ChangeRefused>(call.session(), body.mesh.get()));
   auto model = std::make_shared<Model>(std::move(bodies));
   for (const auto& region : model->regions()) check_made(call.session(), region.card, region.options);
   push_object(call.L(), std::move(model));

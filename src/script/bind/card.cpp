@@ -138,16 +138,16 @@ law::Provenance origins_after(const Card& before, const Card& after) {
   loop("warp.loop", a->warp.loop, b->warp.loop);
   loop("weft.loop", a->weft.loop, b->weft.loop);
   rheology::for_each([&](auto element, auto given, auto) {
-    changed(element.name, a->beside.*given == b->beside.*given);
-    dropped(element.name, (a->beside.*given).has_value(), (b->beside.*given).has_value());
+    changed(element.name, a->parallel.*given == b->parallel.*given);
+    dropped(element.name, (a->parallel.*given).has_value(), (b->parallel.*given).has_value());
   });
   changed("warp.poisson", a->warp.poisson == b->warp.poisson);
   changed("weft.poisson", a->weft.poisson == b->weft.poisson);
   return out;
 }
 
-// Says where a rigidity is new and the friction beside it is that of the card before.
-void tell_old_friction(Call& call, const std::optional<card::Bending>& before,
+// Notes each rigidity that is new while its friction is still that of the previous card.
+void warn_old_friction(Call& call, const std::optional<card::Bending>& before,
                        const std::optional<card::Bending>& after) {
   if (!before || !after) return;
   const auto look = [&](const std::string& yarn, bool changed, const auto& old, const auto& now) {
@@ -174,20 +174,20 @@ int with(Call& call) {
   lua_setfield(L, -2, "kind");
   const int merged = lua_gettop(L);
   call.push("changes");
-  const bool told = lua_getfield(L, -1, "provenance") != LUA_TNIL;
+  const bool states_origin = lua_getfield(L, -1, "provenance") != LUA_TNIL;
   lua_pop(L, 1);
   merge(L, merged, lua_gettop(L), card_rows(card::kind(*card)));
   lua_pop(L, 1);
   Card changed = read_card(L, merged, card::kind(*card));
-  if (!told) changed.source = law::with_provenance(changed.source, origins_after(*card, changed));
-  tell_old_friction(call, card->bending, changed.bending);
+  if (!states_origin) changed.source = law::with_provenance(changed.source, origins_after(*card, changed));
+  warn_old_friction(call, card->bending, changed.bending);
   return push_card(L, std::move(changed));
 }
 
 int free_thickness(Call& call) {
   const model::Loose loose = model::loose(*call.self<Card>());
   lua_pushnumber(call.L(), loose.thickness);
-  lua_pushnumber(call.L(), loose.fibres);
+  lua_pushnumber(call.L(), loose.solid_thickness);
   return 2;
 }
 

@@ -12,7 +12,7 @@ namespace {
 void push_item(lua_State* L, const law::CheckItem& item) {
   lua_newtable(L);
   set_text(L, "key", item.key);
-  set_text(L, "severity", law::name(item.severity));
+  set_text(L, "severity", name(item.severity));
   set_text(L, "text", item.text);
   lua_newtable(L);
   for (const auto& [name, value] : item.numbers) set_number(L, name.c_str(), value);

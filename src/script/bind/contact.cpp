@@ -118,6 +118,27 @@ model::Party party_at(const Call& call, lua_State* L, const char* field, lua_Int
                          (place > 0 ? " at place " + std::to_string(place) : ""));
 }
 
+void read_friction(const Call& call, model::ContactGiven& given) {
+  if (!call.has("friction") || call.is("friction", LUA_TNUMBER)) {
+    given.friction = call.number("friction");
+    return;
+  }
+  const Fields both = call.fields("friction");
+  given.friction = both.number("kinetic");
+  given.sticking = both.number("static");
+  lua_pop(call.L(), 1);
+}
+
+Argument friction_row() {
+  Argument row = fields_("friction",
+                         {number_("static", "", not_negative, "of what sticks, at least the kinetic one"),
+                          number_("kinetic", "", not_negative, "of what slides")},
+                         "friction coefficient, or that of what sticks and that of what slides");
+  row.kinds |= number;
+  row.range = not_negative;
+  return row.or_else(0.0);
+}
+
 int contact(Call& call) {
   lua_State* L = call.L();
   if (call.has("self") == call.has("between"))
@@ -137,7 +158,7 @@ int contact(Call& call) {
     lua_pop(L, 1);
     if (count < 2) call.refuse("between", "expected two sides or more, got " + std::to_string(count));
   }
-  given.friction = call.number("friction");
+  read_friction(call, given);
   if (call.has("thickness")) given.thickness = call.number("thickness");
   if (call.has("stiffness")) given.stiffness = call.number("stiffness");
   given.restitution = call.number("restitution");
@@ -149,7 +170,7 @@ int contact(Call& call) {
 // --- reading
 
 int body(Call& call) {
-  const auto state = run::body_state(*call.self<Run>()->analysis, *call.object<const Rigid>("body"));
+  const auto state = run::body_state(*call.self<DeckRun>()->analysis, *call.object<const Rigid>("body"));
   lua_State* L = call.L();
   for (const Vec3& v : {state.place, state.velocity, Vec3(state.spin / kDegree)})
     for (int i = 0; i < 3; ++i) lua_pushnumber(L, v[i]);
@@ -157,7 +178,7 @@ int body(Call& call) {
 }
 
 int gap(Call& call) {
-  const auto nearest = run::nearest_pair(*call.self<Run>()->analysis);
+  const auto nearest = run::nearest_pair(*call.self<DeckRun>()->analysis);
   lua_pushnumber(call.L(), nearest.gap);
   if (nearest.words.empty()) return 1;
   lua_pushlstring(call.L(), nearest.words.data(), nearest.words.size());
@@ -242,8 +263,7 @@ std::vector<Entry> model_rows() {
        Style::fields,
        {value_("between", table, "{ body or set, ... }: every two of them touch (\"all\": the whole cloth)")
             .optional(),
-        value_("self", text, "a set whose cloth touches itself").optional(),
-        number_("friction", "", not_negative, "friction coefficient").or_else(0.0),
+        value_("self", text, "a set whose cloth touches itself").optional(), friction_row(),
         number_("thickness", "m", positive,
                 "of the cloth in contact; default: the cloth's own, or that of its card's compression")
             .optional(),

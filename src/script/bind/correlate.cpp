@@ -38,8 +38,8 @@ Argument region_() {
       .optional();
 }
 
-lab::Region region_of(const Call& call, const format::Image& image) {
-  lab::Region r{0, 0, image.width, image.height};
+lab::PixelRegion region_of(const Call& call, const format::Image& image) {
+  lab::PixelRegion r{0, 0, image.width, image.height};
   if (!call.has("region")) return r;
   const Fields given = call.fields("region");
   const auto take = [&](const char* name, int& edge, int most) {
@@ -66,7 +66,7 @@ lab::Region region_of(const Call& call, const format::Image& image) {
 namespace {
 
 // Columns of numbers, a photograph's subsets behind those of the one before, row by row from the lowest.
-struct Columns {
+struct SubsetColumns {
   std::vector<double> x, y, E11, E22, E12, correlation, deviation, found;
 
   void add(const std::vector<lab::Subset>& subsets, std::size_t rows, std::size_t columns, bool first) {
@@ -75,8 +75,8 @@ struct Columns {
     for (std::size_t r = rows; r-- > 0;)
       for (std::size_t c = 0; c < columns; ++c) {
         const lab::Subset& s = subsets[r * columns + c];
-        const bool known =
-            first ? s.state != lab::Subset::State::textureless : s.state == lab::Subset::State::found;
+        const bool known = first ? s.state != lab::Subset::SubsetState::textureless
+                                 : s.state == lab::Subset::SubsetState::found;
         count += known ? 1 : 0;
         const auto put = [&](std::vector<double>& list, double at_first, double later) {
           list.push_back(!known ? nan : first ? at_first : later);
@@ -117,7 +117,7 @@ int correlate(Call& call) {
   if (options.gauge % 2 == 0)
     call.refuse("gauge", "expected an odd number of subsets, got " + std::to_string(options.gauge));
   lab::Correlator correlator(first, options);
-  Columns out;
+  SubsetColumns out;
   const std::size_t rows = correlator.rows(), columns = correlator.columns();
   out.add(correlator.subsets(), rows, columns, true);
   double most = 0;
@@ -154,7 +154,6 @@ int speckles(Call& call) {
   s.width = call.count("width");
   s.height = call.count("height");
   s.size = call.number("size");
-  s.cover = call.number("cover");
   if (call.has("F")) {
     const auto F = call.numbers("F");
     if (F.size() != 4 || F[0] * F[3] - F[1] * F[2] <= 0)
@@ -211,8 +210,6 @@ std::vector<Entry> correlation_rows() {
        {value_("file", text, "ends in .png"), integer_("width", Range{1, 30000}, "of the picture, pixels"),
         integer_("height", Range{1, 30000}, "of the picture, pixels"),
         number_("size", "pixels", Range{0.5, 100}, "of a speckle: deviation of its round blot").or_else(2.0),
-        number_("cover", "", Range{0.01, 5}, "blots of one deviation's area over the area of the cloth")
-            .or_else(0.5),
         Argument{"F", numbers, "", everything,
                  "{F11, F12, F21, F22}: the map of the cloth about the middle, y upwards; default: none"}
             .optional(),
@@ -223,7 +220,8 @@ std::vector<Entry> correlation_rows() {
        "Makes a photograph of speckled cloth under a known map, exact at every place: for trying the "
        "correlation.",
        name + "for i = 1, 2 do os.remove(name..i..'.png') end\nos.remove(name)",
-       speckles},
+       speckles,
+       {"cover"}},
   };
 }
 

@@ -12,7 +12,7 @@ namespace fabricsh::script {
 // The optional argument `region` of a photograph, and its value: all of the picture by default. Error: it is
 // empty or does not lie in the picture.
 Argument region_();
-lab::Region region_of(const Call& call, const format::Image& image);
+lab::PixelRegion region_of(const Call& call, const format::Image& image);
 
 // The names in the argument `files`.
 std::vector<std::string> file_names(const Call& call);

@@ -24,23 +24,23 @@ constexpr const char* axes[] = {"x", "y", "z"};
 // number: index among its kind, from 0; -1: part of the model's construction, which cannot be removed.
 struct Declared {
   std::string kind, set, what;
-  Model::Told told = Model::Told::fix;
+  Model::DeclarationKind declaration = Model::DeclarationKind::fix;
   int number = -1;
 };
 
 // The rows of one kind, numbered in their order.
-class Rows {
+class DeclaredRows {
  public:
-  Rows(std::vector<Declared>& all, std::string kind, Model::Told told)
-      : all_(all), kind_(std::move(kind)), told_(told) {}
+  DeclaredRows(std::vector<Declared>& all, std::string kind, Model::DeclarationKind declaration)
+      : all_(all), kind_(std::move(kind)), declaration_(declaration) {}
   void add(const std::string& set, const std::string& what) {
-    all_.push_back({kind_, set, what, told_, count_++});
+    all_.push_back({kind_, set, what, declaration_, count_++});
   }
 
  private:
   std::vector<Declared>& all_;
   std::string kind_;
-  Model::Told told_;
+  Model::DeclarationKind declaration_;
   int count_ = 0;
 };
 
@@ -76,7 +76,7 @@ std::string oblique(const Mat3& frame) {
   return words + "}";
 }
 
-std::string freedom_words(const model::Freedoms& freedoms) {
+std::string freedom_words(const model::FixedFreedoms& freedoms) {
   std::string words;
   const auto add = [&words](bool held, const std::string& word) {
     if (held) words += (words.empty() ? "" : " ") + word;
@@ -103,27 +103,47 @@ void add_sheets(const Model& m, std::vector<Declared>& all) {
   }
 }
 
+std::string seam_words(const model::Seam& seam) {
+  std::string words = seam.over ? "over " + brief_number(*seam.over) + " s" : "from the start";
+  if (seam.hinge) words += *seam.hinge ? ", a hinge" : ", bends as one piece";
+  if (seam.reverse) words += *seam.reverse ? ", reversed" : ", not reversed";
+  if (seam.stiffness) add_word(words, "stiffness " + brief_number(*seam.stiffness) + " N/m^2");
+  if (seam.strength)
+    add_word(words,
+             "strength " + brief_number(*seam.strength) + " N/m, " + brief_number(*seam.energy) + " J/m");
+  return words;
+}
+
 void add_supports(const Model& m, std::vector<Declared>& all) {
-  using Told = Model::Told;
-  Rows fixed(all, "fix", Told::fix);
+  using DeclarationKind = Model::DeclarationKind;
+  DeclaredRows fixed(all, "fix", DeclarationKind::fix);
   for (const auto& s : m.supports()) fixed.add(s.set, freedom_words(s.fixed) + oblique(s.frame));
-  Rows moved(all, "move", Told::move);
+  DeclaredRows moved(all, "move", DeclarationKind::move);
   for (const auto& s : m.motions()) moved.add(s.set, component_words(s.displacement, "m") + oblique(s.frame));
-  Rows turned(all, "turn", Told::turn);
+  DeclaredRows turned(all, "turn", DeclarationKind::turn);
   for (const auto& t : m.turns())
     turned.add(t.set, history_words(t.angle, "degrees") + " about " + vector_words(t.axis) +
                           (t.centre ? " through " + vector_words(*t.centre) : ""));
-  Rows sprung(all, "spring", Told::spring);
+  DeclaredRows sprung(all, "spring", DeclarationKind::spring);
   for (const auto& s : m.springs()) {
     std::string words;
     for (std::size_t i = 0; i < 3; ++i)
       if (s.stiffness[i] != 0) add_word(words, std::string(axes[i]) + " " + brief_number(s.stiffness[i]));
     sprung.add(s.set, words + " N/m" + oblique(s.frame));
   }
-  Rows zones(all, "tearable", Told::tearable);
-  for (const auto& zone : m.zones()) zones.add(zone.set, "its joints may open");
+  DeclaredRows zones(all, "tearable", DeclarationKind::tearable);
+  for (const auto& zone : m.zones())
+    zones.add(zone.set,
+              "its joints may open" +
+                  (zone.path.empty() ? "" : "; yarns break at the nodes of " + zone.path + " only"));
+  DeclaredRows banded(all, "band", DeclarationKind::band);
+  for (const auto& b : m.bands())
+    banded.add(b.set, brief_number(b.stiffness) + " N, " + brief_number(100 * b.ease) + " % shorter" +
+                          (b.over ? " over " + brief_number(*b.over) + " s" : ""));
+  DeclaredRows sewn(all, "seam", DeclarationKind::seam);
+  for (const auto& s : m.seams()) sewn.add(s.first + " to " + s.second, seam_words(s));
   constexpr const char* kinds[] = {"equal", "straight", "rigid", "periodic"};
-  Rows tied(all, "tie", Told::tie);
+  DeclaredRows tied(all, "tie", DeclarationKind::tie);
   for (const auto& t : m.ties()) {
     std::string words = kinds[static_cast<int>(t.kind)];
     if (!t.partner.empty()) words += " with " + t.partner;
@@ -133,19 +153,19 @@ void add_supports(const Model& m, std::vector<Declared>& all) {
 }
 
 void add_loads(const Model& m, std::vector<Declared>& all) {
-  using Told = Model::Told;
-  Rows forces(all, "force", Told::force);
+  using DeclarationKind = Model::DeclarationKind;
+  DeclaredRows forces(all, "force", DeclarationKind::force);
   for (const auto& f : m.forces()) forces.add(f.set, component_words(f.total, "N") + oblique(f.frame));
-  Rows moments(all, "moment", Told::moment);
+  DeclaredRows moments(all, "moment", DeclarationKind::moment);
   for (const auto& f : m.moments()) moments.add(f.set, component_words(f.total, "N m") + oblique(f.frame));
-  Rows tractions(all, "traction", Told::traction);
+  DeclaredRows tractions(all, "traction", DeclarationKind::traction);
   for (const auto& t : m.tractions())
     tractions.add(t.set, component_words(t.intensity, "N/m^2 or N/m") + oblique(t.frame));
-  Rows pressures(all, "pressure", Told::pressure);
+  DeclaredRows pressures(all, "pressure", DeclarationKind::pressure);
   for (const auto& p : m.pressures()) pressures.add(p.set, history_words(p.value, "Pa"));
   if (m.gravity()[0] || m.gravity()[1] || m.gravity()[2])
-    Rows(all, "gravity", Told::gravity).add("all", component_words(m.gravity(), "m/s^2"));
-  Rows velocities(all, "velocity", Told::velocity);
+    DeclaredRows(all, "gravity", DeclarationKind::gravity).add("all", component_words(m.gravity(), "m/s^2"));
+  DeclaredRows velocities(all, "velocity", DeclarationKind::velocity);
   for (const auto& v : m.velocities()) {
     std::string words = vector_words(v.linear) + " m/s";
     if (!v.spin.isZero())
@@ -163,17 +183,18 @@ void add_contacts(const Model& m, std::vector<Declared>& all) {
     if (motion.turn)
       add_word(words, "turn " + history_words(motion.turn->angle, "degrees") + " about " +
                           vector_words(motion.turn->axis));
-    all.push_back({"move", given.name_of(*motion.body), words, Model::Told::body_move, number++});
+    all.push_back({"move", given.name_of(*motion.body), words, Model::DeclarationKind::body_move, number++});
   }
   number = 0;
   for (const auto& v : given.velocities())
     all.push_back({"velocity", given.name_of(*v.body),
                    vector_words(v.linear) + " m/s, spin " + vector_words(v.spin * 180 / std::numbers::pi) +
                        " degrees/s",
-                   Model::Told::body_velocity, number++});
+                   Model::DeclarationKind::body_velocity, number++});
   number = 0;
   for (const auto& c : given.contacts()) {
     std::string sides, words = "friction " + brief_number(c.friction);
+    if (c.sticking) add_word(words, "static " + brief_number(*c.sticking));
     for (const auto& party : c.between)
       sides += (sides.empty() ? "" : " and ") + (party.body ? given.name_of(*party.body) : party.set);
     if (c.between.size() == 1) sides += " on itself";
@@ -182,7 +203,7 @@ void add_contacts(const Model& m, std::vector<Declared>& all) {
     if (c.restitution != model::ContactGiven::usual_restitution)
       add_word(words, "restitution " + brief_number(c.restitution));
     if (c.settle) add_word(words, "settles over " + brief_number(*c.settle) + " s");
-    all.push_back({"contact", sides, words, Model::Told::contact, number++});
+    all.push_back({"contact", sides, words, Model::DeclarationKind::contact, number++});
   }
 }
 
@@ -247,7 +268,7 @@ int remove(Call& call) {
   if (one.number < 0)
     throw Error("remove: a " + one.kind +
                 " is part of the model itself and cannot be removed: make a new model");
-  model->remove(one.told, static_cast<std::size_t>(one.number));
+  model->remove(one.declaration, static_cast<std::size_t>(one.number));
   return return_self(call);
 }
 
@@ -269,7 +290,7 @@ int model_of_run(Call& call) {
 }
 
 int mesh_of_run(Call& call) {
-  push_mesh(call.L(), call.self<Run>()->analysis->model());
+  push_mesh(call.L(), call.self<DeckRun>()->analysis->model());
   return 1;
 }
 
@@ -288,9 +309,9 @@ std::vector<Entry> rows() {
        "Its supports and loads (before them bodies and regions, if any): rows of kind "
        "(the call's name), set and what, which print as a "
        "table.",
-       sample + "m:fix('bottom', 'x y z'):gravity{0, 0, -9.81}\nlocal told = m:list()\n"
-                "assert(told[1].kind == 'fix' and told[1].set == 'bottom' and told[1].what == 'x y z')\n"
-                "assert(told[2].what == 'x 0, y 0, z -9.81 m/s^2')",
+       sample + "m:fix('bottom', 'x y z'):gravity{0, 0, -9.81}\nlocal list = m:list()\n"
+                "assert(list[1].kind == 'fix' and list[1].set == 'bottom' and list[1].what == 'x y z')\n"
+                "assert(list[2].what == 'x 0, y 0, z -9.81 m/s^2')",
        list},
       {"model:remove",
        Style::positional,

@@ -5,7 +5,8 @@
 //
 // An argument has name, sentence, kind ("number|text"; `of` implies "object"), unit, low, high,
 // above, default, optional, choices, rows. define.fail(message) raises an error with the deck's
-// line; define.warnings(define.log_end()) is what runs and decks warn of from then on; define.keep_caller(f)
+// line; define.warnings(define.log_end()) is what runs and decks warn of from then on, define.say(text)
+// shows a warning without adding it to these; define.keep_caller(f)
 // is f for decks, whose line is known even in `return f()`; define.registry has rows, name_of, class_of,
 // card_of, nearest and show of bind/registry.cpp. run receives one table with all defaults filled in; with
 // positional=true, the values in order.
@@ -29,6 +30,17 @@ std::string get_text(lua_State* L, int index, const char* name) {
   const std::string value = is_text ? lua_tostring(L, -1) : "";
   lua_pop(L, 1);
   return value;
+}
+
+std::vector<std::string> get_texts(lua_State* L, int index, const char* name) {
+  std::vector<std::string> texts;
+  if (lua_getfield(L, index, name) == LUA_TTABLE)
+    for (lua_Integer i = 1; lua_rawgeti(L, -1, i) == LUA_TSTRING || (lua_pop(L, 1), false); ++i) {
+      texts.emplace_back(lua_tostring(L, -1));
+      lua_pop(L, 1);
+    }
+  lua_pop(L, 1);
+  return texts;
 }
 
 unsigned kind_named(const std::string& word) {
@@ -92,12 +104,7 @@ Argument read_row(lua_State* L, int depth) {
   if (row.name.empty()) throw Error("a row of arguments: field 'name': expected a name, got none");
   read_range(L, row);
   read_default(L, row);
-  if (lua_getfield(L, -1, "choices") == LUA_TTABLE)
-    for (lua_Integer i = 1; lua_rawgeti(L, -1, i) == LUA_TSTRING || (lua_pop(L, 1), false); ++i) {
-      row.choices.emplace_back(lua_tostring(L, -1));
-      lua_pop(L, 1);
-    }
-  lua_pop(L, 1);
+  row.choices = get_texts(L, -1, "choices");
   if (lua_getfield(L, -1, "rows") == LUA_TTABLE) row.rows = read_rows(L, -1, depth + 1);
   lua_pop(L, 1);
   return row;
@@ -140,7 +147,7 @@ void push_value(Call& call, const Argument& row) {
 
 // Gives the result of a virtual test, on top of the stack, the field `warnings`: of all runs that it made and
 // of what it said itself.
-void add_warnings(lua_State* L, const WarningLog& log, WarningLog::Place from) {
+void add_warnings(lua_State* L, const WarningLog& log, WarningLog::LogPosition from) {
   if (!log.ran_since(from)) return;
   lua_pushliteral(L, "warnings");
   if (lua_pushvalue(L, -1), lua_rawget(L, -3) == LUA_TNIL) {
@@ -169,7 +176,7 @@ int run_defined(Call& call) {
   // An absent argument without a default is not passed, so that it can be distinguished from nil.
   if (entry.style != Style::fields)
     while (lua_gettop(L) > base + 1 + given && lua_isnil(L, -1)) lua_pop(L, 1);
-  const WarningLog::Place place = call.session().log().end();
+  const WarningLog::LogPosition place = call.session().log().end();
   lua_call(L, lua_gettop(L) - base - 1, LUA_MULTRET);
   const int results = lua_gettop(L) - base;
   if (results != 1 || !lua_istable(L, -1)) return results;
@@ -220,6 +227,7 @@ int define(lua_State* L) {
     entry.style = lua_toboolean(L, -1) ? Style::positional : Style::fields;
     if (lua_getfield(L, 1, "arguments") == LUA_TTABLE) entry.arguments = read_rows(L, -1, 1);
     lua_pop(L, 2);
+    entry.retired = get_texts(L, 1, "retired");
     entry.sentence = get_text(L, 1, "sentence");
     entry.example = get_text(L, 1, "example");
     entry.run = run_defined;
@@ -246,7 +254,7 @@ int fail(lua_State* L) {
   return lua_error(L);
 }
 
-// Calls the Lua function of the upvalue. Lua forgets the line of a function that returns the result of
+// Calls the Lua function of the upvalue. Lua does not keep the line of a function that returns the result of
 // another Lua function; of one that returns that of a C function it keeps it.
 int give_results(lua_State* L, int /*status*/, lua_KContext /*context*/) { return lua_gettop(L); }
 
@@ -266,7 +274,7 @@ int keep_caller(lua_State* L) {
 
 // log_end(): where the log of warnings ends; warnings(place): what was added from there on.
 int log_end(lua_State* L) {
-  const WarningLog::Place place = Session::of(L).log().end();
+  const WarningLog::LogPosition place = Session::of(L).log().end();
   lua_pushinteger(L, static_cast<lua_Integer>(place.lists));
   return 1;
 }
@@ -275,6 +283,14 @@ int warnings(lua_State* L) {
   const auto from = static_cast<std::size_t>(luaL_checkinteger(L, 1));
   push_warnings(L, Session::of(L).log().since({from, 0}));
   return 1;
+}
+
+// say(text): shows a warning without logging it, because what it says is in the log already.
+int say(lua_State* L) {
+  Session& session = Session::of(L);
+  const std::string text = luaL_checkstring(L, 1);
+  session.notices().once(text, "warning: " + text);
+  return 0;
 }
 
 int call_define(lua_State* L) {
@@ -295,6 +311,8 @@ int open_define(lua_State* L) {
   lua_setfield(L, -2, "log_end");
   lua_pushcfunction(L, warnings);
   lua_setfield(L, -2, "warnings");
+  lua_pushcfunction(L, say);
+  lua_setfield(L, -2, "say");
   push_registry(L);
   lua_setfield(L, -2, "registry");
   lua_newtable(L);

@@ -20,7 +20,7 @@ void read_method(const Call& call, run::DynamicOptions& options) {
   if (call.is("step", LUA_TNUMBER)) options.step = call.number("step");
   if (call.has("gamma")) options.gamma = call.number("gamma");
   if (call.has("beta")) options.beta = call.number("beta");
-  options.hht = call.number("hht");
+  if (call.has("hht")) options.hht = call.number("hht");
   if (call.has("inertia")) options.scaled = call.text("inertia") == "scaled";
   options.force = call.flag("force");
   options.ledger_limit = call.number("ledger_limit");
@@ -40,16 +40,16 @@ int make(Call& call) {
   Session& session = call.session();
   const auto notices = std::shared_ptr<Notices>(&session.notices(), [](Notices*) {});
   const auto model = call.object<model::Model>("model");
-  const Still still_model(session, model.get()), still_mesh(session, &model->mesh());
+  const ChangeRefused still_model(session, model.get()), still_mesh(session, &model->mesh());
   auto run = run::make_dynamic(model, options, notices);
   if (call.text("limit") == "stop") run->stop_beyond();
-  push_run(call.L(), std::make_shared<Run>(session, std::move(run)));
+  push_run(call.L(), std::make_shared<DeckRun>(session, std::move(run)));
   keep_model(call);
   return 1;
 }
 
 const run::Dynamic& dynamic(Call& call) {
-  const auto* run = dynamic_cast<const run::Dynamic*>(call.self<Run>()->analysis.get());
+  const auto* run = dynamic_cast<const run::Dynamic*>(call.self<DeckRun>()->analysis.get());
   if (run == nullptr) throw Error("a static analysis has no stable step");
   return *run;
 }
@@ -91,8 +91,11 @@ std::vector<Argument> arguments() {
       number_("gamma", "", Range{0.5, 1}, "of Newmark; above 1/2 it damps; default 1/2").optional(),
       number_("beta", "", Range{0, 1}, "of Newmark; default 0 explicit, (1/2 + gamma)^2/4 implicit")
           .optional(),
-      number_("hht", "", Range{-1.0 / 3, 0}, "alpha of Hilbert, Hughes and Taylor: damps high frequencies")
-          .or_else(0.0),
+      number_(
+          "hht", "", Range{-1.0 / 3, 0},
+          "alpha of Hilbert, Hughes and Taylor: damps high frequencies; default 0, and -0.2 from the step on "
+          "in which implicit steps have made energy")
+          .optional(),
       fields_("damping",
               {number_("mass", "1/s", not_negative, "a of the damping matrix a M + b K_M").optional(),
                number_("stiffness", "s", not_negative, "b of the damping matrix a M + b K_M").optional()},

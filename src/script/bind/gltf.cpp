@@ -1,4 +1,5 @@
-// fabric.export.gltf: a series that a:vtk wrote, or a run as it stands, as a .glb for browsers and modellers.
+// fabric.export.gltf: a series that a:vtk wrote, or the present state of a run, as a .glb for browsers and
+// modellers.
 #include "format/gltf.hpp"
 
 #include <algorithm>
@@ -25,8 +26,8 @@ namespace {
 using format::FrameArray;
 using format::FrameFile;
 
-// One time: the cloth first, then what stands beside it.
-struct Moment {
+// One time: the cloth first, then the bodies.
+struct TimeFrame {
   double time = 0;
   std::vector<std::pair<std::string, FrameFile>> shapes;  // by name
   std::string file;                                       // of the cloth, for messages
@@ -40,7 +41,7 @@ struct Wanted {
 std::vector<std::string> field_words() {
   std::vector<std::string> words = {"none"};
   for (const run::ResultField& field : run::result_fields()) {
-    if (field.shape == run::Shape::vector) words.push_back(field.name);
+    if (field.shape == run::FieldShape::vector) words.push_back(field.name);
     words.insert(words.end(), field.components.begin(), field.components.end());
   }
   return words;
@@ -69,14 +70,14 @@ std::string body_name(const std::string& file, const std::string& stem) {
   return name;
 }
 
-std::vector<Moment> read_series(const std::string& path, const Wanted& wanted, double every) {
+std::vector<TimeFrame> read_series(const std::string& path, const Wanted& wanted, double every) {
   std::vector<std::string> arrays = {"reference", "displacement"};
   if (!wanted.none) arrays.push_back(wanted.part.array());
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   const std::string stem = std::filesystem::path(path).stem().string();
   const auto entries = format::read_pvd(path, format::read_file(path));
   const double last = entries.empty() ? 0 : entries.back().time;
-  std::vector<Moment> moments;
+  std::vector<TimeFrame> moments;
   bool taken = false;
   for (const format::SeriesEntry& entry : entries) {
     const bool fresh = moments.empty() || entry.time > moments.back().time;
@@ -97,7 +98,7 @@ std::vector<Moment> read_series(const std::string& path, const Wanted& wanted, d
   return moments;
 }
 
-std::vector<Moment> moment_of(const run::Run& run, const Wanted& wanted) {
+std::vector<TimeFrame> moment_of(const run::Run& run, const Wanted& wanted) {
   run::VtkContents contents;
   contents.fields = {"displacement"};
   if (!wanted.none) contents.fields.push_back(wanted.part.array());
@@ -109,7 +110,7 @@ std::vector<Moment> moment_of(const run::Run& run, const Wanted& wanted) {
       cloth.arrays.push_back(
           {a.name, on_cells, static_cast<std::size_t>(a.components), a.component_names, a.values});
     }
-  Moment moment{run.time(), {{"cloth", std::move(cloth)}}, "the run"};
+  TimeFrame moment{run.time(), {{"cloth", std::move(cloth)}}, "the run"};
   for (const run::BodyShown& body : run::shown_bodies(run)) {
     FrameFile shape{body.vertices, {}, {}, {}};
     for (const auto& t : body.triangles) shape.cells.push_back({t[0], t[1], t[2], -1});
@@ -121,8 +122,8 @@ std::vector<Moment> moment_of(const run::Run& run, const Wanted& wanted) {
 // Place of the number among those of the array; -1: the length of the vector; -2: it has no such number.
 int column_of(const FrameArray& array, const run::FieldPart& part) {
   const run::ResultField& field = *part.field;
-  if (field.shape == run::Shape::vector) return array.components == 3 ? part.component : -2;
-  if (field.shape == run::Shape::scalar) return array.components == 1 ? 0 : -2;
+  if (field.shape == run::FieldShape::vector) return array.components == 3 ? part.component : -2;
+  if (field.shape == run::FieldShape::scalar) return array.components == 1 ? 0 : -2;
   const std::string& label = field.labels[static_cast<std::size_t>(part.component)];
   for (std::size_t c = 0; c < array.component_names.size(); ++c)
     if (array.component_names[c] == label) return static_cast<int>(c);
@@ -149,7 +150,7 @@ std::vector<double> on_points(const FrameFile& frame, const std::vector<double>&
   return sum;
 }
 
-std::vector<double> values_of(const Moment& moment, const Wanted& wanted, const std::string& name) {
+std::vector<double> values_of(const TimeFrame& moment, const Wanted& wanted, const std::string& name) {
   const FrameFile& frame = moment.shapes.front().second;
   const FrameArray* array = frame.find(wanted.part.array());
   const int column = array == nullptr ? -2 : column_of(*array, wanted.part);
@@ -163,16 +164,16 @@ std::vector<double> values_of(const Moment& moment, const Wanted& wanted, const 
   return array->on_cells ? on_points(frame, values) : values;
 }
 
-struct Range {
+struct ValueRange {
   double low = std::numeric_limits<double>::infinity(), high = -low;
 };
 
 // The colours of the cloth at all times, by one scale; where none is given, by all that there is.
-Range colour(const std::vector<Moment>& moments, const Wanted& wanted, const Call& call,
-             format::GltfSurface& cloth) {
+ValueRange colour(const std::vector<TimeFrame>& moments, const Wanted& wanted, const Call& call,
+                  format::GltfSurface& cloth) {
   std::vector<std::vector<double>> all;
-  Range range;
-  for (const Moment& moment : moments) all.push_back(values_of(moment, wanted, call.text("field")));
+  ValueRange range;
+  for (const TimeFrame& moment : moments) all.push_back(values_of(moment, wanted, call.text("field")));
   for (const auto& values : all)
     for (const double v : values)
       if (std::isfinite(v)) range.low = std::min(range.low, v), range.high = std::max(range.high, v);
@@ -190,13 +191,13 @@ Range colour(const std::vector<Moment>& moments, const Wanted& wanted, const Cal
   return range;
 }
 
-// Shapes that are there at all times, with the same cells.
-std::vector<format::GltfSurface> surfaces_of(const std::vector<Moment>& moments) {
+// Shapes that exist at all times, with the same cells.
+std::vector<format::GltfSurface> surfaces_of(const std::vector<TimeFrame>& moments) {
   std::vector<format::GltfSurface> surfaces;
   for (const auto& [name, first] : moments.front().shapes) {
     format::GltfSurface surface{name, first.cells, {}};
     if (!surfaces.empty()) surface.plain = {0.35f, 0.38f, 0.42f};
-    for (const Moment& moment : moments) {
+    for (const TimeFrame& moment : moments) {
       const std::size_t i = surfaces.size();
       const bool same = i < moment.shapes.size() && moment.shapes[i].second.cells == first.cells &&
                         moment.shapes[i].second.points.size() == first.points.size();
@@ -223,10 +224,10 @@ void check_arguments(const Call& call) {
   }
 }
 
-void set_times(const Call& call, const std::vector<Moment>& moments, format::GltfScene& scene) {
+void set_times(const Call& call, const std::vector<TimeFrame>& moments, format::GltfScene& scene) {
   const double first = moments.front().time, whole = moments.back().time - first;
   const double slower = call.has("duration") && whole > 0 ? call.number("duration") / whole : 1;
-  for (const Moment& moment : moments) scene.times.push_back((moment.time - first) * slower);
+  for (const TimeFrame& moment : moments) scene.times.push_back((moment.time - first) * slower);
 }
 
 void set_count(lua_State* L, const char* name, std::size_t count) {
@@ -239,16 +240,16 @@ int gltf(Call& call) {
   const Wanted wanted = wanted_field(call);
   const std::string file = call.text("file");
   if (call.session().options().check) return 0;
-  const std::vector<Moment> moments =
+  const std::vector<TimeFrame> moments =
       call.has("run")
-          ? moment_of(*call.object<Run>("run")->analysis, wanted)
+          ? moment_of(*call.object<DeckRun>("run")->analysis, wanted)
           : read_series(call.text("series"), wanted, call.has("every") ? call.number("every") : 0);
   format::GltfScene scene;
   scene.morph = call.has("shapes") ? call.text("shapes") == "morph" : wanted.none;
   scene.z_up = call.text("up") == "z";
   set_times(call, moments, scene);
   scene.surfaces = surfaces_of(moments);
-  Range range;
+  ValueRange range;
   if (!wanted.none) range = colour(moments, wanted, call, scene.surfaces.front());
   const std::string bytes = format::glb(scene);
   system::make_folder_for(file);

@@ -46,12 +46,12 @@ std::vector<double> work_on(const Function& work, std::size_t i) {
 }
 
 // Numbers of finished items, of failed ones, and of those whose process ended without an answer.
-struct Finished {
+struct ItemCounts {
   std::size_t all = 0, failed = 0, lost = 0;
 };
 
 // For example "study: 3 of 12 done, 1 failed, 1 without an answer, 40 s, about 120 s more".
-std::string progress_words(const std::string& title, std::size_t count, const Finished& finished,
+std::string progress_words(const std::string& title, std::size_t count, const ItemCounts& finished,
                            double seconds) {
   char times[80];
   const double more = seconds / static_cast<double>(finished.all) * static_cast<double>(count - finished.all);
@@ -62,14 +62,14 @@ std::string progress_words(const std::string& title, std::size_t count, const Fi
 }
 
 // Reports the progress, at most every two seconds and at the end.
-class Progress {
+class ItemProgress {
  public:
-  Progress(Session& session, std::string title, std::size_t count)
+  ItemProgress(Session& session, std::string title, std::size_t count)
       : session_(session), title_(std::move(title)), count_(count) {}
-  void done(const lab::Answer& answer) {
+  void done(const lab::WorkerResult& answer) {
     ++finished_.all;
     finished_.lost += answer.died ? 1 : 0;
-    finished_.failed += !answer.died && !answer.trouble.empty() ? 1 : 0;
+    finished_.failed += !answer.died && !answer.error.empty() ? 1 : 0;
     const double seconds = seconds_since(begin_);
     if (title_.empty() || session_.options().quiet || !session_.options().notice) return;
     if (finished_.all < count_ && seconds < said_ + 2) return;
@@ -85,7 +85,7 @@ class Progress {
   Session& session_;
   std::string title_;
   std::size_t count_;
-  Finished finished_;
+  ItemCounts finished_;
   Clock::time_point begin_ = Clock::now();
   double said_ = 0;
 };
@@ -101,26 +101,32 @@ void bound_processes(const Session& session, lab::Processes& how) {
 int parallel(Call& call) {
   lua_State* L = call.L();
   const Function work = call.function("work"), done = call.function("done");
-  const bool tell = call.has("done");
+  const bool reports = call.has("done");
   const auto count = static_cast<std::size_t>(call.integer("count"));
   Session& session = call.session();
-  Progress progress(session, call.text("progress"), count);
+  ItemProgress progress(session, call.text("progress"), count);
   lab::Processes how;
   how.at_a_time = call.has("processes") ? call.count("processes") : omp_get_max_threads();
-  how.always = call.flag("isolated");
+  const bool collects = call.flag("collect");
+  how.always = call.flag("isolated") || (collects && !session.forked());
   if (session.limits() != nullptr) bound_processes(session, how);
   how.stop = [&session] { return session.interrupted(); };
   how.attach = [&session, from = session.log().end()] { return session.log().packed_since(from); };
-  how.done = [&](std::size_t i, const lab::Answer& answer) {
+  how.done = [&](std::size_t i, const lab::WorkerResult& answer) {
     progress.done(answer);
-    if (!tell) return;
+    if (!reports) return;
     lua_State* on = done.push();
     lua_pushinteger(on, static_cast<lua_Integer>(i + 1));
     call_one(on);
     lua_pop(on, 1);
   };
   const auto answers = lab::in_processes(
-      count, [&](std::size_t i) { return work_on(work, i); }, how);
+      count,
+      [&](std::size_t i) {
+        if (collects && session.forked()) session.log().stop_showing();
+        return work_on(work, i);
+      },
+      how);
   if (session.take_interrupt()) {
     session.rest_hook(session.active());
     session.call_off();
@@ -128,10 +134,15 @@ int parallel(Call& call) {
   }
   lua_createtable(L, static_cast<int>(answers.size()), 0);
   lua_Integer place = 0;
-  for (const lab::Answer& answer : answers) {
+  for (const lab::WorkerResult& answer : answers) {
+    const WarningLog::LogPosition before = session.log().end();
     session.log().adopt(answer.attached);
     push_numbers(L, answer.values);
-    if (!answer.trouble.empty()) set_text(L, "trouble", answer.trouble);
+    if (collects) {
+      push_warnings(L, session.log().since(before));
+      lua_setfield(L, -2, "warnings");
+    }
+    if (!answer.error.empty()) set_text(L, "trouble", answer.error);
     if (answer.died) {
       lua_pushboolean(L, 1);
       lua_setfield(L, -2, "died");
@@ -178,7 +189,7 @@ int least_squares(Call& call) {
   const auto start = call.numbers("start"), low = call.numbers("low"), high = call.numbers("high");
   if (low.size() != start.size() || high.size() != start.size())
     call.refuse("low", "expected low and high for each of " + std::to_string(start.size()) + " parameters");
-  std::vector<lab::Bounds> bounds;
+  std::vector<lab::ParameterBounds> bounds;
   for (std::size_t i = 0; i < low.size(); ++i) bounds.push_back({low[i], high[i]});
   const Function evaluate = call.function("evaluate");
   std::size_t count = 0;
@@ -228,6 +239,10 @@ std::vector<Entry> rows() {
             .optional(),
         value_("done", function, "done(i) is called in this process after each item").optional(),
         value_("isolated", boolean, "each item in a process of its own, even with processes=1")
+            .or_else(false),
+        value_(
+            "collect", boolean,
+            "what the items warn of is not shown but returned, a list warnings with each answer, and logged")
             .or_else(false),
         value_("progress", text, "progress is shown, preceded by this word").or_else("")},
        "Calls work(i) for items 1 to count in parallel processes. Returns the lists in order; that of a "

@@ -1,4 +1,6 @@
 // Tearable zones of a model, and opening and closing their joints during a run.
+#include <algorithm>
+
 #include "base/archive.hpp"
 #include "script/bind/model.hpp"
 #include "script/bind/run.hpp"
@@ -11,14 +13,15 @@ using model::Model;
 namespace {
 
 int tearable(Call& call) {
-  bool lower = true;
-  std::int64_t seed = 1;
+  model::Zone zone{call.text("set")};
   if (call.has("options")) {
     const Fields options = call.fields("options");
-    lower = options.text("coarse") == "lower";
-    seed = options.integer("seed");
+    zone.lower = options.text("coarse") != "refuse";
+    zone.keep = options.text("coarse") == "keep";
+    zone.seed = static_cast<std::uint64_t>(options.integer("seed"));
+    if (options.has("path")) zone.path = options.text("path");
   }
-  call.self<Model>()->tearable(call.text("set"), lower, static_cast<std::uint64_t>(seed));
+  call.self<Model>()->tearable(std::move(zone));
   return return_self(call);
 }
 
@@ -56,7 +59,7 @@ run::Run::Along read_along(const Call& call) {
 // the first of them it is made again: the state of the checkpoint replaces what it does.
 template <class Change>
 int change(Call& call, const std::string& name, run::Run::Along along, Change made) {
-  Run& run = *call.self<Run>();
+  DeckRun& run = *call.self<DeckRun>();
   const auto make = [&] {
     lua_pushinteger(call.L(), static_cast<lua_Integer>(made(*run.analysis)));
     return 1;
@@ -82,8 +85,14 @@ int join(Call& call) {
 }
 
 int joints(Call& call) {
-  const auto& joints = call.self<Run>()->analysis->assembly().joints();
-  lua_createtable(call.L(), 0, 2);
+  const auto& dofs = call.self<DeckRun>()->analysis->assembly().dofs();
+  const auto& joints = dofs.joints();
+  const auto& closed = dofs.sewn().closed;
+  lua_createtable(call.L(), 0, 4);
+  lua_pushinteger(call.L(), static_cast<lua_Integer>(closed.size()));
+  lua_setfield(call.L(), -2, "stitches");
+  lua_pushinteger(call.L(), std::count(closed.begin(), closed.end(), 1));
+  lua_setfield(call.L(), -2, "closed");
   lua_pushinteger(call.L(), static_cast<lua_Integer>(joints.open()));
   lua_setfield(call.L(), -2, "open");
   lua_pushinteger(call.L(), static_cast<lua_Integer>(joints.places()));
@@ -124,10 +133,14 @@ std::vector<Entry> rows() {
         fields_("options",
                 {value_("coarse", text,
                         "where elements are coarse for the card's strength and energy: lower the strength "
-                        "until a tear runs at the right force, and say so; or refuse")
-                     .one_of({"lower", "refuse"})
+                        "until a tear runs at the right force, and say so; refuse; or keep the strength, "
+                        "which is right where no tear runs, as in a strip without a notch")
+                     .one_of({"lower", "refuse", "keep"})
                      .or_else("lower"),
-                 integer_("seed", {0, 9007199254740992.0}, "of the scatter of strengths").or_else(1)},
+                 integer_("seed", {0, 9007199254740992.0}, "of the scatter of strengths").or_else(1),
+                 value_("path", text,
+                        "a set of nodes: yarns break at these places only, where the path of a tear is given")
+                     .optional()},
                 "of breaking yarns")
             .optional()},
        "Declares a tearable zone: each corner of its elements gets a node of its own, which moves with the "
@@ -138,14 +151,16 @@ std::vector<Entry> rows() {
        sample(""),
        tearable},
       {"analysis:cut", Style::fields, along_rows(),
-       "Opens joints of tearable zones, between two steps: in a hook, an event's action, or between calls. "
+       "Opens joints of tearable zones and stitches of seams, between two steps: in a hook, an event's "
+       "action, or between calls. "
        "Along "
        "the edges named the elements come apart; the tip of a cut stays whole. Returns how many joints there "
        "are "
        "more.",
        sample(cut_sample), cut},
       {"analysis:join", Style::fields, join_rows,
-       "Closes joints of tearable zones, between two steps, where their nodes have met again. They take the "
+       "Closes joints of tearable zones and stitches of seams, between two steps, where their nodes have met "
+       "again. They take the "
        "mean "
        "of their velocities weighted by their masses; the kinetic energy lost is a.energy.joints. Returns "
        "how many "
@@ -156,7 +171,7 @@ std::vector<Entry> rows() {
        {},
        "Of the tearable zones: open, the number of places whose joint is open; places, of all places with "
        "several "
-       "nodes.",
+       "nodes. Of seams: stitches, and how many of them are closed.",
        sample(cut_sample + "assert(a.joints.open == 1 and a.joints.places == 15 - 4)"),
        joints},
   };

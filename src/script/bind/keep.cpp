@@ -22,11 +22,11 @@ void check_table(const Fields& options) {
 }
 
 // The deck's table is stored with the checkpoint, and is restored if the run starts from one.
-void store_table(Run& run, const std::string& path, const Fields& options, run::Keeper& keeper) {
+void store_table(DeckRun& run, const std::string& path, const Fields& options, run::Keeper& keeper) {
   const std::string* kept = run.job.claims().take("keep", path);
   const Hook table(options, "keep", &run);
   keep_table(run, table, kept != nullptr ? *kept : std::string());
-  keeper.keep_also([table, path](std::vector<run::Checkpoint::Part>& parts) {
+  keeper.keep_also([table, path](std::vector<run::Checkpoint::CheckpointPart>& parts) {
     lua_State* L = table.push();
     parts.push_back({"keep", path, pack_table(L, -2, "keep")});
     lua_pop(L, 2);
@@ -34,7 +34,7 @@ void store_table(Run& run, const std::string& path, const Fields& options, run::
 }
 
 int checkpoint(Call& call) {
-  const auto run = call.self<Run>();
+  const auto run = call.self<DeckRun>();
   const std::string path = call.text("path");
   std::optional<Fields> options;
   if (call.has("options")) options.emplace(call.fields("options"));
@@ -54,7 +54,7 @@ int checkpoint(Call& call) {
 }
 
 int restart_run(Call& call) {
-  restart(*call.self<Run>(), load_checkpoint(call.text("path")));
+  restart(*call.self<DeckRun>(), load_checkpoint(call.text("path")));
   return chain(call);
 }
 
@@ -64,13 +64,13 @@ int set(Call& call) {
   if (call.has("step")) settings.step = call.number("step");
   if (call.has("max_iterations")) settings.max_iterations = call.count("max_iterations");
   if (call.has("max_cuts")) settings.max_cuts = call.count("max_cuts");
-  const auto run = call.self<Run>();
+  const auto run = call.self<DeckRun>();
   if (!repeats_change(*run)) run->analysis->set(settings);
   return chain(call);
 }
 
 int why(Call& call) {
-  const std::string& text = call.self<Run>()->analysis->why();
+  const std::string& text = call.self<DeckRun>()->analysis->why();
   lua_pushstring(call.L(), text.empty() ? "this run has not failed" : text.c_str());
   return 1;
 }

@@ -68,7 +68,7 @@ int branches(Call& call) {
   lua_State* L = call.L();
   lua_newtable(L);
   lua_Integer place = 0;
-  for (const lab::Branch& b : lab::branches(call.numbers("displacement"), call.number("tolerance"))) {
+  for (const lab::PullBranch& b : lab::branches(call.numbers("displacement"), call.number("tolerance"))) {
     lua_createtable(L, 0, 3);
     set_text(L, "kind", word(b.kind));
     lua_pushinteger(L, static_cast<lua_Integer>(b.begin + 1));
@@ -124,7 +124,7 @@ std::vector<lab::Tension> tensions(const Call& call) {
   return out;
 }
 
-void push_candidate(lua_State* L, const lab::Candidate& c) {
+void push_candidate(lua_State* L, const lab::DegreeCandidate& c) {
   lua_newtable(L);
   set_number(L, "degree", c.degree);
   set_number(L, "criterion", c.criterion);
@@ -162,7 +162,7 @@ int backbone(Call& call) {
   const auto candidates = lab::fit_backbones(tensions(call), {degrees(call), call.flag("find_slack")});
   lua_newtable(L);
   lua_Integer place = 0;
-  for (const lab::Candidate& c : candidates) {
+  for (const lab::DegreeCandidate& c : candidates) {
     push_candidate(L, c);
     lua_rawseti(L, -2, ++place);
   }
@@ -285,7 +285,7 @@ int box_strains(Call& call) {
   set_numbers(L, "E12", shear);
   set_numbers(L, "warp_stretch", warp);
   set_numbers(L, "weft_stretch", weft);
-  const auto zones = lab::bias_zones(lab::shear_shares(shear, tracks.boxes()));
+  const auto zones = lab::bias_zones(lab::shear_ratios(shear, tracks.boxes()));
   set_numbers(L, "zones", {zones.begin(), zones.end()});
   return 1;
 }
@@ -313,7 +313,7 @@ std::vector<Entry> pull_entries() {
         number_("gauge_length", "m", positive, "between the grips").usually(1e-3, 2, "is it in m?"),
         number_("width", "m", positive, "of the specimen").usually(1e-3, 2, "is it in m?"),
         number_("thickness", "m", positive, "of one ply").usually(1e-5, 2e-2, "is it in m?"),
-        integer_("plies", from_one, "layers that carry: 2 for a sewn loop on two pins"),
+        integer_("plies", from_one, "layers that bear load: 2 for a sewn loop on two pins"),
         number_("compliance", "m/N", not_negative, "of the frame, elastic").or_else(0.0),
         number_("slip", "m/N", not_negative,
                 "in the grips over the largest force so far; it does not come back")

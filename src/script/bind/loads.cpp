@@ -225,6 +225,7 @@ std::vector<Entry> rows() {
 void bind_loads(Session& session) {
   install(session, rows());
   bind_ties(session);
+  bind_seams(session);
   bind_contact(session);
   bind_declared(session);
 }

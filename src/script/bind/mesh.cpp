@@ -5,6 +5,8 @@
 
 #include "base/number.hpp"
 #include "geometry/box.hpp"
+#include "mesh/slit.hpp"
+#include "script/bind/panel.hpp"
 #include "script/call/words.hpp"
 #include "script/show/show.hpp"
 
@@ -38,18 +40,55 @@ namespace {
 
 void push_vector(lua_State* L, const Vec3& v) { push_numbers(L, {v[0], v[1], v[2]}); }
 
-Vec3 origin_of(const Call& call) {
-  const auto numbers = call.numbers("origin");
-  if (numbers.empty()) return Vec3::Zero();
+Vec3 point_of(const Call& call, const char* name) {
+  const auto numbers = call.numbers(name);
   if (numbers.size() < 2 || numbers.size() > 3)
-    call.refuse("origin", "expected {x, y} or {x, y, z}, got " + counted(numbers.size(), "number"));
+    call.refuse(name, "expected {x, y} or {x, y, z}, got " + counted(numbers.size(), "number"));
   return {numbers[0], numbers[1], numbers.size() == 3 ? numbers[2] : 0.0};
 }
 
+Vec3 origin_of(const Call& call) {
+  return call.numbers("origin").empty() ? Vec3::Zero() : point_of(call, "origin");
+}
+
+// The number of elements along an axis: given, or by the lines of nodes.
+Index cells_of(const Call& call, const char* name, const std::vector<double>& lines) {
+  if (lines.empty()) {
+    if (!call.has(name)) call.refuse(name, "expected an integer of at least 1, or grading, got neither");
+    return call.integer(name);
+  }
+  const Index cells = static_cast<Index>(lines.size()) - 1;
+  if (call.has(name) && call.integer(name) != cells)
+    call.refuse(name, "expected " + std::to_string(cells) + ", one less than the lines of grading, got " +
+                          std::to_string(call.integer(name)));
+  return cells;
+}
+
+// Lines of nodes where they are given, otherwise at equal distances.
+std::vector<double> lines_of(std::vector<double> given, Index cells, double size) {
+  for (Index i = 0; given.size() < static_cast<std::size_t>(cells) + 1; ++i)
+    given.push_back(size * static_cast<double>(i) / static_cast<double>(cells));
+  return given;
+}
+
+mesh::Grading grading_of(const Call& call) {
+  if (!call.has("grading")) return {};
+  const Fields given = call.fields("grading");
+  mesh::Grading lines{given.numbers("x"), given.numbers("y")};
+  if (lines.x.empty() && lines.y.empty()) call.refuse("grading", "expected x, y or both, got neither");
+  return lines;
+}
+
 int rectangle(Call& call) {
-  auto mesh = mesh::rectangle(call.number("width"), call.number("height"), call.integer("nx"),
-                              call.integer("ny"), origin_of(call));
-  if (call.flag("triangles")) mesh::split(mesh, call.integer("nx"));
+  const double width = call.number("width"), height = call.number("height");
+  const mesh::Grading lines = grading_of(call);
+  const Index nx = cells_of(call, "nx", lines.x), ny = cells_of(call, "ny", lines.y);
+  auto mesh =
+      lines.x.empty() && lines.y.empty()
+          ? mesh::rectangle(width, height, nx, ny, origin_of(call))
+          : mesh::rectangle(width, height, {lines_of(lines.x, nx, width), lines_of(lines.y, ny, height)},
+                            origin_of(call));
+  if (call.flag("triangles")) mesh::split(mesh, nx);
   push_object(call.L(), std::make_shared<Mesh>(std::move(mesh)));
   return 1;
 }
@@ -89,7 +128,7 @@ int set(Call& call) {
     push_ids(call.L(), mesh->set(name));
     return 1;
   }
-  const Still still(call.session(), mesh.get());
+  const ChangeRefused still(call.session(), mesh.get());
   if (const Function inside = call.function("nodes"))
     define_inside(*mesh, name, inside);
   else
@@ -111,7 +150,7 @@ int elements_in(Call& call) {
 
 int map(Call& call) {
   const Function f = call.function("f");
-  const Still still(call.session(), call.self<Mesh>().get());
+  const ChangeRefused still(call.session(), call.self<Mesh>().get());
   call.self<Mesh>()->map([&f](const Vec3& x) {
     lua_State* L = call_with(f, x, 3);
     Vec3 y;
@@ -124,6 +163,18 @@ int map(Call& call) {
     lua_pop(L, 3);
     return y;
   });
+  lua_pushvalue(call.L(), 1);
+  return 1;
+}
+
+int slit(Call& call) {
+  const auto mesh = call.self<Mesh>();
+  std::array<std::string, 2> names;
+  if (call.has("left")) names[0] = call.text("left");
+  if (call.has("right")) names[1] = call.text("right");
+  const mesh::Lips lips = mesh::slit(*mesh, point_of(call, "from"), point_of(call, "to"));
+  if (!names[0].empty()) mesh->define(names[0], lips.left);
+  if (!names[1].empty()) mesh->define(names[1], lips.right);
   lua_pushvalue(call.L(), 1);
   return 1;
 }
@@ -191,7 +242,7 @@ std::string size_text(const Vec3& size) {
 
 // For example "20x20" for a rectangle, "disk 4+2"; for a mesh from a file its elements and the file.
 std::string mesh_words(const Mesh& mesh) {
-  const Box box = box_of(mesh.nodes);
+  const BoundingBox box = box_of(mesh.nodes);
   const auto starts = [&mesh](const char* word) { return mesh.origin.rfind(word, 0) == 0; };
   std::string words = "<mesh " +
                       mesh.origin.substr(starts("rectangle ") ? 10
@@ -216,7 +267,7 @@ int mesh_text(lua_State* L) { return push_words(L, mesh_words(*to_object<Mesh>(L
 
 int nodes_text(lua_State* L) {
   const Mesh& mesh = *to_object<NodeView>(L, 1)->mesh;
-  const Box box = box_of(mesh.nodes);
+  const BoundingBox box = box_of(mesh.nodes);
   return push_words(L, "<" + std::to_string(mesh.nodes.size()) + " x 3 numbers, " +
                            lengths_text({box.low.minCoeff(), box.high.maxCoeff()}, " to ") + ">");
 }
@@ -239,8 +290,17 @@ std::vector<Entry> rows() {
        Style::fields,
        {number_("width", "m", positive, "size along x").usually(1e-3, 20, ask),
         number_("height", "m", positive, "size along y").usually(1e-3, 20, ask),
-        integer_("nx", from_one, "elements along x"), integer_("ny", from_one, "elements along y"),
+        integer_("nx", from_one, "elements along x; may be left out with grading.x").optional(),
+        integer_("ny", from_one, "elements along y; may be left out with grading.y").optional(),
         Argument{"origin", numbers, "m", everything, "corner of smallest x and y, {x, y} or {x, y, z}"}
+            .optional(),
+        fields_(
+            "grading",
+            {Argument{"x", numbers, "m", everything,
+                      "of the lines of nodes across x, from 0 to the width, ascending"}
+                 .optional(),
+             Argument{"y", numbers, "m", everything, "of those across y, from 0 to the height"}.optional()},
+            "positions of the lines of nodes, from the origin corner; without: at equal distances")
             .optional(),
         value_("triangles", boolean, "cut every cell into two triangles, the cuts turning from cell to cell")
             .or_else(false)},
@@ -271,6 +331,22 @@ std::vector<Entry> rows() {
        "Moves every node; on an error none is moved.",
        with_mesh + "mesh:map(function(x, y, z) return x, y, 0.001*y end)\nassert(mesh.nodes[40][3] > 0)",
        map},
+      {"mesh:slit",
+       Style::fields,
+       {Argument{"from", numbers, "m", everything, "{x, y} or {x, y, z}: a node, where the slit begins"},
+        Argument{"to", numbers, "m", everything, "where it ends"},
+        value_("left", text,
+               "name of a set to make of the nodes of its left side, seen on the way against the normal")
+            .optional(),
+        value_("right", text, "the same of its right side").optional()},
+       "Slits the mesh along a straight line of edges between nodes: the nodes on it are doubled, but for an "
+       "end "
+       "inside the mesh, which is the tip. The left side keeps them, the new nodes follow all others and are "
+       "in "
+       "the same sets; boundary has the sides of the slit, too.",
+       with_mesh + "mesh:slit{ from={0.0254/3, 0}, to={0.0254/3, 0.0254}, right='lip' }\n"
+                   "assert(#mesh.nodes == 43 and #mesh:set 'lip' == 4)",
+       slit},
       {"mesh.nodes",
        Style::property,
        {},
@@ -298,6 +374,7 @@ void bind_mesh(Session& session) {
   install(session, rows());
   install(session, mesh_generator_rows());
   install(session, mesh_file_rows());
+  install(session, panel_rows());
   set_meta(session, "mesh", "__tostring", mesh_text);
   set_meta(session, "nodes", "__tostring", nodes_text);
   set_meta(session, "elements", "__tostring", elements_text);

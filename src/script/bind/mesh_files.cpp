@@ -50,7 +50,7 @@ int deck_lines(Call& call) {
 void push_finding(lua_State* L, const mesh::Finding& item) {
   lua_newtable(L);
   set_text(L, "key", item.key);
-  set_text(L, "severity", mesh::name(item.severity));
+  set_text(L, "severity", name(item.severity));
   set_text(L, "text", item.text);
   push_ids(L, item.elements);
   lua_setfield(L, -2, "elements");

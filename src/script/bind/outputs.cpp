@@ -66,7 +66,7 @@ std::vector<std::string> column_names(const Fields& options) {
 }
 
 double called(const Hook& hook, const std::string& name) {
-  const Still still = hook.still();
+  const ChangeRefused still = hook.still();
   lua_State* L = hook.push();
   call_deck(L, 1, 1);
   if (lua_type(L, -1) != LUA_TNUMBER)
@@ -114,7 +114,7 @@ std::string usual_unit(const std::string& name) {
 
 // Reads only this column's function: to look through all columns for each would cost the cube of their
 // number.
-run::Column read_column(const Fields& options, const std::string& name, Run* run) {
+run::RecordColumn read_column(const Fields& options, const std::string& name, DeckRun* run) {
   lua_State* L = options.L();
   const std::vector<Argument> row = {value_(name, function | text | table, "a column")};
   options.push("columns");
@@ -122,7 +122,7 @@ run::Column read_column(const Fields& options, const std::string& name, Run* run
   lua_getfield(L, -2, name.c_str());
   lua_setfield(L, -2, name.c_str());
   const Fields columns(L, -1, row, "options.columns.");
-  run::Column column{name, {}, {}};
+  run::RecordColumn column{name, {}, {}};
   if (columns.push(name) == LUA_TFUNCTION) {
     column.value = [hook = Hook(columns, name, run), name](const run::Run&) { return called(hook, name); };
     column.unit = usual_unit(name);
@@ -134,7 +134,7 @@ run::Column read_column(const Fields& options, const std::string& name, Run* run
 }
 
 // The unit of a column as given in `units`; "": none. By default the usual one.
-std::string unit_of(const Fields& options, const run::Column& column) {
+std::string unit_of(const Fields& options, const run::RecordColumn& column) {
   lua_State* L = options.L();
   const std::string& name = column.name;
   std::string unit = column.unit;
@@ -153,12 +153,12 @@ std::string unit_of(const Fields& options, const run::Column& column) {
 }
 
 // Error unless every name in `units` is that of a column.
-void check_units(const Fields& options, const std::vector<run::Column>& columns) {
+void check_units(const Fields& options, const std::vector<run::RecordColumn>& columns) {
   lua_State* L = options.L();
   if (options.push("units") == LUA_TTABLE)
     for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) {
       const bool known = lua_type(L, -2) == LUA_TSTRING &&
-                         std::any_of(columns.begin(), columns.end(), [&](const run::Column& column) {
+                         std::any_of(columns.begin(), columns.end(), [&](const run::RecordColumn& column) {
                            return column.name == lua_tostring(L, -2);
                          });
       if (!known) options.refuse("units", "no column " + describe(L, -2));
@@ -167,13 +167,13 @@ void check_units(const Fields& options, const std::vector<run::Column>& columns)
 }
 
 int record(Call& call) {
-  const auto run = call.self<Run>();
+  const auto run = call.self<DeckRun>();
   const Fields options = call.fields("options");
-  std::vector<run::Column> columns;
+  std::vector<run::RecordColumn> columns;
   for (const std::string& name : column_names(options))
     columns.push_back(read_column(options, name, run.get()));
   check_units(options, columns);
-  for (run::Column& column : columns) column.unit = unit_of(options, column);
+  for (run::RecordColumn& column : columns) column.unit = unit_of(options, column);
   lua_pushvalue(call.L(), 1);
   if (call.session().options().check) return 1;
   run->job.record(call.text("path"), columns, interval_of(options));
@@ -198,7 +198,7 @@ run::VtkContents contents_of(const Fields& options) {
 }
 
 int vtk(Call& call) {
-  const auto run = call.self<Run>();
+  const auto run = call.self<DeckRun>();
   const Fields options = options_of(call, "vtk");
   const run::VtkContents contents = contents_of(options);
   lua_pushvalue(call.L(), 1);
@@ -216,9 +216,9 @@ bool is_vtu(const std::string& path) {
   return ending == ".vtu";
 }
 
-// The state as it is: a frame of a series where the format holds fields, else the mesh.
+// The present state: a frame of a series if the format holds fields, else the mesh.
 int write(Call& call) {
-  const auto run = call.self<Run>();
+  const auto run = call.self<DeckRun>();
   const Fields options = options_of(call, "write");
   const run::VtkContents contents = contents_of(options);
   const std::string path = call.text("file");

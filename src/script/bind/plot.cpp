@@ -43,7 +43,7 @@ const std::vector<Argument>& curve_rows() {
       value_("band", table, "{low=, high=}: lists in SI, a shade between them; with rows: names of fields")
           .optional(),
       value_("colour", text,
-             "a name or \"#rrggbb\"; default: the next of those that colour-blind readers tell apart")
+             "a name or \"#rrggbb\"; default: the next of those that colour-blind readers can distinguish")
           .optional()};
   return rows;
 }
@@ -206,15 +206,15 @@ plot::Ends error_of(const Fields& f, const std::string& path, const char* name,
   return out;
 }
 
-plot::Curve read_curve(lua_State* L, const std::string& path) {
+plot::PlottedCurve read_curve(lua_State* L, const std::string& path) {
   if (!lua_istable(L, -1)) throw Error("field '" + path + "': expected a table, got " + describe(L, -1));
   const Fields f(L, -1, curve_rows(), path + ".");
   const bool band = f.has("band");
   if (!band && !f.has("y"))
     f.refuse("y", "expected a table or a string, got nil (missing, or a misspelt variable)");
-  plot::Curve curve{f.text("label"), ordinates(f, path + ".", "x"),
-                    f.has("y") ? ordinates(f, path + ".", "y") : std::vector<double>{},
-                    style_of(f.text("style"))};
+  plot::PlottedCurve curve{f.text("label"), ordinates(f, path + ".", "x"),
+                           f.has("y") ? ordinates(f, path + ".", "y") : std::vector<double>{},
+                           style_of(f.text("style"))};
   if (f.has("y") && curve.x.size() != curve.y.size())
     throw Error("field '" + path + "': expected x and y of one length, got " +
                 std::to_string(curve.x.size()) + " and " + std::to_string(curve.y.size()));
@@ -324,7 +324,7 @@ plot::Key key_of(const std::string& asked) {
   return plot::Key::best;
 }
 
-void scale(plot::Curve& curve, double x, double y) {
+void scale(plot::PlottedCurve& curve, double x, double y) {
   for (auto* list : {&curve.x, &curve.x_error.low, &curve.x_error.high})
     for (double& value : *list) value /= x;
   for (auto* list : {&curve.y, &curve.band.low, &curve.band.high, &curve.error.low, &curve.error.high})
@@ -390,7 +390,7 @@ plot::Figure read_figure(const Asked& asked, const Fields& own, const std::strin
   } else {
     read_curves(own, path, figure);
   }
-  for (plot::Curve& curve : figure.curves) scale(curve, x, y);
+  for (plot::PlottedCurve& curve : figure.curves) scale(curve, x, y);
   return figure;
 }
 

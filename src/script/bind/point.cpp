@@ -13,13 +13,13 @@
 namespace fabricsh::script {
 
 using law::PointDriver;
-using law::Sample;
+using law::StressPoint;
 
 namespace {
 
 // A point in a deck: its law and, once it is used, its bending.
-struct Point : PointDriver {
-  explicit Point(std::shared_ptr<const card::Card> of)
+struct DeckPoint : PointDriver {
+  explicit DeckPoint(std::shared_ptr<const card::Card> of)
       : PointDriver(law::compile(*of)), card(std::move(of)) {}
   std::shared_ptr<const card::Card> card;
   std::optional<law::BendingPoint> bending;
@@ -28,7 +28,7 @@ struct Point : PointDriver {
 }  // namespace
 
 template <>
-struct ClassName<Point> {
+struct ClassName<DeckPoint> {
   static constexpr const char* name = "point";
 };
 
@@ -36,39 +36,39 @@ namespace {
 
 constexpr double radians_per_degree = 0.017453292519943295769;
 
-struct Column {
+struct SampleColumn {
   const char* name;
-  double Sample::*value;
+  double StressPoint::*value;
 };
 
 // The last three are filled by uniaxial() only.
-constexpr Column columns[] = {{"S11", &Sample::S11},
-                              {"S22", &Sample::S22},
-                              {"S12", &Sample::S12},
-                              {"E11", &Sample::E11},
-                              {"E22", &Sample::E22},
-                              {"E12", &Sample::E12},
-                              {"stored", &Sample::stored},
-                              {"dissipated", &Sample::dissipated},
-                              {"dissipated_warp", &Sample::dissipated_warp},
-                              {"dissipated_weft", &Sample::dissipated_weft},
-                              {"dissipated_shear", &Sample::dissipated_shear},
-                              {"created", &Sample::created},
-                              {"time", &Sample::time},
-                              {"S", &Sample::S},
-                              {"E", &Sample::E},
-                              {"E_lateral", &Sample::E_lateral}};
+constexpr SampleColumn columns[] = {{"S11", &StressPoint::S11},
+                                    {"S22", &StressPoint::S22},
+                                    {"S12", &StressPoint::S12},
+                                    {"E11", &StressPoint::E11},
+                                    {"E22", &StressPoint::E22},
+                                    {"E12", &StressPoint::E12},
+                                    {"stored", &StressPoint::stored},
+                                    {"dissipated", &StressPoint::dissipated},
+                                    {"dissipated_warp", &StressPoint::dissipated_warp},
+                                    {"dissipated_weft", &StressPoint::dissipated_weft},
+                                    {"dissipated_shear", &StressPoint::dissipated_shear},
+                                    {"created", &StressPoint::created},
+                                    {"time", &StressPoint::time},
+                                    {"S", &StressPoint::S},
+                                    {"E", &StressPoint::E},
+                                    {"E_lateral", &StressPoint::E_lateral}};
 
-std::span<const Column> columns_of(bool uniaxial) {
+std::span<const SampleColumn> columns_of(bool uniaxial) {
   return std::span(columns).first(std::size(columns) - (uniaxial ? 0 : 3));
 }
 
-void push_sample(lua_State* L, const Sample& s, bool uniaxial) {
+void push_sample(lua_State* L, const StressPoint& s, bool uniaxial) {
   lua_createtable(L, 0, 16);
-  for (const Column& column : columns_of(uniaxial)) set_number(L, column.name, s.*column.value);
+  for (const SampleColumn& column : columns_of(uniaxial)) set_number(L, column.name, s.*column.value);
 }
 
-void push_rows(lua_State* L, const std::vector<Sample>& samples, bool uniaxial) {
+void push_rows(lua_State* L, const std::vector<StressPoint>& samples, bool uniaxial) {
   lua_createtable(L, static_cast<int>(samples.size()), 0);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     push_sample(L, samples[i], uniaxial);
@@ -76,7 +76,7 @@ void push_rows(lua_State* L, const std::vector<Sample>& samples, bool uniaxial) 
   }
 }
 
-void set_column(lua_State* L, const std::vector<Sample>& samples, const Column& column) {
+void set_column(lua_State* L, const std::vector<StressPoint>& samples, const SampleColumn& column) {
   lua_createtable(L, static_cast<int>(samples.size()), 0);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     lua_pushnumber(L, samples[i].*column.value);
@@ -85,9 +85,9 @@ void set_column(lua_State* L, const std::vector<Sample>& samples, const Column& 
   lua_setfield(L, -2, column.name);
 }
 
-const Column& column_named(const std::string& name, std::span<const Column> known) {
+const SampleColumn& column_named(const std::string& name, std::span<const SampleColumn> known) {
   std::vector<std::string> names;
-  for (const Column& column : known) {
+  for (const SampleColumn& column : known) {
     if (name == column.name) return column;
     names.emplace_back(column.name);
   }
@@ -95,9 +95,9 @@ const Column& column_named(const std::string& name, std::span<const Column> know
 }
 
 // The columns named in the table `columns`, in order.
-std::vector<Column> wanted(const Call& call, bool uniaxial) {
+std::vector<SampleColumn> wanted(const Call& call, bool uniaxial) {
   lua_State* L = call.L();
-  std::vector<Column> out;
+  std::vector<SampleColumn> out;
   call.push("columns");
   const auto n = static_cast<lua_Integer>(lua_rawlen(L, -1));
   for (lua_Integer i = 1; i <= n; ++i) {
@@ -122,12 +122,12 @@ int push_curve(const Call& call, bool uniaxial, Drive drive) {
   const auto names = wanted(call, uniaxial);
   const auto samples = drive();
   lua_newtable(L);
-  for (const Column& column : names) set_column(L, samples, column);
+  for (const SampleColumn& column : names) set_column(L, samples, column);
   return 1;
 }
 
 int make(Call& call) {
-  push_object(call.L(), std::make_shared<Point>(call.object<card::Card>("card")));
+  push_object(call.L(), std::make_shared<DeckPoint>(call.object<card::Card>("card")));
   return 1;
 }
 
@@ -146,9 +146,9 @@ void require_possible(const std::string& where, double E11, double E22, double E
 }
 
 int strain(Call& call) {
-  const auto p = call.self<Point>();
+  const auto p = call.self<DeckPoint>();
   const auto E11 = given(call, "E11"), E22 = given(call, "E22"), E12 = given(call, "E12");
-  const Sample now = p->now();
+  const StressPoint now = p->now();
   require_possible("", E11.value_or(now.E11), E22.value_or(now.E22), E12.value_or(now.E12));
   push_sample(call.L(), p->strain(E11, E22, E12, call.number("over")), false);
   return 1;
@@ -160,7 +160,7 @@ double angle_of(const Call& call) {
 }
 
 int uniaxial(Call& call) {
-  const auto p = call.self<Point>();
+  const auto p = call.self<DeckPoint>();
   const double over = call.number("over");
   if (call.is("E", LUA_TTABLE))
     return push_curve(call, true, [&] { return p->uniaxial(angle_of(call), call.numbers("E"), over); });
@@ -214,7 +214,7 @@ Strains strain_rows(lua_State* L) {
 }
 
 // { E11={...}, E22={...}, E12={...}, over={...} }; a component that is not given stays unchanged.
-Strains strain_columns(lua_State* L, const Sample& now) {
+Strains strain_columns(lua_State* L, const StressPoint& now) {
   static const std::vector<Argument> rows = {
       Argument{"E11", numbers, "", everything, "along the warp"}.optional(),
       Argument{"E22", numbers, "", everything, "along the weft"}.optional(),
@@ -241,7 +241,7 @@ Strains strain_columns(lua_State* L, const Sample& now) {
 
 int path(Call& call) {
   lua_State* L = call.L();
-  const auto p = call.self<Point>();
+  const auto p = call.self<DeckPoint>();
   call.push("strains");
   const auto strains = lua_rawlen(L, -1) > 0 ? strain_rows(L) : strain_columns(L, p->now());
   lua_pop(L, 1);
@@ -252,7 +252,7 @@ int path(Call& call) {
 }
 
 int biaxial(Call& call) {
-  const auto p = call.self<Point>();
+  const auto p = call.self<DeckPoint>();
   const double ratio = call.number("ratio");
   const auto strains = call.numbers("E");
   for (const double E : strains) require_possible("", E, ratio * E, p->now().E12);
@@ -261,7 +261,7 @@ int biaxial(Call& call) {
 
 int state(Call& call) {
   lua_State* L = call.L();
-  const auto p = call.self<Point>();
+  const auto p = call.self<DeckPoint>();
   const auto inside = p->internal();
   push_sample(L, p->now(), false);
   set_number(L, "residual1", inside.residual1);
@@ -275,7 +275,7 @@ int state(Call& call) {
 }
 
 int bend(Call& call) {
-  const auto p = call.self<Point>();
+  const auto p = call.self<DeckPoint>();
   if (!p->bending) p->bending.emplace(*p->card);
   const auto s = p->bending->bend(given(call, "k11"), given(call, "k22"), given(call, "k12"));
   lua_createtable(call.L(), 0, 8);
@@ -292,14 +292,14 @@ int bend(Call& call) {
 }
 
 int reset(Call& call) {
-  const auto p = call.self<Point>();
+  const auto p = call.self<DeckPoint>();
   p->reset();
   if (p->bending) p->bending->reset();
   return 0;
 }
 
 int point_text(lua_State* L) {
-  const Sample s = to_object<Point>(L, 1)->now();
+  const StressPoint s = to_object<DeckPoint>(L, 1)->now();
   char words[200];
   std::snprintf(words, sizeof words,
                 "<point, E11 %.4g, E22 %.4g, E12 %.4g; S11 %.4g, S22 %.4g, S12 %.4g MPa>", s.E11, s.E22,

@@ -66,13 +66,13 @@ std::string one_line(lua_State* L) {
   return words;
 }
 
-struct Held {
+struct GlobalValue {
   std::string name, cls, words;
   bool object;
 };
 
-std::vector<Held> held_by_globals(lua_State* L) {
-  std::vector<Held> all;
+std::vector<GlobalValue> held_by_globals(lua_State* L) {
+  std::vector<GlobalValue> all;
   lua_pushglobaltable(L);
   for (const std::string& name : names_in(L, -1, false).names) {
     lua_pushstring(L, name.c_str());
@@ -84,7 +84,7 @@ std::vector<Held> held_by_globals(lua_State* L) {
     lua_pop(L, 1);
   }
   lua_pop(L, 1);
-  std::stable_partition(all.begin(), all.end(), [](const Held& held) { return held.object; });
+  std::stable_partition(all.begin(), all.end(), [](const GlobalValue& held) { return held.object; });
   return all;
 }
 
@@ -99,7 +99,7 @@ int who(Call& call) {
   lua_State* L = call.L();
   lua_newtable(L);
   lua_Integer place = 0;
-  for (const Held& held : held_by_globals(L)) {
+  for (const GlobalValue& held : held_by_globals(L)) {
     lua_newtable(L);
     set_text(L, "name", held.name);
     set_text(L, "class", held.cls);

@@ -1,4 +1,4 @@
-// fabric.render: pictures of sheets, from .vtu files or from a run as it stands.
+// fabric.render: pictures of sheets, from .vtu files or from the present state of a run.
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
@@ -25,7 +25,7 @@ namespace fabricsh::script {
 namespace {
 
 // Where a field is stored in the files of a:vtk, and how it is shown.
-struct Shown {
+struct StoredField {
   std::string array, component;
   double factor = 1;
   std::string bar;
@@ -39,14 +39,14 @@ std::pair<std::string, double> picture_unit(const std::string& unit) {
   return {unit, 1};
 }
 
-Shown shown_of(const std::string& name) {
+StoredField shown_of(const std::string& name) {
   if (name == "none") return {};
   const run::FieldPart part = run::find_field(name);
   const auto [field, number] = std::pair(part.field, part.component);
   const auto [unit, factor] = picture_unit(field->unit);
   std::string title = number < 0 ? "|" + field->letter + "|" : name;
   std::replace(title.begin(), title.end(), '_', ' ');
-  Shown shown{part.array(), "", factor, unit.empty() ? title : title + ", " + unit};
+  StoredField shown{part.array(), "", factor, unit.empty() ? title : title + ", " + unit};
   if (number >= 0 && field->size() > 1)
     shown.component = field->labels.empty() ? std::string(1, "xyz"[number]) : field->labels[number];
   return shown;
@@ -76,14 +76,14 @@ std::vector<std::string> word_list(const Call& call, const char* name) {
   return words;
 }
 
-struct Seen {
+struct NamedView {
   double azimuth = 0, elevation = 90;  // degrees
   std::string name = {};
 };
 
 const std::vector<std::string> view_words = {"above", "front", "side", "oblique"};
 
-Seen view_named(const std::string& word) {
+NamedView view_named(const std::string& word) {
   return {word == "side"      ? 90.0
           : word == "oblique" ? 30.0
                               : 0.0,
@@ -93,7 +93,7 @@ Seen view_named(const std::string& word) {
           word};
 }
 
-Seen view_at(const Call& call, const char* name, const std::vector<double>& angles) {
+NamedView view_at(const Call& call, const char* name, const std::vector<double>& angles) {
   if (angles.size() != 2 || std::abs(angles[1]) > 90)
     call.refuse(name, "expected {azimuth, elevation} in degrees, the elevation from -90 to 90");
   return {angles[0], angles[1],
@@ -101,7 +101,7 @@ Seen view_at(const Call& call, const char* name, const std::vector<double>& angl
 }
 
 // The view on top of the stack.
-Seen one_view(const Call& call) {
+NamedView one_view(const Call& call) {
   lua_State* L = call.L();
   if (lua_type(L, -1) == LUA_TSTRING) {
     const std::string word = lua_tostring(L, -1);
@@ -114,9 +114,9 @@ Seen one_view(const Call& call) {
   return view_at(call, "views", read_numbers(L, -1));
 }
 
-std::vector<Seen> read_views(const Call& call) {
+std::vector<NamedView> read_views(const Call& call) {
   if (call.has("view") && call.has("views")) call.refuse("views", "expected either view or views, got both");
-  std::vector<Seen> all;
+  std::vector<NamedView> all;
   if (call.has("views")) {
     call.push("views");
     const auto n = static_cast<lua_Integer>(lua_rawlen(call.L(), -1));
@@ -169,7 +169,7 @@ plot::Picture read_picture(const Call& call) {
   if (std::filesystem::path(p.png).extension() != ".png")
     call.refuse("file", "expected a name that ends in .png");
   p.title = call.text("title");
-  const Shown shown = shown_of(call.text("field"));
+  const StoredField shown = shown_of(call.text("field"));
   p.array = shown.array, p.component = shown.component, p.bar = shown.bar;
   p.factor = call.has("factor") ? call.number("factor") : shown.factor;
   if (call.has("bar")) p.bar = call.text("bar");
@@ -224,9 +224,9 @@ format::Array add_bodies(const run::Run& run, std::vector<Vec3>& points,
 }
 
 // A file with the state of a run, removed with the object.
-class Frame {
+class StateFile {
  public:
-  Frame(const Run& run, const std::string& shown) {
+  StateFile(const DeckRun& run, const std::string& shown) {
     const auto& a = *run.analysis;
     const auto& mesh = a.model().mesh();
     std::vector<Vec3> points;
@@ -234,14 +234,14 @@ class Frame {
       points.push_back(a.node(static_cast<mesh::Index>(i)).x);
     auto cells = mesh.elements;
     format::Array bodies = add_bodies(a, points, cells);
-    format::Grid grid{points, cells};
+    format::VtuGrid grid{points, cells};
     grid.cell_data.push_back(std::move(bodies));
     run::FieldPart part{nullptr, -1};
     if (shown != "none") part = run::find_field(a, shown);
     for (const auto& field : run::result_fields()) {
       const bool wanted = part.field == &field;
       if (!wanted && field.name != "displacement") continue;
-      const bool of_nodes = field.place == run::Place::node;
+      const bool of_nodes = field.place == run::FieldPlace::node;
       format::Array array = run::array_of(a, {&field, -1, wanted ? part.ply : ""});
       array.values.resize(
           (of_nodes ? points.size() : cells.size()) * static_cast<std::size_t>(array.components),
@@ -259,13 +259,13 @@ class Frame {
 // One panel for each view of each file; the views of a file are side by side.
 void add_panels(const Call& call, const std::vector<std::string>& paths, plot::Picture& picture) {
   const std::vector<std::string> labels = word_list(call, "labels");
-  const std::vector<Seen> views = read_views(call);
+  const std::vector<NamedView> views = read_views(call);
   if (labels.size() > paths.size() * views.size())
     call.refuse("labels", call.has("views")
                               ? "expected no more labels than panels, one for each view of each file"
                               : "expected no more labels than files");
   for (const std::string& path : paths)
-    for (const Seen& view : views) {
+    for (const NamedView& view : views) {
       const std::size_t i = picture.panels.size();
       const std::string own = views.size() > 1 && labels.empty() ? view.name : "";
       picture.panels.push_back({path, i < labels.size() ? labels[i] : own, view.azimuth, view.elevation});
@@ -285,14 +285,14 @@ int no_picture(Call& call) {
 }
 
 // The run of the call, or the runs of a list.
-std::vector<std::shared_ptr<Run>> runs_of(const Call& call) {
+std::vector<std::shared_ptr<DeckRun>> runs_of(const Call& call) {
   if (!call.has("run")) return {};
-  if (auto one = call.object<Run>("run")) return {std::move(one)};
+  if (auto one = call.object<DeckRun>("run")) return {std::move(one)};
   lua_State* L = call.L();
-  std::vector<std::shared_ptr<Run>> runs;
+  std::vector<std::shared_ptr<DeckRun>> runs;
   call.push("run");
   for (lua_Integer i = 1; lua_rawgeti(L, -1, i) != LUA_TNIL; ++i, lua_pop(L, 1)) {
-    runs.push_back(to_object<Run>(L, -1));
+    runs.push_back(to_object<DeckRun>(L, -1));
     if (runs.back() == nullptr)
       call.refuse("run", "expected an analysis at place " + std::to_string(i) + ", got " + describe(L, -1));
     if (runs.back()->passes_over())
@@ -314,14 +314,14 @@ int render(Call& call) {
   add_panels(call, call.has("run") ? std::vector<std::string>(runs.size()) : word_list(call, "vtu"), picture);
   if (call.session().options().check) return 0;
   if (system::Gate::of_process().closed()) return no_picture(call);
-  std::deque<Frame> frames;
+  std::deque<StateFile> frames;
   for (const auto& run : runs) frames.emplace_back(*run, call.text("field"));
   for (std::size_t i = 0; i < picture.panels.size() && !frames.empty(); ++i)
     picture.panels[i].vtu = frames[i * frames.size() / picture.panels.size()].path();
   system::make_folder_for(picture.png);
   const auto program = std::filesystem::path(program_path()).parent_path() / "fabricsh-render";
-  for (const std::string& told : plot::render(picture, program.string())) {
-    const std::string words = "render: picture '" + picture.png + "': " + told;
+  for (const std::string& message : plot::render(picture, program.string())) {
+    const std::string words = "render: picture '" + picture.png + "': " + message;
     call.session().notices().once(words, "warning: " + words);
   }
   lua_pushboolean(call.L(), 1);

@@ -5,7 +5,7 @@
 
 namespace fabricsh::script {
 
-// The argument that says what a run does when it strains cloth beyond the tested range of its card.
+// The argument for what a run does when it strains cloth beyond the tested range of its card.
 Argument limit_row();
 
 // For examples: defines fabric, mesh, m and a, a strip of three elements pulled in 4 steps.

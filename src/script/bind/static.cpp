@@ -22,7 +22,7 @@ const std::vector<std::string> linears{"auto", "symmetric", "unsymmetric"}, cont
 
 void read_scheme(Call& call, run::StaticOptions& options) {
   if (call.has("min_step")) options.min_step = call.number("min_step");
-  options.linear = chosen<run::Linear>(call.text("linear"), linears);
+  options.linear = chosen<run::Symmetry>(call.text("linear"), linears);
   options.control = chosen<run::Control>(call.text("control"), controls);
   options.method = chosen<run::Method>(call.text("method"), methods);
   if (!call.has("stabilise")) return;
@@ -49,10 +49,10 @@ int make(Call& call) {
         "Newton's method, before a step is cut");
   const auto notices = std::shared_ptr<Notices>(&session.notices(), [](Notices*) {});
   const auto model = call.object<model::Model>("model");
-  const Still still_model(session, model.get()), still_mesh(session, &model->mesh());
+  const ChangeRefused still_model(session, model.get()), still_mesh(session, &model->mesh());
   auto run = std::make_shared<Static>(model, options, notices);
   if (call.text("limit") == "stop") run->stop_beyond();
-  push_run(call.L(), std::make_shared<Run>(session, std::move(run)));
+  push_run(call.L(), std::make_shared<DeckRun>(session, std::move(run)));
   keep_model(call);
   return 1;
 }

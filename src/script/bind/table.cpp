@@ -42,7 +42,7 @@ void push_column(lua_State* L, const format::TableColumn& column) {
   set_text(L, "unit", column.unit);
   push_numbers(L, column.values);
   lua_setfield(L, -2, "values");
-  if (!column.trouble.empty()) set_text(L, "trouble", column.trouble);
+  if (!column.error.empty()) set_text(L, "trouble", column.error);
   if (!column.words.empty()) {
     push_texts(L, column.words);
     lua_setfield(L, -2, "words");
@@ -98,8 +98,8 @@ format::TableForm form_of(Call& call) {
           call.flag("lenient"), thousands == "auto" ? char{0} : thousands[0]};
 }
 
-// Totals below the rows are told, since a reader of the file sees numbers there.
-void tell_left_out(Call& call, const format::Table& table) {
+// Totals below the rows are reported, since a reader of the file sees numbers there.
+void warn_left_out(Call& call, const format::Table& table) {
   for (const format::LeftOut& one : table.left_out)
     if (one.numbers) {
       const std::string words = "table: " + table.name + ":" + std::to_string(one.line) + ": '" + one.text +
@@ -115,14 +115,14 @@ int table_of(Call& call) {
   const std::string file = call.text("file");
   if (!call.flag("blocks")) {
     const format::Table table = format::read_table(file, form_of(call));
-    tell_left_out(call, table);
+    warn_left_out(call, table);
     push_table(L, file, table);
     return 1;
   }
   const auto tables = format::read_tables(file, form_of(call));
   lua_createtable(L, static_cast<int>(tables.size()), 0);
   for (std::size_t i = 0; i < tables.size(); ++i) {
-    tell_left_out(call, tables[i]);
+    warn_left_out(call, tables[i]);
     push_table(L, file, tables[i]);
     lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
   }

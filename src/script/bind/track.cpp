@@ -16,7 +16,7 @@ namespace {
 // Dots of a photograph within the region, in pixels of the whole.
 std::vector<lab::Dot> dots_of(const Call& call, const std::string& file, const lab::DotOptions& options) {
   const format::Image image = format::read_image(file);
-  const lab::Region r = region_of(call, image);
+  const lab::PixelRegion r = region_of(call, image);
   auto dots = lab::find_dots(lab::cropped(image, r), options);
   for (lab::Dot& d : dots) d.x += r.left, d.y += r.top;
   return dots;
@@ -42,10 +42,10 @@ double scale_of(const Call& call, const lab::Tracks& t) {
   return distance / pixels;
 }
 
-void push_doubts(lua_State* L, const std::vector<lab::Doubt>& doubts) {
+void push_doubts(lua_State* L, const std::vector<lab::DoubtfulMarker>& doubts) {
   lua_createtable(L, static_cast<int>(doubts.size()), 0);
   lua_Integer place = 0;
-  for (const lab::Doubt& doubt : doubts) {
+  for (const lab::DoubtfulMarker& doubt : doubts) {
     lua_createtable(L, 0, 3);
     lua_pushinteger(L, static_cast<lua_Integer>(doubt.frame + 1));
     lua_setfield(L, -2, "frame");
@@ -65,8 +65,10 @@ void set_scaled(lua_State* L, const char* name, std::vector<double> values, doub
 
 int track(Call& call) {
   lua_State* L = call.L();
-  const lab::DotOptions options{call.flag("dark"), call.number("smallest"), call.number("largest"),
-                                call.number("contrast")};
+  lab::DotOptions options;
+  options.dark = call.flag("dark");
+  options.largest = call.number("largest");
+  options.contrast = call.number("contrast");
   const auto names = file_names(call);
   lab::Tracker tracker(static_cast<std::size_t>(call.integer("rows")),
                        static_cast<std::size_t>(call.integer("columns")), dots_of(call, names[0], options));
@@ -92,7 +94,7 @@ int photograph(Call& call) {
                  [](unsigned char c) { return std::tolower(c); });
   if (ending != ".png")
     call.refuse("file", "expected a name ending in .png, got '" + call.text("file") + "'");
-  lab::Scene s;
+  lab::DotGrid s;
   s.rows = static_cast<std::size_t>(call.integer("rows"));
   s.columns = static_cast<std::size_t>(call.integer("columns"));
   s.width = call.count("width");
@@ -135,7 +137,6 @@ std::vector<Entry> rows() {
                 "a known distance, instead of the scale")
             .optional(),
         value_("dark", boolean, "dots on lighter cloth").or_else(true),
-        number_("smallest", "", positive, "area of a dot, pixels").or_else(12.0),
         number_("largest", "", positive, "area of a dot, pixels").or_else(1e5),
         number_("contrast", "", Range{0, 1}, "least, black on white being 1").or_else(0.1)},
        "Follows a grid of dots through photographs: rows, columns, frames, x, y (m, or pixels without a "
@@ -144,7 +145,8 @@ std::vector<Entry> rows() {
        name + "local t = lab.track{ files={name..'1.png', name..'2.png'}, rows=3, columns=2 }\n"
               "for i = 1, 2 do os.remove(name..i..'.png') end\nos.remove(name)\n"
               "assert(t.frames == 2 and #t.doubtful == 0 and math.abs((t.y[11] - t.y[9]) / 44 - 1) < 0.01)",
-       track},
+       track,
+       {"smallest"}},
       {"fabric.lab.photograph",
        Style::fields,
        {value_("file", text, "ends in .png"), rows_row, columns_row,

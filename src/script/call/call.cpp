@@ -179,11 +179,8 @@ void check_value(lua_State* L, int index, const Argument& row, const std::string
 
 namespace {
 
-// Replaces the table with a metatable at index by a plain one: its own entries, and for the rows also what
-// the metatable provides.
-void make_plain(lua_State* L, int index, const std::vector<Argument>& rows) {
-  if (lua_getmetatable(L, index) == 0) return;
-  lua_pop(L, 1);
+// Pushes a table with the entries of the one at index, without its metatable.
+void copy_entries(lua_State* L, int index) {
   luaL_checkstack(L, 6, "fields");
   lua_newtable(L);
   for (lua_pushnil(L); lua_next(L, index) != 0;) {
@@ -191,6 +188,14 @@ void make_plain(lua_State* L, int index, const std::vector<Argument>& rows) {
     lua_insert(L, -2);
     lua_rawset(L, -4);
   }
+}
+
+// Replaces the table with a metatable at index by a plain one: its own entries, and for the rows also what
+// the metatable provides.
+void make_plain(lua_State* L, int index, const std::vector<Argument>& rows) {
+  if (lua_getmetatable(L, index) == 0) return;
+  lua_pop(L, 1);
+  copy_entries(L, index);
   for (const Argument& row : rows) {
     lua_pushstring(L, row.name.c_str());
     lua_getfield(L, index, row.name.c_str());
@@ -313,7 +318,8 @@ std::vector<double> Fields::numbers(std::string_view name) const {
   if (push(name) == LUA_TTABLE) {
     const Argument& known = row(name);
     // A function of the deck may have changed the list since it was checked.
-    if ((known.kinds & (Kind::table | Kind::fields)) == 0) check_value(L_, -1, known, path_, positional_);
+    if ((known.kinds & (ValueKind::table | ValueKind::fields)) == 0)
+      check_value(L_, -1, known, path_, positional_);
     values = read_numbers(L_, -1);
   }
   lua_pop(L_, 1);
@@ -380,6 +386,21 @@ int gather_led(lua_State* L, const Entry& entry, int first) {
   return lua_gettop(L);
 }
 
+// Takes the arguments of earlier releases out of the table on top of the stack, which is replaced by a copy.
+void drop_retired(lua_State* L, const Entry& entry) {
+  for (const std::string& name : entry.retired) {
+    const bool given = lua_getfield(L, -1, name.c_str()) != LUA_TNIL;
+    lua_pop(L, 1);
+    if (!given) continue;
+    Session::of(L).warn("retired", last_word(entry.name) + ": field '" + name +
+                                       "' has no effect any more, and will be an error in the next release");
+    copy_entries(L, lua_gettop(L));
+    lua_pushnil(L);
+    lua_setfield(L, -2, name.c_str());
+    lua_remove(L, -2);
+  }
+}
+
 // Leaves the table of named arguments on the stack and returns its index.
 int gather(lua_State* L, const Entry& entry) {
   const int first = entry.method() || entry.style == Style::property ? 2 : 1;
@@ -393,6 +414,7 @@ int gather(lua_State* L, const Entry& entry) {
     }
     lua_pushvalue(L, first);
     fabricsh::script::make_plain(L);
+    drop_retired(L, entry);
     return lua_gettop(L);
   }
   const int most = static_cast<int>(entry.arguments.size());

@@ -9,7 +9,7 @@ namespace fabricsh::script {
 
 namespace {
 
-constexpr int first_levels = 24, last_levels = 8;  // in a deep stack only so many at either end are told
+constexpr int first_levels = 24, last_levels = 8;  // in a deep stack only so many at either end are listed
 
 // Number of active calls, by bisection, because a call of lua_getstack takes time proportional to the level.
 int depth(lua_State* L) {
@@ -29,7 +29,7 @@ int depth(lua_State* L) {
   return high;
 }
 
-// Whether the code was typed at the prompt or given by -e, so that its author knows it.
+// Whether the code was typed at the prompt or given by -e, so that its author has it in view.
 bool typed(const lua_Debug& frame) {
   return std::strcmp(frame.what, "main") == 0 &&
          (std::strcmp(frame.source, "=prompt") == 0 || std::strcmp(frame.source, "=(command line)") == 0);

@@ -1,6 +1,6 @@
 // The parts of a card in Lua. The deck reads card.warp as a table that stays empty: its metatable refers to
 // hidden tables with the values of the card, made once and never given to a deck. When the table is written
-// to, it becomes a plain table with a copy of all values, and the card forgets it: the next read of card.warp
+// to, it becomes a plain table with a copy of all values, detached from the card: the next read of card.warp
 // gives a new one.
 #pragma once
 #include <lua.hpp>

@@ -14,12 +14,12 @@ std::string result_class(std::string_view entry) {
       {"analysis.mesh", "mesh"},     {"analysis:solve", "self"},     {"analysis:advance", "self"},
       {"analysis:step", "self"},     {"analysis:every", "self"},     {"analysis:event", "self"},
       {"analysis:record", "self"},   {"analysis:vtk", "self"},       {"analysis:checkpoint", "self"},
-      {"analysis:restore", "self"},  {"mesh:map", "self"},           {"model:fix", "self"},
-      {"model:move", "self"},        {"model:force", "self"},        {"model:gravity", "self"},
-      {"model:moment", "self"},      {"model:traction", "self"},     {"model:pressure", "self"},
-      {"model:spring", "self"},      {"model:turn", "self"},         {"model:velocity", "self"},
-      {"model:symmetry", "self"},    {"model:tie", "self"},          {"model:remove", "self"},
-      {"model:contact", "self"},     {"analysis:write", "self"},
+      {"analysis:restore", "self"},  {"mesh:map", "self"},           {"mesh:wrap", "self"},
+      {"model:fix", "self"},         {"model:move", "self"},         {"model:force", "self"},
+      {"model:gravity", "self"},     {"model:moment", "self"},       {"model:traction", "self"},
+      {"model:pressure", "self"},    {"model:spring", "self"},       {"model:turn", "self"},
+      {"model:velocity", "self"},    {"model:symmetry", "self"},     {"model:tie", "self"},
+      {"model:remove", "self"},      {"model:contact", "self"},      {"analysis:write", "self"},
   };
   if (entry.starts_with("fabric.mesh.")) return "mesh";
   if (entry.starts_with("fabric.rigid.")) return "body";

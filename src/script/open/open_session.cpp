@@ -73,7 +73,7 @@ void open_libraries(Session& session) {
 
 }  // namespace
 
-OpenSession::OpenSession(Options given) : Session(std::move(given)) {
+OpenSession::OpenSession(SessionOptions given) : Session(std::move(given)) {
   set_journal(std::make_shared<run::Journal>(journal_of(options())));
   set_execute(script::execute);
   open_libraries(*this);

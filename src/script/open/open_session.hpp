@@ -6,7 +6,7 @@ namespace fabricsh::script {
 
 class OpenSession : public Session {
  public:
-  explicit OpenSession(Options options);
+  explicit OpenSession(SessionOptions options);
 };
 
 }  // namespace fabricsh::script

@@ -8,13 +8,13 @@ namespace fabricsh::script {
 
 std::string Drive::words() const {
   switch (made) {
-    case Made::advance:
+    case CallKind::advance:
       return "advance(" + exact_number(target) + ")";
-    case Made::step:
+    case CallKind::step:
       return "step()";
-    case Made::reach:
+    case CallKind::reach:
       return "reach()";
-    case Made::restore:
+    case CallKind::restore:
       return "restore()";
     default:
       return "solve()";
@@ -23,7 +23,7 @@ std::string Drive::words() const {
 
 bool Calls::restored_after(std::int64_t call) const {
   return std::any_of(made.begin() + std::min(call, static_cast<std::int64_t>(made.size())), made.end(),
-                     [](const Drive& drive) { return drive.made == Made::restore; });
+                     [](const Drive& drive) { return drive.made == CallKind::restore; });
 }
 
 bool Notes::put(const std::string& key, std::string value) {

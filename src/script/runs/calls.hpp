@@ -11,16 +11,16 @@
 
 namespace fabricsh::script {
 
-enum class Made : std::uint8_t { solve, advance, step, reach, restore };
+enum class CallKind : std::uint8_t { solve, advance, step, reach, restore };
 
 // A call, with its target time.
 struct Drive {
-  Made made = Made::solve;
+  CallKind made = CallKind::solve;
   double target = 0;       // s; of advance(), and for the progress of others
   std::uint64_t from = 0;  // number of steps before it
   void keep(Archive& archive) { archive(made, target, from); }
   bool same(const Drive& other) const {
-    return made == other.made && (made != Made::advance || target == other.target);
+    return made == other.made && (made != CallKind::advance || target == other.target);
   }
   std::string words() const;  // "advance(0.5)"
 };

@@ -19,7 +19,7 @@ std::string file_bytes(const std::string& path) {
 }
 
 // The hash of the deck's text and arguments.
-std::uint64_t deck_hash(const Options& options) {
+std::uint64_t deck_hash(const SessionOptions& options) {
   std::string all = file_bytes(options.deck);
   for (const std::string& argument : options.arguments) all += '\0' + argument;
   return hash(all);
@@ -39,7 +39,7 @@ Calls calls_of(const run::Checkpoint& checkpoint) {
 
 }  // namespace
 
-run::Journal journal_of(const Options& options) {
+run::Journal journal_of(const SessionOptions& options) {
   run::Journal journal;
   journal.about = [&options](format::Json& json) {
     json.set("lua", LUA_RELEASE).set("deck", options.deck);
@@ -66,8 +66,8 @@ std::shared_ptr<const run::Checkpoint> part_of(const std::shared_ptr<const run::
   return finished == nullptr ? nullptr : run::read_finished(*checkpoint, *finished);
 }
 
-void begin_from(Run& run, std::shared_ptr<const run::Checkpoint> checkpoint) {
-  const Options& options = run.session.options();
+void begin_from(DeckRun& run, std::shared_ptr<const run::Checkpoint> checkpoint) {
+  const SessionOptions& options = run.session.options();
   run.same_deck = checkpoint->deck_hash == deck_hash(options);
   run.before = calls_of(*checkpoint);
   run.job.begin_from(checkpoint);
@@ -78,7 +78,7 @@ void begin_from(Run& run, std::shared_ptr<const run::Checkpoint> checkpoint) {
   run.analysis->note("restart", words);
 }
 
-void begin_finished(Run& run, std::shared_ptr<const run::Checkpoint> checkpoint) {
+void begin_finished(DeckRun& run, std::shared_ptr<const run::Checkpoint> checkpoint) {
   const std::string differs = run::difference(*checkpoint, *run.analysis);
   if (!differs.empty())
     return run.session.notices().say("restart: analysis " + std::to_string(run.number()) +
@@ -90,7 +90,7 @@ void begin_finished(Run& run, std::shared_ptr<const run::Checkpoint> checkpoint)
   begin_from(run, std::move(checkpoint));
 }
 
-void take_up(Run& run) {
+void take_up(DeckRun& run) {
   if (!run.job.from() || run.job.taken_up()) return;
   const run::Checkpoint& c = *run.job.from();
   run.job.take_up();
@@ -107,9 +107,9 @@ void take_up(Run& run) {
       c.path + "' at time " + exact_number(c.time) + " s");
 }
 
-void restart(Run& run, std::shared_ptr<const run::Checkpoint> checkpoint) {
+void restart(DeckRun& run, std::shared_ptr<const run::Checkpoint> checkpoint) {
   if (run.job.driving()) throw Error("not from a hook of the same run");
-  const Still still(run.session, &run);
+  const ChangeRefused still(run.session, &run);
   begin_from(run, std::move(checkpoint));
   take_up(run);
   run.passing = 0;

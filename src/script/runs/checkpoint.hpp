@@ -17,17 +17,17 @@ std::shared_ptr<const run::Checkpoint> part_of(const std::shared_ptr<const run::
 
 // For a run of a restarted deck that had finished before the checkpoint was written: takes its final state.
 // If its problem has changed, it is computed again, with a notice.
-void begin_finished(Run& run, std::shared_ptr<const run::Checkpoint> checkpoint);
+void begin_finished(DeckRun& run, std::shared_ptr<const run::Checkpoint> checkpoint);
 
 // The run starts from the checkpoint at its first solve(), advance() or step(). Error: another problem, with
 // the differences. Notice: the deck has changed.
-void begin_from(Run& run, std::shared_ptr<const run::Checkpoint> checkpoint);
+void begin_from(DeckRun& run, std::shared_ptr<const run::Checkpoint> checkpoint);
 // Restores it at once, for a run at the prompt.
-void restart(Run& run, std::shared_ptr<const run::Checkpoint> checkpoint);
+void restart(DeckRun& run, std::shared_ptr<const run::Checkpoint> checkpoint);
 // Restores state and settings of the checkpoint from which the run starts, if that has not been done.
-void take_up(Run& run);
+void take_up(DeckRun& run);
 
 // The information on the deck and its arguments for run.json and checkpoints.
-run::Journal journal_of(const Options& options);
+run::Journal journal_of(const SessionOptions& options);
 
 }  // namespace fabricsh::script

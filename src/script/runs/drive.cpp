@@ -47,12 +47,12 @@ class All {
   std::exception_ptr first_;
 };
 
-void leave(Run& run, const run::Ending& ending) {
+void leave(DeckRun& run, const run::Ending& ending) {
   All all(run.session);
   run.job.leave(ending, [&all](const std::function<void()>& work) { all.run(work); });
   if (!ending.broken) return all.finish();
   for (const auto& output : run.job.outputs())
-    if (output->series->in_trouble())
+    if (output->series->failed())
       run.analysis->warn("lost", "'" + output->file + "' lacks a row or frame: solve() tries it again; a:" +
                                      output->kind + " of the same path puts a new one in its place");
 }
@@ -83,11 +83,11 @@ std::string plain_error(lua_State* L) {
 
 }  // namespace
 
-void note_failure(Run& run, const std::exception& trouble) {
+void note_failure(DeckRun& run, const std::exception& error) {
   FailedCall failed;
   failed.call = run.calls.count;
-  failed.message = trouble.what();
-  if (const auto* numerical = dynamic_cast<const NumericalFailure*>(&trouble)) {
+  failed.message = error.what();
+  if (const auto* numerical = dynamic_cast<const NumericalFailure*>(&error)) {
     failed.numerical = true;
     failed.time = numerical->time;
     failed.element = numerical->element;
@@ -101,7 +101,7 @@ namespace {
 
 // Whether the call was made before the checkpoint of a restarted run. If it was, its effects on the deck are
 // repeated.
-bool passes_over(Run& run) {
+bool passes_over(DeckRun& run) {
   if (!run.passes_over()) return false;
   repeat_tables(run);
   for (const FailedCall& failed : run.calls.failed) {
@@ -116,15 +116,15 @@ bool passes_over(Run& run) {
 }
 
 // A hook of the run may read and stop it, but not drive it.
-void refuse_in_hook(const Run& run) {
+void refuse_in_hook(const DeckRun& run) {
   if (run.job.driving()) throw Error("not from a hook of the same run");
 }
 
 // Whether it is the call in which the checkpoint of a restarted run was written.
-bool is_under_way(const Run& run) { return run.passing > 0 && run.calls.count == run.passing; }
+bool is_under_way(const DeckRun& run) { return run.passing > 0 && run.calls.count == run.passing; }
 
 // Starts from the checkpoint if there is one; counts the call.
-void begin_call(Run& run, const Drive& call) {
+void begin_call(DeckRun& run, const Drive& call) {
   if (run.job.from() && !run.job.taken_up()) {
     take_up(run);
     run.passing = run.before.count;
@@ -140,14 +140,14 @@ void begin_call(Run& run, const Drive& call) {
 }
 
 // Whether the call in which the checkpoint was written is complete: a hook stopped it, or its step is done.
-bool is_over(const Run& run) {
+bool is_over(const DeckRun& run) {
   const Drive& call = run.before.made.back();
-  return run.analysis->stopped() || (call.made == Made::step && run.analysis->steps().size() > call.from);
+  return run.analysis->stopped() || (call.made == CallKind::step && run.analysis->steps().size() > call.from);
 }
 
-void work(Run& run) {
+void work(DeckRun& run) {
   const Drive& call = run.calls.made.back();
-  if (call.made == Made::step)
+  if (call.made == CallKind::step)
     run.analysis->step();
   else
     run.analysis->advance(call.target);
@@ -155,10 +155,10 @@ void work(Run& run) {
 
 }  // namespace
 
-void drive(Run& run, const Drive& call) {
+void drive(DeckRun& run, const Drive& call) {
   if (run.session.options().check) return;
   refuse_in_hook(run);
-  const Still still(run.session, &run);
+  const ChangeRefused still(run.session, &run);
   begin_call(run, call);
   if (passes_over(run)) return;
   if (run.session.terminated() != 0) throw Interrupted(ended_by(run.session));
@@ -177,11 +177,11 @@ void drive(Run& run, const Drive& call) {
   } catch (const Interrupted&) {
     leave(run, {"interrupted", true, true});
     throw;
-  } catch (const std::exception& trouble) {
-    note_failure(run, trouble);
+  } catch (const std::exception& error) {
+    note_failure(run, error);
     note_tables(run);
-    leave(run, {trouble.what(), true, true});
-    if (dynamic_cast<const NumericalFailure*>(&trouble) != nullptr) run.job.remember_end();
+    leave(run, {error.what(), true, true});
+    if (dynamic_cast<const NumericalFailure*>(&error) != nullptr) run.job.remember_end();
     throw;
   } catch (...) {  // a Lua error in a hook; its message remains where Lua has it
     note_failure(run, Error("an error in a hook"));
@@ -196,10 +196,10 @@ void drive(Run& run, const Drive& call) {
   if (ending.ended) run.job.remember_end();
 }
 
-void go_back(Run& run, const std::shared_ptr<const run::Run::Snapshot>& snapshot) {
+void go_back(DeckRun& run, const std::shared_ptr<const run::Run::Snapshot>& snapshot) {
   refuse_in_hook(run);
-  const Still still(run.session, &run);
-  begin_call(run, {Made::restore});
+  const ChangeRefused still(run.session, &run);
+  begin_call(run, {CallKind::restore});
   if (passes_over(run)) return;
   if (is_under_way(run)) return restore_tables(run);
   const auto& gone = run.passed_snapshots;

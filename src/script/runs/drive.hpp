@@ -8,13 +8,13 @@ namespace fabricsh::script {
 // outputs and checkpoints get its last state, and run.json records how far it came. In a restarted deck the
 // calls made before the checkpoint do nothing (one that failed fails again), and the interrupted call
 // continues.
-void drive(Run& run, const Drive& call);
+void drive(DeckRun& run, const Drive& call);
 
 // The present call has ended with this error, which a restarted deck raises again when it passes over the
 // call.
-void note_failure(Run& run, const std::exception& trouble);
+void note_failure(DeckRun& run, const std::exception& error);
 
 // The call restore(), which a restarted deck also skips if it was made before the checkpoint.
-void go_back(Run& run, const std::shared_ptr<const run::Run::Snapshot>& snapshot);
+void go_back(DeckRun& run, const std::shared_ptr<const run::Run::Snapshot>& snapshot);
 
 }  // namespace fabricsh::script

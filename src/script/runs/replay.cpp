@@ -14,17 +14,17 @@ namespace {
 
 constexpr const char* unpackable = "-";  // noted for results that cannot be stored
 
-// Ends the deck: it cannot go on in another way than the one that wrote the checkpoint.
-[[noreturn]] void lose(Run& run, const std::string& why) {
+// Ends the deck, which has to repeat the calls of the one that wrote the checkpoint.
+[[noreturn]] void lose(DeckRun& run, const std::string& why) {
   run.lost = "restart: " + why + "; or run the deck without --restart";
   throw Error(run.lost);
 }
 
-std::string after_call(const Run& run) {
+std::string after_call(const DeckRun& run) {
   return "after call " + std::to_string(run.calls.count) + " of analysis " + std::to_string(run.number());
 }
 
-[[noreturn]] void lose_reading(Run& run, const std::string& what) {
+[[noreturn]] void lose_reading(DeckRun& run, const std::string& what) {
   lose(run,
        what + " needs the run as it was " + after_call(run) +
            ", which the restart passes over, and checkpoint '" + run.job.from()->path +
@@ -35,7 +35,7 @@ std::string after_call(const Run& run) {
 
 // The moment of a reading and the expression, which give one value: a run changes only by calls, and its
 // settings by what is counted in `changes`.
-std::string key_of(const Run& run, std::string name, std::string arguments) {
+std::string key_of(const DeckRun& run, std::string name, std::string arguments) {
   Archive key;
   std::int64_t count = run.calls.count, changes = run.calls.changes;
   key(count, changes, name, arguments);
@@ -78,7 +78,7 @@ int push_results(lua_State* L, const std::string& bytes) {
   return static_cast<int>(count);
 }
 
-void put(Run& run, Notes& notes, const std::string& key, std::string value) {
+void put(DeckRun& run, Notes& notes, const std::string& key, std::string value) {
   if (notes.put(key, std::move(value))) return;
   run.session.notices().once(
       "notes",
@@ -89,18 +89,18 @@ void put(Run& run, Notes& notes, const std::string& key, std::string value) {
           "an error; read in hooks (a:every, a:event) instead");
 }
 
-bool notes_readings(const Run& run) {
+bool notes_readings(const DeckRun& run) {
   return run.calls.count > 0 && !run.job.driving() && !run.job.keepers().empty();
 }
 
 // The argument's value as bytes. Error: it cannot be named.
-void add_value(lua_State* L, const Run& run, const Fields& fields, const Argument& row, Archive& bytes) {
+void add_value(lua_State* L, const DeckRun& run, const Fields& fields, const Argument& row, Archive& bytes) {
   std::string name = row.name, value;
   if (fields.push(row.name) == LUA_TUSERDATA) {
     const auto body = to_object<const model::Rigid>(L, -1);
     if (!body) throw Error("an object that cannot be named");
     value = "body " + std::to_string(run.analysis->body_number(*body));
-  } else if (!lua_isnil(L, -1) && (row.kinds & Kind::fields) != 0 && lua_istable(L, -1) &&
+  } else if (!lua_isnil(L, -1) && (row.kinds & ValueKind::fields) != 0 && lua_istable(L, -1) &&
              !row.rows.empty()) {
     const Fields inner = fields.fields(row.name);
     for (const Argument& one : row.rows) add_value(L, run, inner, one, bytes);
@@ -116,14 +116,14 @@ void add_value(lua_State* L, const Run& run, const Fields& fields, const Argumen
   bytes(name, value);
 }
 
-std::string arguments_of(const Call& call, const Run& run) {
+std::string arguments_of(const Call& call, const DeckRun& run) {
   Archive bytes;
   for (const Argument& row : call.entry().arguments) add_value(call.L(), run, call, row, bytes);
   return bytes.bytes();
 }
 
 // A file that was written in the part that is passed over must still be there.
-void want_file(Run& run, const Call& call) {
+void want_file(DeckRun& run, const Call& call) {
   if (const std::string file = call.text("file"); !system::Gate::of_process().exists(file))
     lose(run, "'" + file + "' was written " + after_call(run) +
                   ", which the restart passes over, and is gone: put it back");
@@ -139,7 +139,7 @@ int make(Call& call) {
 
 }  // namespace
 
-int read_between(lua_State* L, Run& run, const std::string& name, const std::string& arguments,
+int read_between(lua_State* L, DeckRun& run, const std::string& name, const std::string& arguments,
                  const std::function<int()>& read) {
   if (run.passes_over()) {
     const std::string* noted = run.calls.read.find(key_of(run, name, arguments));
@@ -171,7 +171,7 @@ bool changes(const Entry& entry, int given) {
 const void* changed_object(lua_State* L) {
   if (const auto mesh = to_object<mesh::Mesh>(L, 1)) return mesh.get();
   if (const auto model = to_object<model::Model>(L, 1)) return model.get();
-  return to_object<Run>(L, 1).get();
+  return to_object<DeckRun>(L, 1).get();
 }
 
 void refuse_within(lua_State* L, const Entry& entry) {
@@ -195,18 +195,18 @@ int execute(Call& call) {
   if (entry.touches == Touches::whole_run) {
     for (const Argument& row : entry.arguments)
       if (row.of == "analysis")
-        if (const auto run = call.object<Run>(row.name); run && run->passes_over())
+        if (const auto run = call.object<DeckRun>(row.name); run && run->passes_over())
           lose_reading(*run, entry.name);
     return entry.run(call);
   }
-  Run& run = *call.self<Run>();
+  DeckRun& run = *call.self<DeckRun>();
   if (!run.passes_over() && !notes_readings(run)) return entry.run(call);
   const std::string arguments = arguments_of(call, run);
   if (run.passes_over() && entry.name == "analysis:write") want_file(run, call);
   return read_between(call.L(), run, last_word(entry.name), arguments, [&] { return entry.run(call); });
 }
 
-void check_call(Run& run, const Drive& call) {
+void check_call(DeckRun& run, const Drive& call) {
   const auto& before = run.before.made;
   const auto place = static_cast<std::size_t>(run.calls.count) - 1;
   const bool asked = run.passes_over() || (run.same_deck && run.calls.count == run.passing);
@@ -217,7 +217,7 @@ void check_call(Run& run, const Drive& call) {
                 " there, so that it cannot be passed over: make the deck go the same way");
 }
 
-bool repeats_change(Run& run) {
+bool repeats_change(DeckRun& run) {
   if (run.job.driving()) return false;
   ++run.calls.changes;
   return run.passes_over() && run.same_deck;
@@ -227,7 +227,7 @@ bool repeats_change(Run& run) {
 
 namespace {
 
-std::string table_key(const Run& run, std::size_t table) {
+std::string table_key(const DeckRun& run, std::size_t table) {
   Archive key;
   std::int64_t call = run.calls.count;
   std::uint64_t place = table;
@@ -254,18 +254,18 @@ void fill(const Hook& table, const std::string& bytes) {
 
 }  // namespace
 
-void keep_table(Run& run, const Hook& table, std::string restored) {
+void keep_table(DeckRun& run, const Hook& table, std::string restored) {
   const bool later = !run.job.taken_up() || run.passes_over();
   if (!restored.empty() && !later) fill(table, std::exchange(restored, {}));
   run.kept_tables.push_back({table, std::move(restored)});
 }
 
-void begin_tables(Run& run) {
+void begin_tables(DeckRun& run) {
   for (KeptTable& kept : run.kept_tables)
     kept.at_begin = run.calls.tables.full() ? std::string() : content(kept.table);
 }
 
-void note_tables(Run& run) {
+void note_tables(DeckRun& run) {
   for (std::size_t i = 0; i < run.kept_tables.size(); ++i) {
     if (run.calls.tables.full()) return;
     std::string now = content(run.kept_tables[i].table);
@@ -274,7 +274,7 @@ void note_tables(Run& run) {
   }
 }
 
-void repeat_tables(Run& run) {
+void repeat_tables(DeckRun& run) {
   for (std::size_t i = 0; i < run.kept_tables.size(); ++i) {
     const std::string* noted = run.calls.tables.find(table_key(run, i));
     if (noted == nullptr && !run.calls.tables.full()) continue;  // the call did not change it
@@ -283,7 +283,7 @@ void repeat_tables(Run& run) {
   }
 }
 
-void restore_tables(const Run& run) {
+void restore_tables(const DeckRun& run) {
   for (const KeptTable& kept : run.kept_tables)
     if (!kept.restored.empty()) fill(kept.table, kept.restored);
 }

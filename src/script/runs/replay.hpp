@@ -13,7 +13,7 @@ namespace fabricsh::script {
 // Executes `read`, which pushes results of the run and returns their number, and notes them if a restart may
 // need them; or, in a part of the deck that is passed over, pushes the results noted under this name and
 // these arguments. Result values may be plain, or the object on which the method was called.
-int read_between(lua_State* L, Run& run, const std::string& name, const std::string& arguments,
+int read_between(lua_State* L, DeckRun& run, const std::string& name, const std::string& arguments,
                  const std::function<int()>& read);
 
 // Executes a call of the deck; as above if it reads a run. Error: it needs the whole state of a run in a part
@@ -22,20 +22,20 @@ int execute(Call& call);
 
 // Error: the deck makes another call here than the one that wrote the checkpoint, in the part that is passed
 // over.
-void check_call(Run& run, const Drive& call);
+void check_call(DeckRun& run, const Drive& call);
 
 // Whether the present change of a run by a method such as set() is repeated by a restarted deck, whose run
 // has the effect of it already; counts the change.
-bool repeats_change(Run& run);
+bool repeats_change(DeckRun& run);
 
 // Kept tables: the deck's table is to be stored in the checkpoints of this run; `restored` is its content in
 // the checkpoint from which the run starts. It is filled in the same way as readings are repeated: after each
 // call that is passed over with what it was then, and in the call in which the checkpoint was written with
 // what the checkpoint has.
-void keep_table(Run& run, const Hook& table, std::string restored);
-void begin_tables(Run& run);          // before a call that is executed
-void note_tables(Run& run);           // after it
-void repeat_tables(Run& run);         // instead of a call that is passed over
-void restore_tables(const Run& run);  // in the call in which the checkpoint was written
+void keep_table(DeckRun& run, const Hook& table, std::string restored);
+void begin_tables(DeckRun& run);          // before a call that is executed
+void note_tables(DeckRun& run);           // after it
+void repeat_tables(DeckRun& run);         // instead of a call that is passed over
+void restore_tables(const DeckRun& run);  // in the call in which the checkpoint was written
 
 }  // namespace fabricsh::script

@@ -24,7 +24,7 @@ void push_runs(lua_State* L) {
   lua_setfield(L, LUA_REGISTRYINDEX, runs_key);
 }
 
-void push_self(lua_State* L, const Run* run) {
+void push_self(lua_State* L, const DeckRun* run) {
   push_runs(L);
   lua_rawgetp(L, -1, run);
   lua_remove(L, -2);
@@ -38,7 +38,7 @@ void want_alive(lua_State* L) {
 
 }  // namespace
 
-Run::Run(Session& s, std::shared_ptr<run::Run> a)
+DeckRun::DeckRun(Session& s, std::shared_ptr<run::Run> a)
     : session(s), job(a, s.journal(), s.count_analysis()), analysis(std::move(a)) {
   job.listen(make_watch(*this));
   job.caller = [this] {
@@ -47,15 +47,13 @@ Run::Run(Session& s, std::shared_ptr<run::Run> a)
     return archive.bytes();
   };
   // or if it belongs to the part of the run that a restarted deck skips
-  job.replaceable = [this](const run::Output& output) {
-    return output.series->in_trouble() || passes_over();
-  };
+  job.replaceable = [this](const run::Output& output) { return output.series->failed() || passes_over(); };
 }
 
 namespace {
 
 // The run's part of the checkpoint of a restarted deck; null: there is none, or it cannot be used any more.
-std::shared_ptr<const run::Checkpoint> own_part(const Run& run) {
+std::shared_ptr<const run::Checkpoint> own_part(const DeckRun& run) {
   try {
     return run.session.restart() ? part_of(run.session.restart(), run.number()) : nullptr;
   } catch (const Error& error) {
@@ -67,8 +65,8 @@ std::shared_ptr<const run::Checkpoint> own_part(const Run& run) {
 
 }  // namespace
 
-void push_run(lua_State* L, std::shared_ptr<Run> run) {
-  const Run* address = run.get();
+void push_run(lua_State* L, std::shared_ptr<DeckRun> run) {
+  const DeckRun* address = run.get();
   run->session.log().add(run->analysis->shared_warnings());
   if (run->session.options().strict) run->analysis->be_strict();
   if (const auto mine = own_part(*run)) {
@@ -86,7 +84,7 @@ void push_run(lua_State* L, std::shared_ptr<Run> run) {
   lua_pop(L, 1);
 }
 
-Hook::Hook(const Fields& fields, std::string_view name, Run* run) : run_(run) {
+Hook::Hook(const Fields& fields, std::string_view name, DeckRun* run) : run_(run) {
   lua_State* L = fields.L();
   push_self(L, run);
   want_alive(L);
@@ -97,9 +95,9 @@ Hook::Hook(const Fields& fields, std::string_view name, Run* run) : run_(run) {
   lua_pop(L, 2);
 }
 
-Still Hook::still() const { return {run_->session, run_}; }
+ChangeRefused Hook::still() const { return {run_->session, run_}; }
 
-Free Hook::free() const { return {run_->session, run_}; }
+ChangeAllowed Hook::free() const { return {run_->session, run_}; }
 
 lua_State* Hook::push() const {
   if (run_->session.options().clear_progress) run_->session.options().clear_progress();

@@ -12,21 +12,21 @@
 
 namespace fabricsh::script {
 
-struct Run;
+struct DeckRun;
 
 // A Lua function (or table) kept by an analysis object instead of the registry, so that a hook can refer to
 // its own analysis and both can still be collected.
 class Hook {
  public:
-  Hook(const Fields& fields, std::string_view name, Run* run);
+  Hook(const Fields& fields, std::string_view name, DeckRun* run);
   // Pushes the function and the analysis object; returns the state on which to call it.
   lua_State* push() const;
   // For as long as the result exists, the function cannot (Still) or can (Free) change its analysis.
-  Still still() const;
-  Free free() const;
+  ChangeRefused still() const;
+  ChangeAllowed free() const;
 
  private:
-  Run* run_;
+  DeckRun* run_;
   int slot_;
 };
 
@@ -38,8 +38,8 @@ struct KeptTable {
 };
 
 // An analysis as seen from Lua: the run, its outputs, the functions that it calls.
-struct Run {
-  Run(Session& s, std::shared_ptr<run::Run> a);
+struct DeckRun {
+  DeckRun(Session& s, std::shared_ptr<run::Run> a);
   Session& session;
   run::Job job;
   std::shared_ptr<run::Run> analysis;                   // the one of the job
@@ -57,10 +57,10 @@ struct Run {
 };
 
 template <>
-struct ClassName<Run> {
+struct ClassName<DeckRun> {
   static constexpr const char* name = "analysis";
 };
 
-void push_run(lua_State* L, std::shared_ptr<Run> run);
+void push_run(lua_State* L, std::shared_ptr<DeckRun> run);
 
 }  // namespace fabricsh::script

@@ -14,8 +14,8 @@ namespace {
 
 class Watch final : public run::Listener {
  public:
-  explicit Watch(Run& run) : run_(run) {}
-  Turn turn() const override { return Turn::watch; }
+  explicit Watch(DeckRun& run) : run_(run) {}
+  ListenerOrder turn() const override { return ListenerOrder::watch; }
   void begin(run::Job& job) override;
   void step(run::Job& job) override;
   void end(run::Job& job, const run::Ending& ending) override;
@@ -23,7 +23,7 @@ class Watch final : public run::Listener {
  private:
   void stop_if_interrupted() const;
   void report(const run::Job& job);
-  Run& run_;
+  DeckRun& run_;
   double from_ = 0, next_ = 0;  // s, simulated and real
   run::Clock clock_;
 };
@@ -62,7 +62,7 @@ void Watch::report(const run::Job& job) {
   if (!options.progress || now < next_) return;
   next_ = now + 0.1;
   const run::Run& a = job.run();
-  Progress p;
+  RunProgress p;
   p.run = job.number();
   p.time = a.time();
   p.duration = a.duration();
@@ -77,6 +77,6 @@ void Watch::report(const run::Job& job) {
 
 }  // namespace
 
-std::shared_ptr<run::Listener> make_watch(Run& run) { return std::make_shared<Watch>(run); }
+std::shared_ptr<run::Listener> make_watch(DeckRun& run) { return std::make_shared<Watch>(run); }
 
 }  // namespace fabricsh::script

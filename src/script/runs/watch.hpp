@@ -14,6 +14,6 @@ class Interrupted : public Error {
 std::string ended_by(const Session& session);
 
 // What reports the progress of a run several times a second, and ends the call after Ctrl-C.
-std::shared_ptr<run::Listener> make_watch(Run& run);
+std::shared_ptr<run::Listener> make_watch(DeckRun& run);
 
 }  // namespace fabricsh::script

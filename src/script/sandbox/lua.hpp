@@ -27,7 +27,7 @@ function G.load(chunk, name, mode, ...)
   return load(chunk, name, "t", ...)
 end
 function G.loadfile(path, mode, ...)
-  if path == nil then error("loadfile: expected the name of a file, as --safe wants it", 2) end
+  if path == nil then error("loadfile: expected the name of a file, as --safe requires", 2) end
   if mode ~= nil and not find(mode, "t", 1, true) then return nil, "loadfile: --safe loads text, no binary chunk" end
   return native.loadfile(path, ...)
 end

@@ -15,7 +15,7 @@ namespace fabricsh::script {
 class Call;
 
 // The permitted types of a value; several are joined by |.
-enum Kind : unsigned {
+enum ValueKind : unsigned {
   number = 1,
   integer = 2,
   text = 4,
@@ -28,7 +28,7 @@ enum Kind : unsigned {
   any = 512,
 };
 
-inline constexpr std::pair<const char*, Kind> kind_names[] = {
+inline constexpr std::pair<const char*, ValueKind> kind_names[] = {
     {"number", number},     {"integer", integer}, {"text", text},     {"boolean", boolean},
     {"function", function}, {"numbers", numbers}, {"fields", fields}, {"table", table},
     {"object", object},     {"any", any}};
@@ -45,7 +45,7 @@ struct Argument {
   bool with_owner = false;                // a choice may stand behind the name of what it is of: "ply2.E11"
   std::string of = {};                    // class, for an object
   std::vector<Argument> rows = {};        // of Kind::fields
-  Range usual = {};                       // outside it a warning asks about units
+  Range usual = {};                       // outside it a warning questions the unit
   std::string hint = {};                  // the question of that warning
 
   Argument optional() const {
@@ -123,6 +123,7 @@ struct Entry {
   std::string sentence = {};
   std::string example = {};  // a chunk that runs without anything else
   int (*run)(Call&) = nullptr;
+  std::vector<std::string> retired = {};  // named arguments of earlier releases: a warning, and no effect
   // Set by install():
   Touches touches = Touches::nothing;
   bool weighs = false;  // makes an object of the core that may take much memory

@@ -44,7 +44,7 @@ void* Limits::allocate(void* self, void* block, std::size_t old_size, std::size_
   return moved;
 }
 
-// When the allowance is used up, each instruction raises the error again, so that no pcall goes on.
+// When the allowance is used up, each instruction raises the error again, so that no pcall continues.
 void Limits::count(lua_State* L, lua_Debug*) {
   void* limits_of_allocator = nullptr;
   lua_getallocf(L, &limits_of_allocator);

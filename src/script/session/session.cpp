@@ -7,10 +7,22 @@
 
 namespace fabricsh::script {
 
-Session::Session(Options options)
+namespace {
+
+// The sink as long as the log shows what is said. The log is created after the notices.
+Notices::Sink while_shown(Notices::Sink sink, const std::unique_ptr<WarningLog>& log) {
+  if (!sink) return sink;
+  return [sink = std::move(sink), &log](const std::string& text) {
+    if (log->shows()) sink(text);
+  };
+}
+
+}  // namespace
+
+Session::Session(SessionOptions options)
     : process_(getpid()),
       options_(std::move(options)),
-      notices_(said_once_by_copies(options_.notice)),
+      notices_(while_shown(said_once_by_copies(options_.notice), log_)),
       log_(std::make_unique<WarningLog>()) {
   main_ = luaL_newstate();
   if (main_ == nullptr) throw std::bad_alloc();
@@ -55,7 +67,7 @@ std::shared_ptr<const int> reference_to_top(Session& session, lua_State* L) {
 
 struct Work {
   const std::function<void()>& run;
-  std::exception_ptr trouble = nullptr;
+  std::exception_ptr error = nullptr;
 };
 
 int run_work(lua_State* L) {
@@ -63,7 +75,7 @@ int run_work(lua_State* L) {
   try {
     work.run();
   } catch (const std::exception&) {  // not Lua's own exception, which is not a std::exception
-    work.trouble = std::current_exception();
+    work.error = std::current_exception();
   }
   return 0;
 }
@@ -81,7 +93,7 @@ void in_protected_call(Session& session, const std::function<void()>& run) {
   lua_pushcfunction(L, run_work);
   lua_pushlightuserdata(L, &work);
   if (lua_pcall(L, 1, 0, 0) != LUA_OK) throw Raised(session, L);
-  if (work.trouble) std::rethrow_exception(work.trouble);
+  if (work.error) std::rethrow_exception(work.error);
 }
 
 Function::Function(Session& session, lua_State* L, int index) : session_(&session) {

@@ -26,7 +26,7 @@ namespace fabricsh::script {
 class WarningLog;
 
 // The progress of a run.
-struct Progress {
+struct RunProgress {
   std::int64_t run = 0;           // its number in the session
   double time = 0, duration = 0;  // s, simulated
   std::size_t steps = 0;
@@ -41,7 +41,7 @@ struct StudyOptions {
   std::int64_t only = 0;  // computes this one, from 1 on; 0: all
 };
 
-struct Options {
+struct SessionOptions {
   std::optional<SafeOptions> safe;  // --safe, with its limits
   bool check = false;               // validate everything, but run and write nothing
   bool quiet = false;               // no progress
@@ -49,16 +49,16 @@ struct Options {
   StudyOptions study = {};
   int threads = 0;  // 0: OMP_NUM_THREADS, else all cores
   std::vector<std::string> command_line;
-  std::vector<std::string> arguments = {};         // of the deck
-  std::string deck;                                // path of the deck; empty: none
-  std::function<void(const std::string&)> notice;  // a warning or notice, one line
-  std::function<void(const Progress&)> progress;   // after steps, at most every 0.1 s
-  std::function<void()> clear_progress;            // called before the deck prints: removes a progress bar
+  std::vector<std::string> arguments = {};           // of the deck
+  std::string deck;                                  // path of the deck; empty: none
+  std::function<void(const std::string&)> notice;    // a warning or notice, one line
+  std::function<void(const RunProgress&)> progress;  // after steps, at most every 0.1 s
+  std::function<void()> clear_progress;              // called before the deck prints: removes a progress bar
 };
 
 class Session {
  public:
-  explicit Session(Options options);
+  explicit Session(SessionOptions options);
   ~Session();
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
@@ -67,7 +67,7 @@ class Session {
   lua_State* lua() const { return main_; }
   // The state (main or coroutine) whose binding is executing; callbacks are called on it.
   lua_State* active() const { return active_; }
-  const Options& options() const { return options_; }
+  const SessionOptions& options() const { return options_; }
   Notices& notices() { return notices_; }
   // Says a warning that is not of a run, each text once, and logs it. code: see run/warnings.hpp.
   void warn(const char* code, const std::string& text);
@@ -124,10 +124,10 @@ class Session {
 
  private:
   friend class ActiveState;
-  friend class Still;
-  friend class Free;
+  friend class ChangeRefused;
+  friend class ChangeAllowed;
   const int process_;
-  Options options_;
+  SessionOptions options_;
   Notices notices_;
   std::unique_ptr<WarningLog> log_;
   Registry registry_;
@@ -148,16 +148,16 @@ class Session {
 
 // While an object of this class exists, calls that change the given object are refused, because it is being
 // traversed while functions of the deck are called.
-class Still {
+class ChangeRefused {
  public:
-  Still(Session& session, const void* object) : session_(session), object_(object) {
+  ChangeRefused(Session& session, const void* object) : session_(session), object_(object) {
     ++session_.still_[object_];
   }
-  ~Still() {
+  ~ChangeRefused() {
     if (--session_.still_[object_] == 0) session_.still_.erase(object_);
   }
-  Still(const Still&) = delete;
-  Still& operator=(const Still&) = delete;
+  ChangeRefused(const ChangeRefused&) = delete;
+  ChangeRefused& operator=(const ChangeRefused&) = delete;
 
  private:
   Session& session_;
@@ -165,14 +165,14 @@ class Still {
 };
 
 // While an object of this class exists, the given object may be changed again: by a hook of its runs.
-class Free {
+class ChangeAllowed {
  public:
-  Free(Session& session, const void* object) : session_(session), object_(object) {
+  ChangeAllowed(Session& session, const void* object) : session_(session), object_(object) {
     std::swap(before_, session_.still_[object_]);
   }
-  ~Free() { session_.still_[object_] = before_; }
-  Free(const Free&) = delete;
-  Free& operator=(const Free&) = delete;
+  ~ChangeAllowed() { session_.still_[object_] = before_; }
+  ChangeAllowed(const ChangeAllowed&) = delete;
+  ChangeAllowed& operator=(const ChangeAllowed&) = delete;
 
  private:
   Session& session_;

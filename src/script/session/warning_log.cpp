@@ -18,7 +18,7 @@ void WarningLog::add(std::shared_ptr<const Warnings> of_run) {
   ++runs_;
 }
 
-WarningLog::Warnings WarningLog::since(Place place) const {
+WarningLog::Warnings WarningLog::since(LogPosition place) const {
   Warnings all;
   const auto is_there = [&all](const run::Warning& w) {
     return std::any_of(all.begin(), all.end(),
@@ -30,7 +30,7 @@ WarningLog::Warnings WarningLog::since(Place place) const {
   return all;
 }
 
-std::string WarningLog::packed_since(Place place) const {
+std::string WarningLog::packed_since(LogPosition place) const {
   Archive archive;
   Warnings warnings = since(place);
   bool ran = ran_since(place);

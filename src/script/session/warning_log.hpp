@@ -13,10 +13,10 @@ class WarningLog {
   using Warnings = std::vector<run::Warning>;
 
   // A place in the log.
-  struct Place {
+  struct LogPosition {
     std::size_t lists = 0, runs = 0;
   };
-  Place end() {
+  LogPosition end() {
     last_place_ = lists_.size();
     return {lists_.size(), runs_};
   }
@@ -26,16 +26,22 @@ class WarningLog {
   // Of a run: the list as it will be when it is read.
   void add(std::shared_ptr<const Warnings> of_run);
   // What was added from the place on, equal ones once; whether that includes a run.
-  Warnings since(Place place) const;
-  bool ran_since(Place place) const { return runs_ > place.runs; }
+  Warnings since(LogPosition place) const;
+  bool ran_since(LogPosition place) const { return runs_ > place.runs; }
+
+  // From now on nothing is shown any more, only logged: for a copy of the program whose warnings are
+  // evaluated by the process that made it.
+  void stop_showing() { shows_ = false; }
+  bool shows() const { return shows_; }
 
   // The same as bytes, for the log of another process.
-  std::string packed_since(Place place) const;
+  std::string packed_since(LogPosition place) const;
   void adopt(const std::string& packed);
 
  private:
   std::vector<std::shared_ptr<const Warnings>> lists_;
   std::size_t runs_ = 0, last_place_ = 0;
+  bool shows_ = true;
 };
 
 }  // namespace fabricsh::script

@@ -11,7 +11,7 @@ namespace fabricsh::script {
 
 using card::Card;
 using card::Field;
-using card::Holds;
+using card::FieldType;
 
 namespace {
 
@@ -78,7 +78,7 @@ class Print {
  private:
   // whole: name of the card's field to which it belongs.
   void add(const Field& field, const std::string& whole) {
-    if (field.holds == Holds::group) {
+    if (field.holds == FieldType::group) {
       if (field.there(card_))
         for (const Field& part : field.rows) add(part, whole);
       return;

@@ -198,7 +198,7 @@ std::vector<std::string> sets_of(lua_State* L, int index) {
   };
   if (const auto mesh = to_object<mesh::Mesh>(L, index)) add(*mesh);
   if (const auto model = to_object<model::Model>(L, index)) add(model->mesh());
-  if (const auto run = to_object<Run>(L, index)) add(run->analysis->model().mesh());
+  if (const auto run = to_object<DeckRun>(L, index)) add(run->analysis->model().mesh());
   return names;
 }
 

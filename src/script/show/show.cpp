@@ -35,7 +35,7 @@ std::string visible(lua_State* L, int index) {
 }
 
 // Smallest and largest of the values, and the number of those that are NaN.
-struct Spread {
+struct ValueSummary {
   double low = INFINITY, high = -INFINITY;
   lua_Integer lost = 0;
   void add(double x) {
@@ -57,7 +57,7 @@ bool has_text(lua_State* L, int index) {
 }
 
 // Adds the numbers of the list at the absolute index; false if it has anything else.
-bool spread_of(lua_State* L, int index, Spread& spread) {
+bool spread_of(lua_State* L, int index, ValueSummary& spread) {
   const auto n = static_cast<lua_Integer>(lua_rawlen(L, index));
   for (lua_Integer i = 1; i <= n; ++i) {
     const bool number = lua_rawgeti(L, index, i) == LUA_TNUMBER;
@@ -71,7 +71,7 @@ bool spread_of(lua_State* L, int index, Spread& spread) {
 // "<441 x 3 numbers, 0 to 2>"; empty unless every entry is a list of the same number of numbers.
 std::string matrix_text(lua_State* L, int index, lua_Integer n) {
   lua_Integer width = 0;
-  Spread spread;
+  ValueSummary spread;
   for (lua_Integer i = 1; i <= n; ++i) {
     const bool row = lua_rawgeti(L, index, i) == LUA_TTABLE;
     const auto length = row ? static_cast<lua_Integer>(lua_rawlen(L, -1)) : 0;
@@ -104,7 +104,7 @@ std::string list_text(lua_State* L, int index) {
   if (n <= 3) return "";
   lua_rawgeti(L, index, n + 1);
   lua_pop(L, 1);
-  Spread spread;
+  ValueSummary spread;
   if (n > short_list && spread_of(L, index, spread))
     return "<" + std::to_string(n) + " numbers" + spread.text() + ">";
   std::string words = matrix_text(L, index, n);

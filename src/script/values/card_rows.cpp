@@ -14,27 +14,27 @@ namespace fabricsh::script {
 using card::Card;
 using card::Field;
 using card::FieldTable;
-using card::Holds;
+using card::FieldType;
 
 namespace {
 
-unsigned kinds_of(Holds holds) {
+unsigned kinds_of(FieldType holds) {
   switch (holds) {
-    case Holds::number:
+    case FieldType::number:
       return number;
-    case Holds::flag:
+    case FieldType::flag:
       return boolean;
-    case Holds::text:
+    case FieldType::text:
       return text;
-    case Holds::numbers:
+    case FieldType::numbers:
       return numbers;
-    case Holds::ratios:
+    case FieldType::ratios:
       return number | numbers;
-    case Holds::curve:
+    case FieldType::curve:
       return numbers | table;
-    case Holds::number_or_curve:
+    case FieldType::number_or_curve:
       return number | numbers | table;
-    case Holds::points:
+    case FieldType::points:
       return table;
     default:
       return fields;
@@ -124,7 +124,7 @@ card::Value read_curve(const Fields& fields, const Field& field, const std::stri
 
 std::vector<double> read_parts(const Fields& fields, const Field& field) {
   const auto n = field.parts.size();
-  if (field.holds == Holds::ratios && fields.is(field.name, LUA_TNUMBER))
+  if (field.holds == FieldType::ratios && fields.is(field.name, LUA_TNUMBER))
     return std::vector<double>(n, fields.number(field.name));
   auto values = fields.numbers(field.name);
   if (n == 0 || values.size() == n) return values;
@@ -135,18 +135,18 @@ std::vector<double> read_parts(const Fields& fields, const Field& field) {
 
 card::Value read_value(const Fields& fields, const Field& field, const std::string& path) {
   switch (field.holds) {
-    case Holds::number:
+    case FieldType::number:
       return fields.number(field.name);
-    case Holds::flag:
+    case FieldType::flag:
       return fields.flag(field.name);
-    case Holds::text:
+    case FieldType::text:
       return fields.text(field.name);
-    case Holds::number_or_curve:
+    case FieldType::number_or_curve:
       if (fields.is(field.name, LUA_TNUMBER)) return fields.number(field.name);
       [[fallthrough]];
-    case Holds::curve:
+    case FieldType::curve:
       return read_curve(fields, field, path);
-    case Holds::points:
+    case FieldType::points:
       return read_points(fields, field, path);
     default:
       return read_parts(fields, field);
@@ -157,7 +157,7 @@ card::Value read_value(const Fields& fields, const Field& field, const std::stri
 void read_fields(const Fields& fields, const FieldTable& table, const std::string& path, Card& card) {
   for (const Field& field : table) {
     if (fields.has(field.name)) {
-      if (field.holds == Holds::group) {
+      if (field.holds == FieldType::group) {
         field.make(card);
         read_fields(fields.fields(field.name), field.rows, path + field.name + ".", card);
         lua_pop(fields.L(), 1);
@@ -176,7 +176,7 @@ void read_fields(const Fields& fields, const FieldTable& table, const std::strin
 void check_bands(const Fields& fields, const Card& card) {
   const Fields bands = fields.fields("bands");
   for (const Field& part : card::find_field(card::fields(card), "bands")->rows) {
-    if (part.holds != Holds::group || !bands.has(part.name)) continue;
+    if (part.holds != FieldType::group || !bands.has(part.name)) continue;
     const Fields band = bands.fields(part.name);
     const std::size_t n = parameters(*card::find_field(card::fields(card), part.name), card).size();
     for (const char* name : {"low", "high", "covariance"}) {

@@ -14,7 +14,7 @@ namespace fabricsh::script {
 using card::Card;
 using card::Field;
 using card::FieldTable;
-using card::Holds;
+using card::FieldType;
 using card::Points;
 using card::Value;
 
@@ -51,7 +51,7 @@ void push_plain(lua_State* L, const FieldTable& table, const Card& card) {
   luaL_checkstack(L, 10, "card");
   lua_newtable(L);
   for (const Field& field : table) {
-    if (field.holds == Holds::group && field.there(card))
+    if (field.holds == FieldType::group && field.there(card))
       push_plain(L, field.rows, card);
     else
       push_plain(L, field.get ? field.get(card) : Value());
@@ -63,7 +63,7 @@ void push_shown(lua_State* L, const FieldTable& table, const Card& card, const s
 
 // Pushes the value of a field; lists and groups as metatables. top: the card's field to which it belongs.
 void push_field(lua_State* L, const Field& field, const Card& card, const std::string& top) {
-  if (field.holds == Holds::group) {
+  if (field.holds == FieldType::group) {
     if (!field.there(card)) return lua_pushnil(L);
     push_shown(L, field.rows, card, top);
     return make_metatable(L, top);

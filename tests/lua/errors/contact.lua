@@ -141,9 +141,13 @@ wrong("model:contact", "model:contact{ self=5 }",
 wrong("model:contact", "model:contact{ self='top' }",
   "deck.lua:1: contact: set 'top' holds no whole element, and so no surface")
 wrong("model:contact", "model:contact{ self='all', friction='1' }",
-  "deck.lua:1: contact: field 'friction': expected a number of at least 0, got '1'")
+  "deck.lua:1: contact: field 'friction': expected a number of at least 0 or a table {static, kinetic}, got '1'")
 wrong("model:contact", "model:contact{ self='all', friction=-1 }",
-  "deck.lua:1: contact: field 'friction': expected a number of at least 0, got -1")
+  "deck.lua:1: contact: field 'friction': expected a number of at least 0 or a table {static, kinetic}, got -1")
+wrong("model:contact", "model:contact{ self='all', friction={ static=0.2, kinetic=0.3 } }",
+  "deck.lua:1: contact: field 'friction.static': expected at least the kinetic friction of 0.3, got 0.2")
+wrong("model:contact", "model:contact{ self='all', friction={ static=0.2 } }",
+  "deck.lua:1: contact: field 'friction.kinetic': expected a number of at least 0, got nil (missing, or a misspelt variable)")
 wrong("model:contact", "model:contact{ self='all', thickness='1' }",
   "deck.lua:1: contact: field 'thickness': expected a positive number in m, got '1'")
 wrong("model:contact", "model:contact{ self='all', thickness=0 }",
@@ -199,7 +203,7 @@ wrong("fabric.static", "fabric.static{ model=model:contact{ between={fabric.rigi
 wrong("analysis:reaction", "fabric.dynamic{ model=model:contact{ self='all', thickness=1e-4 }, duration=1e-4 }:reaction(fabric.rigid.sphere{ radius=1, centre={0,0,2} })",
   "deck.lua:1: reaction: the sphere touches nothing in the model of this run")
 wrong("model:contact", "model:contact{ between={fabric.rigid.plane{ point={0,0,0}, normal={0,0,1} }, fabric.rigid.sphere{ radius=1, centre={0,0,2} }} }",
-  "deck.lua:1: contact: field 'between': expected cloth on one side at least: rigid bodies do not meet each other")
+  "deck.lua:1: contact: field 'between': expected cloth or a body with a mass on one side at least: bodies whose places are given do not meet each other")
 wrong("model:contact", "model:contact{ self='al' }",
   "deck.lua:1: contact: unknown set 'al', did you mean 'all'? known sets: all, bottom, boundary, corners, left, right, top")
 wrong("model:contact", "model:contact{ between={fabric.rigid.plane{ point={0,0,-1}, normal={0,0,1} }, 'all'}, self='all' }",
@@ -217,7 +221,7 @@ wrong("fabric.rigid.sphere", "fabric.rigid.sphere{ radius=1, centre={0, 0/0, 0} 
 
 -- fabric.lab.ball_drop
 wrong("fabric.lab.ball_drop", "fabric.lab.ball_drop{ wrong=1 }",
-  "deck.lua:1: ball_drop: unknown field 'wrong' (known: card side radius mass height friction stiffness clearance cells duration step scheme inertia points gravity damping every force ledger_limit out)")
+  "deck.lua:1: ball_drop: unknown field 'wrong' (known: card side radius mass height friction stiffness cells duration step scheme inertia points gravity damping every out)")
 wrong("fabric.lab.ball_drop", "fabric.lab.ball_drop{}",
   "deck.lua:1: ball_drop: field 'card': expected a card, got nil (missing, or a misspelt variable)")
 wrong("fabric.lab.ball_drop", "fabric.lab.ball_drop{ card='blend' }",
@@ -246,8 +250,6 @@ wrong("fabric.lab.capstan", "fabric.lab.capstan{ card=card, around=2.5 }",
 -- fabric.lab.ball_drop
 wrong("fabric.lab.ball_drop", "fabric.lab.ball_drop{ card=card, scheme='explicti' }",
   "deck.lua:1: ball_drop: field 'scheme': expected 'explicit' or 'implicit', got 'explicti', did you mean 'explicit'?")
-wrong("fabric.lab.ball_drop", "fabric.lab.ball_drop{ card=card, force='yes' }",
-  "deck.lua:1: ball_drop: field 'force': expected true or false, got 'yes'")
 wrong("fabric.lab.ball_drop", "fabric.lab.ball_drop{ card=card, out=7 }",
   "deck.lua:1: ball_drop: field 'out': expected a string, got 7")
 wrong("fabric.lab.ball_drop", "fabric.lab.ball_drop{ card=card, height=1e-5 }",

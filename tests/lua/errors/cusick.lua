@@ -1,7 +1,7 @@
 -- Wrong calls and their messages: the drape tester. Read by tests/lua/errors.lua.
 wrong("fabric.lab.cusick", "fabric.lab.cusick{ wrong=1 }",
   "deck.lua:1: cusick: unknown field 'wrong' (known: card disc support seeds seed orientation cells around offset edge held side friction contact self "
-    .. "by steps lowering shakes shake period damping gravity still window duration least processes every out file)")
+    .. "by steps lowering damping gravity still window duration least processes every out file)")
 wrong("fabric.lab.cusick", "fabric.lab.cusick{}",
   "deck.lua:1: cusick: field 'card': expected a card, got nil (missing, or a misspelt variable)")
 wrong("fabric.lab.cusick", "fabric.lab.cusick{ card='blend' }",
@@ -22,8 +22,6 @@ wrong("fabric.lab.cusick", "fabric.lab.cusick{ card=card, held=0.19 }",
   "deck.lua:1: cusick: field 'held': expected at most the diameter of the support, 0.18 m, got 0.19 m")
 wrong("fabric.lab.cusick", "fabric.lab.cusick{ card=card, duration=1 }",
   "deck.lua:1: cusick: field 'duration': expected more than the lowering, 1.5 s, got 1 s")
-wrong("fabric.lab.cusick", "fabric.lab.cusick{ card=card, by='relaxation', shakes=3 }",
-  "deck.lua:1: cusick: field 'shakes': expected none with by = \"relaxation\", which knows no time, got 3")
 wrong("fabric.lab.cusick", "fabric.lab.cusick{ card=card, by='rest' }", "deck.lua:1: cusick: field 'by': expected 'motion' or 'relaxation', got 'rest'")
 wrong("fabric.lab.cusick", "fabric.lab.cusick{ card=card, seeds=0 }",
   "deck.lua:1: cusick: field 'seeds': expected an integer from 1 to 1000, got 0")

@@ -38,8 +38,10 @@ wrong("analysis:join", "run:join{ set='all' }",
 
 -- model:tearable, options
 wrong("model:tearable", "model:tearable('all', { coarse='rough' })",
-  "deck.lua:1: tearable: field 'options.coarse': expected 'lower' or 'refuse', got 'rough'")
+  "deck.lua:1: tearable: field 'options.coarse': expected 'lower' or 'refuse' or 'keep', got 'rough'")
 wrong("model:tearable", "model:tearable('all', { seed=1.5 })",
   "deck.lua:1: tearable: field 'options.seed': expected an integer from 0 to 9.0072e+15, got 1.5")
+wrong("model:tearable", "model:tearable('all', { path='nowhere' })",
+  "deck.lua:1: tearable: unknown set 'nowhere'; known sets: all, bottom, boundary, corners, left, right, top")
 wrong("model:tearable", "model:tearable('all', 7)",
-  "deck.lua:1: tearable: argument 'options': expected a table {coarse, seed}, got 7")
+  "deck.lua:1: tearable: argument 'options': expected a table {coarse, seed, path}, got 7")

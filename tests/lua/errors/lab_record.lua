@@ -25,6 +25,28 @@ wrong("fabric.lab.branches", "fabric.lab.branches{ displacement={0.01, 0.01}, to
 wrong("fabric.lab.branches", "fabric.lab.branches{ displacement={0.01, 0.01}, tolerance=-1 }",
   "deck.lua:1: branches: field 'tolerance': expected a positive number in m, got -1")
 
+-- fabric.lab.breaking_strength
+wrong("fabric.lab.breaking_strength", "fabric.lab.breaking_strength{ foldr='x' }",
+  "deck.lua:1: breaking_strength: unknown field 'foldr', did you mean 'folder'?")
+wrong("fabric.lab.breaking_strength", "fabric.lab.breaking_strength{}",
+  "deck.lua:1: breaking_strength: field 'folder': expected a string, got nil (missing, or a misspelt variable)")
+wrong("fabric.lab.breaking_strength", "fabric.lab.breaking_strength{ folder='x', standard='ISO' }",
+  "deck.lua:1: breaking_strength: field 'standard': expected 'ISO 13934-1' or 'ASTM D5035', got 'ISO'")
+wrong("fabric.lab.breaking_strength", "fabric.lab.breaking_strength{ folder='x', gauge_length='1' }",
+  "deck.lua:1: breaking_strength: field 'gauge_length': expected a positive number in m, got '1'")
+wrong("fabric.lab.breaking_strength", "fabric.lab.breaking_strength{ folder='x', gauge_length=0.2, width=-1 }",
+  "deck.lua:1: breaking_strength: field 'width': expected a positive number in m, got -1")
+wrong("fabric.lab.breaking_strength", "fabric.lab.breaking_strength{ folder='x', gauge_length=0.2, width=0.05, breaks=5 }",
+  "deck.lua:1: breaking_strength: field 'breaks': expected a table { ['warp-2']=3e-3, ['warp-4']='jaw' } or a string, got 5")
+wrong("fabric.lab.breaking_strength", "fabric.lab.breaking_strength{ folder='x', gauge_length=0.2, width=0.05, faulty=5 }",
+  "deck.lua:1: breaking_strength: field 'faulty': expected a table { ['warp-3']='slipped' }, got 5")
+wrong("fabric.lab.breaking_strength", "fabric.lab.breaking_strength{ folder='x', gauge_length=0.2, width=0.05, cut_at_break=1 }",
+  "deck.lua:1: breaking_strength: field 'cut_at_break': expected true or false, got 1")
+wrong("fabric.lab.breaking_strength", "fabric.lab.breaking_strength{ folder='x', gauge_length=0.2, width=0.05, file=5 }",
+  "deck.lua:1: breaking_strength: field 'file': expected a string, got 5")
+wrong("fabric.lab.breaking_strength", "fabric.lab.breaking_strength{ folder='no-such-folder', gauge_length=0.2, width=0.05 }",
+  "deck.lua:1: folder: cannot read the folder 'no-such-folder': No such file or directory")
+
 -- fabric.lab.compare
 wrong("fabric.lab.compare", "fabric.lab.compare{ E={0, 1}, S={0, 1} }",
   "deck.lua:1: compare: argument 'test': expected a table, got nil (missing, or a misspelt variable)")

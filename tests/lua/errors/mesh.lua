@@ -70,6 +70,18 @@ wrong("fabric.mesh.rectangle", "fabric.mesh.rectangle{ width=0.01, height=0.01, 
   "deck.lua:1: rectangle: field 'origin': expected a table of numbers in m, got 'two' at place 2")
 wrong("fabric.mesh.rectangle", "fabric.mesh.rectangle{ width=0.01, height=0.01, nx=2, ny=2, triangles='yes' }",
   "deck.lua:1: rectangle: field 'triangles': expected true or false, got 'yes'")
+wrong("fabric.mesh.rectangle", "fabric.mesh.rectangle{ width=0.01, height=0.01, nx=2, ny=2, grading=7 }",
+  "deck.lua:1: rectangle: field 'grading': expected a table {x, y}, got 7")
+
+-- mesh:slit
+wrong("mesh:slit", "mesh:slit{ form={0, 0} }",
+  "deck.lua:1: slit: unknown field 'form', did you mean 'from'?")
+wrong("mesh:slit", "mesh:slit{ from={0, 0} }",
+  "deck.lua:1: slit: field 'to': expected a table of numbers in m, got nil (missing, or a misspelt variable)")
+wrong("mesh:slit", "mesh:slit{ from={0, 'x'}, to={0, 1} }",
+  "deck.lua:1: slit: field 'from': expected a table of numbers in m, got 'x' at place 2")
+wrong("mesh:slit", "mesh:slit{ from={0, 0}, to={0, 1}, left=7 }",
+  "deck.lua:1: slit: field 'left': expected a string, got 7")
 
 -- mesh:deck_lines
 wrong("mesh:deck_lines", "mesh:deck_lines()",
@@ -192,3 +204,50 @@ wrong("fabric.mesh.merge", "fabric.mesh.merge{ meshes={ 1, 2 } }",
   "deck.lua:1: merge: field 'meshes': expected a mesh at place 1, got 1")
 wrong("fabric.mesh.merge", "fabric.mesh.merge{ meshes={}, distance=-1 }",
   "deck.lua:1: merge: field 'distance': expected a number of at least 0 in m, got -1")
+
+-- fabric.mesh.panel
+local square = "outline={ {0, 0}, {0.1, 0, name='a'}, {0.1, 0.1}, {0, 0.1} }"
+local function panel(rest, message) wrong("fabric.mesh.panel", "fabric.mesh.panel{ " .. rest .. " }", "deck.lua:1: panel: " .. message) end
+panel("otline={}", "unknown field 'otline', did you mean 'outline'?")
+panel(square, "field 'size': expected a positive number in m, got nil (missing, or a misspelt variable)")
+panel("size=0.01", "field 'outline': expected either an outline or file=, got neither")
+panel("size='1'", "field 'size': expected a positive number in m, got '1'")
+panel("size=-1", "field 'size': expected a positive number in m, got -1")
+panel("size=0.01, outline=5", "field 'outline': expected a table { {x, y}, {x, y, name=}, {arc=, name=}, {spline=, name=}, ... }, got 5")
+panel("size=0.01, triangles='yes', " .. square, "field 'triangles': expected true or false, got 'yes'")
+panel("size=0.01, file=7", "field 'file': expected a string, got 7")
+panel("size=0.01, file='a.pdf'", "field 'file': expected a file that ends in .dxf or .svg, got 'a.pdf'")
+panel("size=0.01, file='a.dxf', " .. square, "field 'outline': expected either file= or an outline, got both")
+panel("size=0.01, unit=0.001, " .. square, "field 'unit': expected with file= only")
+panel("size=0.2, " .. square, "field 'size': expected at most the smaller extent of the panel, 0.1 m, got 0.2")
+panel("size=0.02, outline={ {0, 0}, {0.1, 0.1}, {0.1, 0}, {0, 0.15} }", "field 'outline': piece 1 crosses or touches piece 3 near (0.06, 0.06)")
+panel("size=0.02, outline={ {0, 0}, {0.1, 0}, {0.1, 0.1}, {0, 0.002} }",
+  "field 'outline': open: it ends at (0, 0.002), 0.002 m from its start (0, 0) (end it there, or close it with {name='...'})")
+panel("size=0.02, outline={ {0, 0}, {0.1, 0, nmae='a'} }", "unknown field 'outline[2].nmae', did you mean 'outline[2].name'?")
+panel("size=0.02, outline={ {0, 0}, {0.1, 0, 0} }", "field 'outline[2]': expected a point {x, y}, m, got 3 numbers")
+panel("size=0.02, outline={ {0, 0}, 7 }",
+  "field 'outline[2]': expected {x, y}, {arc=}, {spline=}, {bezier=}, {circle=} or {name=}, got 7")
+panel("size=0.02, outline={ {0, 0}, {arc={to={0.1, 0}}} }", "field 'outline[2].arc': expected either through={x, y} or centre={x, y}")
+panel("size=0.02, outline={ {0, 0}, {arc={to={0.1, 0}, through={0.05, 0}}} }",
+  "field 'outline[2]': arc: expected three points that do not lie on a line")
+panel("size=0.02, holes={ {circle={0.2, 0.2}, radius=0.01} }, " .. square,
+  "field 'holes': hole 1 lies outside of the outline, at (0.21, 0.2)")
+panel("size=0.02, darts={ {from={0.02, 0}, tip={0.03, 0.2}, to={0.04, 0}} }, " .. square,
+  "field 'darts': dart 'dart1': its tip (0.03, 0.2) is not inside the outline")
+panel("size=0.02, notches={ {name='n', edge='a', at=0.2} }, " .. square,
+  "field 'notches': notch 'n': expected a place from 0 to 0.1 m along edge 'a', got 0.2")
+panel("size=0.02, notches={ {name='n', edge='b', at=0.2} }, " .. square, "field 'notches': notch 'n': no edge has the name 'b'")
+
+-- mesh:wrap
+local function wrap(rest, message) wrong("mesh:wrap", "mesh:wrap{ " .. rest .. " }", "deck.lua:1: wrap: " .. message) end
+wrap("cilinder={}", "unknown field 'cilinder', did you mean 'cylinder'?")
+wrap("", "field 'cylinder': expected either a cylinder or a cone")
+wrap("cylinder=5", "field 'cylinder': expected a table {radius, from, axis, towards, at}, got 5")
+wrap("cylinder={ radius=-1 }", "field 'cylinder.radius': expected a positive number in m, got -1")
+wrap("cylinder={}", "field 'cylinder.radius': expected a positive number in m, got nil (missing, or a misspelt variable)")
+wrap("cone={ radius=1, angle=90 }", "field 'cone.angle': expected a number above -90 to below 90 in degrees, got 90")
+wrap("cylinder={ radius=1 }, overlap='yes'", "field 'overlap': expected true or false, got 'yes'")
+wrap("cylinder={ radius=1, at={1, 'x'} }", "field 'cylinder.at': expected a table of numbers in m, got 'x' at place 2")
+wrap("cylinder={ radius=1, at={1} }", "field 'cylinder.at': expected {x, y}, got 1 number")
+wrap("cylinder={ radius=1, axis={0, 0, 0} }", "field 'axis': expected a direction, got one without length")
+wrap("cylinder={ radius=0.004 }", "element 1 spans 364 degrees: expected at most 60 (smaller elements, or a larger radius)")

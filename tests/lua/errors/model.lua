@@ -200,6 +200,10 @@ wrong("model:symmetry", "fabric.static{ model=model:symmetry('bottom', 'x'), dur
   "deck.lua:1: static: symmetry: set 'bottom': expected nodes in a plane normal to x, got x from 0 to 0.0254 m")
 wrong("model:symmetry", "fabric.static{ model=fabric.model{ mesh=mesh, card=card, warp=20 }:symmetry('left', 'x'), duration=1 }",
   "deck.lua:1: static: symmetry: set 'left': the cloth of element 1 is not symmetric about the plane, whose normal lies at 20 degrees to the warp: expected warp and weft along and across the plane; or the whole model")
+wrong("fabric.model", "fabric.model{ mesh=mesh, card=card, membrane=7 }",
+  "deck.lua:1: model: field 'membrane': expected true or false, got 7")
+wrong("fabric.model", "fabric.model{ mesh=mesh, card=card, offset=1, membrane=true }",
+  "deck.lua:1: model: field 'membrane': expected a card without layers and offset, of which a membrane knows nothing")
 wrong("fabric.model", "fabric.model{ mesh=mesh, layers={ { card=card, name='ply2' } } }",
   "deck.lua:1: model: field 'layers[1].name': expected a name without blanks and full stops, other than ply1, ply2, ..., got 'ply2'")
 wrong("fabric.model", "fabric.model{ mesh=mesh, layers={ { card=card, name='face' }, { card=card, name='face' } } }",

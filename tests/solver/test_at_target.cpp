@@ -1,4 +1,5 @@
-// A body that comes by shares: a balance before it has arrived is no answer, in any solver.
+// A body that moves by fractions: equilibrium before it has reached its position is not accepted, in any
+// solver.
 #include <algorithm>
 #include <cmath>
 
@@ -29,9 +30,9 @@ class Late final : public Problem {
     return residual(r);
   }
   double limit(std::span<const double>) override { return std::min(1.0, stride / (way - body_iterate_)); }
-  void retract(std::span<const double> delta, double scale) override {
+  void apply_increment(std::span<const double> delta, double scale) override {
     trial_ = iterate_ + scale * delta[0];
-    body_ = body_iterate_ + (arrived() ? 0 : scale * (way - body_iterate_));
+    body_ = body_iterate_ + (at_target() ? 0 : scale * (way - body_iterate_));
   }
   bool finish_direction(const Solve& solve, std::span<double> delta) override {
     const double lead = pull * (way - body_iterate_);
@@ -41,13 +42,13 @@ class Late final : public Problem {
     return true;
   }
   double turn_of(std::span<const double> delta) const override { return 1e-3 * std::abs(delta[0]); }
-  void mark() override { marked_ = iterate_; }
-  void return_to_mark() override { trial_ = marked_; }
+  void save_iterate() override { marked_ = iterate_; }
+  void restore_iterate() override { trial_ = marked_; }
   void accept() override {
     iterate_ = trial_;
     body_iterate_ = body_;
   }
-  bool arrived() const override { return body_iterate_ >= way - 1e-12; }
+  bool at_target() const override { return body_iterate_ >= way - 1e-12; }
   Answer residual(std::span<double> r) override {
     r[0] = pull * (body_ - trial_) - ground * trial_;
     return Answer::ok;
@@ -67,13 +68,13 @@ class Late final : public Problem {
 
 void check_arrived(const Late& problem, const NewtonResult& result, double tolerance) {
   CHECK(result.status == NewtonStatus::converged);
-  CHECK(problem.arrived());
+  CHECK(problem.at_target());
   CHECK(std::abs(problem.trial() - 1.02) <= tolerance / (Late::pull + Late::ground));
 }
 
 }  // namespace
 
-TEST_CASE("a balance on a body's way is no answer: all solvers go on until it has arrived") {
+TEST_CASE("equilibrium before a body has reached its position is not accepted: all solvers go on") {
   Late one;
   const auto newton = Newton(fabricsh::linear::make_unsymmetric_solver()).solve(one, {});
   check_arrived(one, newton, 1e-10);

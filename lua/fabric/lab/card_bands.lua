@@ -1,4 +1,4 @@
--- Bands of parameters carried to the numbers of a card (fabric.lab.identify and fabric.lab.pool: found:card(make)).
+-- Bands of parameters propagated to the numbers of a card (fabric.lab.identify and fabric.lab.pool: found:card(make)).
 local define = require "fabric.define"
 local linear = require "fabric.lab.linear"
 local fail = define.fail
@@ -62,7 +62,7 @@ local function band_of(values, slopes, covariance, quantile)
 end
 
 -- by: the caller's name; found: parameters by name; covariance: of them, a matrix (a parameter on a bound: zeros); quantile: half of a band over
--- its deviation. Returns make(found) with bands on the parts that hang on the parameters.
+-- its deviation. Returns make(found) with bands on the parts that depend on the parameters.
 return function(by, found, parameters, covariance, quantile, level, make)
   if type(make) ~= "function" then fail(("%s: card: expected a function of the parameters that returns a card, got %s"):format(by, tostring(make))) end
   local card, base = made(by, make, found)

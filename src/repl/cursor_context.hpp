@@ -11,16 +11,16 @@
 namespace fabricsh::repl {
 
 // The steps of a path such as a.b["c"][2]:d(...).e; the first one is a global.
-struct Step {
+struct PathStep {
   std::string name;  // empty: the step is `number`
   long long number = 0;
   bool method = false;  // after a colon
   bool called = false;  // the result of calling it
 };
-using Path = std::vector<Step>;
+using Path = std::vector<PathStep>;
 
 // A bracket or block that is still open.
-struct Frame {
+struct OpenBracket {
   std::string open;                // "(", "{", "[", or the keyword of a block
   std::optional<Path> callee;      // what is called by ( or {, or indexed by [; empty: not known, or nothing
   std::size_t argument = 0;        // number of commas so far
@@ -28,24 +28,24 @@ struct Frame {
   std::vector<std::string> given;  // inside {: the keys of all entries so far
 };
 
-struct Place {
-  enum class Kind {
+struct CursorContext {
+  enum class ContextKind {
     nothing,  // a comment, a number
     word,     // a name
     member,   // a name after `path.` or `path:`
     text,     // within quotes
   };
-  Kind kind = Kind::nothing;
-  std::size_t from = 0;            // position where the word begins, without the quote
-  std::string word = {};           // the part typed so far
-  char quote = '\0';               // for a string
-  std::optional<Path> path = {};   // for a member; empty: not known
-  bool method = false;             // after a colon
-  bool behind_value = false;       // nothing typed yet, directly after a string or a closed bracket
-  bool first = false;              // the word may be the key of an entry in a table
-  std::vector<Frame> frames = {};  // outermost first
+  ContextKind kind = ContextKind::nothing;
+  std::size_t from = 0;                  // position where the word begins, without the quote
+  std::string word = {};                 // the part typed so far
+  char quote = '\0';                     // for a string
+  std::optional<Path> path = {};         // for a member; empty: not known
+  bool method = false;                   // after a colon
+  bool behind_value = false;             // nothing typed yet, directly after a string or a closed bracket
+  bool first = false;                    // the word may be the key of an entry in a table
+  std::vector<OpenBracket> frames = {};  // outermost first
 };
 
-Place place_at_end(std::string_view text);
+CursorContext context_at_end(std::string_view text);
 
 }  // namespace fabricsh::repl

@@ -1,0 +1,164 @@
+-- fabric.lab.rupture: from records of strips to break, and of a tear, to a card's `rupture`.
+--
+-- Strength is the largest force over the width. Its scatter is told as the modulus m of a Weibull distribution, by the greatest likelihood:
+--   sum f^m ln f / sum f^m - 1/m = mean of ln f,
+-- with a band from the variance of ln m, 0.608 / n for n strips [thoman1969]. It is that of strips, hundreds of yarns side by side and in a row,
+-- and so no part of the card, whose scatter is that of the places of a mesh.
+-- Energy is twice the mean force of a trouser or tongue tear [rivlin1953]: what the grips do on the way 2 a breaks the yarns of the length a.
+local fabric = require "fabric"
+local define = require "fabric.define"
+local check = require "fabric.lab.check"
+local mm = fabric.units.mm
+local fail = define.fail
+
+local skipped = 0.25  -- of the tear, before its mean is taken
+local variance = 0.608 -- of ln m, times the number of strips
+local far = 1.96      -- standard deviations of a band of 95 %
+
+local function mean(list)
+  local sum = 0
+  for _, x in ipairs(list) do sum = sum + x end
+  return sum / #list
+end
+
+-- Weibull modulus of a list of strengths; nil if they are all alike.
+local function modulus(list)
+  local top, logs = 0, {}
+  for _, f in ipairs(list) do top = math.max(top, f) end
+  for i, f in ipairs(list) do logs[i] = math.log(f / top) end
+  local middle = mean(logs)
+  if middle > -1e-9 then return end
+  local function excess(m)
+    local sum, weighted = 0, 0
+    for _, l in ipairs(logs) do
+      sum, weighted = sum + math.exp(m * l), weighted + l * math.exp(m * l)
+    end
+    return weighted / sum - 1 / m - middle
+  end
+  local low, high = 1e-2, 1e6
+  for _ = 1, 200 do
+    local m = math.sqrt(low * high)
+    if excess(m) > 0 then high = m else low = m end
+  end
+  return math.sqrt(low * high)
+end
+
+local function positive(force, where)
+  if not (force > 0 and force < math.huge) then fail(("rupture: field '%s': expected a positive force in N, got %g"):format(where, force)) end
+  return force
+end
+
+-- The largest force of a strip: a number, a record, or a result of fabric.lab.tensile.
+local function peak_of(strip, where)
+  if type(strip) == "number" then return positive(strip, where) end
+  if type(strip) ~= "table" or type(strip.force) ~= "table" then
+    fail(("rupture: field '%s': expected a force in N, a record { displacement=, force= } or a result of fabric.lab.tensile, got %s"):format(where, type(strip)))
+  end
+  check.numbers("rupture", where .. ".force", strip.force)
+  local top = 0
+  for _, f in ipairs(strip.force) do top = math.max(top, f) end
+  if #strip.force > 0 and strip.force[#strip.force] > 0.8 * top then
+    fail(("rupture: field '%s': the force ends at %.4g N of at most %.4g N: expected a strip that was pulled until it broke"):format(where, strip.force[#strip.force], top))
+  end
+  return top
+end
+
+local function strength(part, name)
+  local forces = {}
+  for i, strip in ipairs(part.strips) do forces[i] = peak_of(strip, ("%s.strips[%d]"):format(name, i)) end
+  if #forces == 0 then fail(("rupture: field '%s.strips': expected at least one strip, got none"):format(name)) end
+  local list = {}
+  for i, f in ipairs(forces) do list[i] = f / part.width end
+  local out = { strength = mean(list), strengths = list, bands = {} }
+  if #list > 1 then
+    local sum = 0
+    for _, f in ipairs(list) do sum = sum + (f - out.strength) ^ 2 end
+    local half = fabric.lab.student(0.975, #list - 1) * math.sqrt(sum / (#list - 1) / #list)
+    out.bands.strength = { out.strength - half, out.strength + half }
+    out.modulus = modulus(list)
+    if out.modulus then
+      local factor = math.exp(far * math.sqrt(variance / #list))
+      out.bands.modulus = { out.modulus / factor, out.modulus * factor }
+    end
+  end
+  return out
+end
+
+-- Mean force of a tear record after its first quarter, over the displacement.
+local function tear_force(tear, where)
+  if type(tear) == "number" then return positive(tear, where) end
+  if type(tear) ~= "table" then fail(("rupture: field '%s': expected a mean force in N or a record { displacement=, force= }, got %s"):format(where, type(tear))) end
+  local n, m = check.numbers("rupture", where .. ".displacement", tear.displacement), check.numbers("rupture", where .. ".force", tear.force)
+  if n ~= m or n < 3 then fail(("rupture: field '%s': expected displacement and force of one length, 3 rows at least, got %d and %d"):format(where, n, m)) end
+  local from = tear.displacement[1] + skipped * (tear.displacement[n] - tear.displacement[1])
+  local work, way = 0, 0
+  for i = 2, n do
+    local step = tear.displacement[i] - tear.displacement[i - 1]
+    if tear.displacement[i - 1] >= from and step > 0 then
+      work, way = work + step * (tear.force[i] + tear.force[i - 1]) / 2, way + step
+    end
+  end
+  if way == 0 then fail(("rupture: field '%s': expected a displacement that grows"):format(where)) end
+  return work / way
+end
+
+-- The energy of a family, J/m, and where it comes from.
+local function energy(part, name)
+  if (part.tears == nil) == (part.energy == nil) then
+    fail(("rupture: field '%s': expected either tears (records or mean forces) or energy in J/m, got %s"):format(name, part.tears and "both" or "neither"))
+  end
+  if part.energy then return part.energy, nil, "assumed: energy given by the deck" end
+  local forces = {}
+  for i, tear in ipairs(part.tears) do forces[i] = tear_force(tear, ("%s.tears[%d]"):format(name, i)) end
+  if #forces == 0 then fail(("rupture: field '%s.tears': expected at least one, got none"):format(name)) end
+  return 2 * mean(forces), mean(forces), ("energy twice the mean force of %d tear%s"):format(#forces, #forces == 1 and "" or "s")
+end
+
+local function run(t)
+  if not t.warp and not t.weft then fail "rupture: field 'warp': expected warp, weft or both, got neither" end
+  local result, given = {}, {}
+  for _, name in ipairs { "warp", "weft" } do
+    local part = t[name]
+    if part then
+      local found = strength(part, name)
+      local how
+      found.energy, found.tear, how = energy(part, name)
+      found.words = ("%s%d strip%s of %g mm, %s%s"):format(how:find "^assumed" and "assumed: strength of " or "fitted to ", #found.strengths, #found.strengths == 1 and "" or "s",
+        part.width / mm, how:gsub("^assumed: ", ""), t.source ~= "" and " (" .. t.source .. ")" or "")
+      result[name] = found
+      given[name] = { strength = found.strength, energy = found.energy }
+    end
+  end
+  local provenance = {}
+  for field, words in pairs(t.card.provenance or {}) do provenance[field] = words end
+  for name in pairs(given) do provenance["rupture." .. name] = result[name].words end
+  result.card = t.card:with { rupture = given, provenance = provenance }
+  return result
+end
+
+local function part_rows()
+  return {
+    { name = "strips", kind = "table", sentence = "strips pulled until they broke: largest forces (N), records { displacement=, force= }, or results of fabric.lab.tensile" },
+    { name = "width", kind = "number", unit = "m", above = 0, sentence = "of the strips" },
+    { name = "tears", kind = "table", optional = true,
+      sentence = "trouser or tongue tears in which these yarns broke: mean forces (N) or records { displacement=, force= }" },
+    { name = "energy", kind = "number", unit = "J/m", above = 0, optional = true, sentence = "in their place, from elsewhere" },
+  }
+end
+
+define {
+  name = "fabric.lab.rupture",
+  arguments = {
+    { name = "card", of = "card", sentence = "the fabric" },
+    { name = "warp", kind = "fields", optional = true, rows = part_rows(), sentence = "what was measured on the warp" },
+    { name = "weft", kind = "fields", optional = true, rows = part_rows(), sentence = "the same of the weft" },
+    { name = "source", kind = "text", default = "", sentence = "who measured, when" },
+  },
+  sentence = "From strips pulled to break and tears to a card that breaks. Returns card (with rupture, and its origin in card.provenance), and warp and weft: strength (N/m) and "
+    .. "energy (J/m, twice the mean force of the tears after their first quarter), strengths (of the strips), tear (N, mean force), modulus (Weibull's, of strips: no part of "
+    .. "the card), bands of 95 % for strength and modulus.",
+  example = "local fabric = require 'fabric'\n"
+    .. "local r = fabric.lab.rupture{ card=fabric.card 'blend', weft={ strips={ 520, 561, 498, 540, 533 }, width=0.05, tears={ 11.2, 10.6 } } }\n"
+    .. "assert(math.abs(r.card.rupture.weft.energy - 21.8) < 1e-9 and r.weft.modulus > 10)",
+  run = run,
+}

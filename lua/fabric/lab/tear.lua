@@ -1,0 +1,174 @@
+-- fabric.lab.tear: a cut specimen is torn on.
+--
+--   trouser, tongue:                        trapezoid:
+--
+--      | leg 1, gripped, pulled up                x -->      clamps along the oblique sides,
+--      |                                        ___---       laid parallel before the test
+--      +=======  specimen, cut to the tip     _|-  cut  |
+--      |                                       |_        |    the tear runs along x
+--      | leg 2, pulled down                      ---___  |
+--
+-- The specimen is a membrane: the folds at the tip are sharper than any element, and what bending costs there is far below what
+-- breaking yarns does. Yarns break on the line of the cut alone.
+local fabric = require "fabric"
+local define = require "fabric.define"
+local rupture = require "fabric.lab.rupture"
+local trapezoid = require "fabric.lab.trapezoid"
+local mm = fabric.units.mm
+
+local inertia = 2e-3 -- areal mass times a leg's width times the square of the speed, over the force that is expected
+local calm = 0.1     -- damping over the frequency (rad/s) at which a leg swings: with less, swinging takes a tenth of the work
+local spread = 4     -- elements along the tear over which yarns are breaking at least: with fewer the force jumps, and energy is lost
+local growth = 1.4   -- of elements from the tear outwards
+local haste = 3      -- speed of the legs while they are turned into place, over that of the pull
+local skipped = 0.25 -- of the record, before the mean is taken
+
+-- Specimens of the standards, m: width, length of the legs between jaw and tip, way to be torn (of the 75 mm of the standards: the
+-- rest is alike), and how the standard takes peaks: their mean, and which rise counts.
+local specimens = {
+  trouser = { width = 50 * mm, leg = 50 * mm, tear = 50 * mm, mean = "iso", rise = 0.1 },
+  tongue = { width = 75 * mm, leg = 37.5 * mm, tear = 50 * mm, mean = "astm", rise = 0.01 },
+  trapezoid = { width = 75 * mm, short = 25 * mm, long = 100 * mm, cut = 15 * mm, tear = 50 * mm, mean = "astm", rise = 0.01 },
+}
+
+-- The strength with which yarns break over `spread` elements when the legs part at right angles: the lips are 2 a apart at a distance a
+-- behind the tip, and carry nothing from 2 G / f on.
+local function strengths(t, yarn, broken)
+  local most = broken.energy / (spread * t.h)
+  if broken.strength <= most then return t.card end
+  local fine = broken.energy / (spread * broken.strength)
+  if t.coarse == "refuse" then
+    define.fail(("tear: field 'h': elements of %.3g m are coarse for %s yarns of %.4g N/m and %.4g J/m: expected at most %.3g m, or coarse='lower' (a strength of %.4g N/m)"):format(
+      t.h, yarn, broken.strength, broken.energy, fine, most))
+  end
+  fabric.warn(("tear: elements of %.3g m are coarse for %s yarns of %.4g N/m and %.4g J/m, which want %.3g m: the strength is lowered to %.4g N/m, with which the tear runs "
+    .. "at the right mean force; its beginning and its peaks are not those of single yarns"):format(t.h, yarn, broken.strength, broken.energy, fine, most))
+  return t.card:with { rupture = { [yarn] = { strength = most } } }
+end
+
+-- A rectangle with the tear along y in its middle, cut from y = 0 to the tip, fine about the tear.
+local function specimen(t)
+  local x, y = t.width / 2, t.leg
+  local mesh = fabric.mesh.rectangle { width = t.width, height = t.leg + t.tear + t.rest, grading = {
+    x = rupture.lines(t.width, x - 2 * t.h, x + 2 * t.h, t.h, 6 * t.h, growth),
+    y = rupture.lines(t.leg + t.tear + t.rest, y - 2 * t.h, y + t.tear, t.h, 4 * t.h, growth) } }
+  local near = 0.01 * t.h
+  mesh:slit { from = { x, 0 }, to = { x, y }, left = "left lip", right = "right lip" }
+  local lip = {}
+  for i, name in ipairs { "left lip", "right lip" } do
+    for _, n in ipairs(mesh:set(name)) do lip[n] = mesh.nodes[n][2] < y - near and i or nil end
+  end
+  for i, name in ipairs { "leg 1", "leg 2" } do
+    local ids = {}
+    for n = 1, #mesh.nodes do
+      local p = mesh.nodes[n]
+      local side = lip[n] or (p[1] < x and 1 or 2)
+      if p[2] < near and side == i then ids[#ids + 1] = n end
+    end
+    mesh:set(name, ids)
+  end
+  mesh:set("zone", function(px, py) return math.abs(px - x) < t.h + near and py > y - t.h - near end)
+  mesh:set("path", function(px, py) return math.abs(px - x) < near and py > y - near end)
+  return mesh
+end
+
+-- A leg turns about the tip through a right angle, and is then pulled away from the other one.
+local function legs(t, model)
+  local turning = 2 * t.leg / (haste * t.speed)
+  local function angle(time) return time < turning and math.pi / 4 * (1 - math.cos(math.pi * time / turning)) or math.pi / 2 end
+  local gently = 0.1 * t.tear / t.speed
+  local way = fabric.history(rupture.way(gently, 2 * t.far / t.speed, t.speed))
+  local function apart(time) return way:value(math.max(0, time - turning)) end
+  for i, sign in ipairs { 1, -1 } do
+    model:fix("leg " .. i, "x")
+    model:move("leg " .. i, {
+      y = function(time) return t.leg * (1 - math.cos(angle(time))) end,
+      z = function(time) return sign * (t.leg * math.sin(angle(time)) + apart(time) / 2) end,
+    })
+  end
+  return turning, apart, turning + gently
+end
+
+-- Mean force between the first quarter of the tear and its end, from the work.
+local function mean(result, cut)
+  local first, last
+  for _, row in ipairs(result.curve) do
+    if not first and row.torn > skipped * cut then first = row end
+    last = row
+  end
+  if first and last.displacement > first.displacement then
+    result.mean = (last.external - first.external) / (last.displacement - first.displacement)
+  end
+end
+
+local function trouser(t)
+  local yarn = rupture.other(t.along)
+  local broken = rupture.of("tear", t.card, yarn)
+  local card = strengths(t, yarn, broken)
+  local expected, areal = broken.energy / 2, card.density * card.thickness
+  local c = math.sqrt(expected / (areal * t.width / 2)) -- of waves across a taut leg
+  t.speed = t.speed or math.sqrt(inertia) * c
+  t.damping = t.damping or calm * math.pi * c / (t.leg + t.tear / 2)
+  t.rest, t.far = math.max(10 * t.h, t.width / 2), 1.25 * t.tear
+  local mesh = specimen(t)
+  local model = fabric.model { mesh = mesh, card = card, warp = t.along == "warp" and 90 or 0, membrane = true }
+  model:tearable("zone", { coarse = t.coarse, seed = t.seed, path = "path" })
+  local turning, apart, from = legs(t, model)
+  local duration = turning + 2 * t.far / t.speed
+  local a = fabric.dynamic { model = model, duration = duration, damping = { mass = t.damping }, ledger_limit = t.ledger_limit }
+  local every = math.min(duration / 50, t.rows and duration / t.rows or t.h / 4 / t.speed)
+  local result = rupture.run(t, a, apart, {
+    stem = "tear", model = model, mesh = mesh, from = from, every = every, more = { "torn" },
+    reading = function(_, row) row.torn = row.open * t.h end,
+    counts = function(row) return row.torn > 0 end,
+    ends = function(row) return row.torn > t.tear - t.h / 2 end,
+  })
+  mean(result, t.tear)
+  local standard = specimens[t.method]
+  result.expected = expected
+  return rupture.peaks(result, standard.mean, standard.rise)
+end
+
+local function pulled_apart(t)
+  local yarn = rupture.other(t.along)
+  local result = trapezoid.run(t, yarn, rupture.of("tear", t.card, yarn))
+  mean(result, t.tear)
+  return rupture.peaks(result, specimens.trapezoid.mean, specimens.trapezoid.rise)
+end
+
+local methods = { trouser = trouser, tongue = trouser, trapezoid = pulled_apart }
+
+local function run(t)
+  for name, value in pairs(specimens[t.method]) do t[name] = t[name] or value end
+  t.coarse = t.coarse or "lower"
+  rupture.check_lengths("tear", t)
+  return methods[t.method](t)
+end
+
+define {
+  name = "fabric.lab.tear",
+  arguments = rupture.rows {
+    { name = "card", of = "card", sentence = "the fabric, with rupture" },
+    { name = "method", kind = "text", choices = { "trouser", "tongue", "trapezoid" }, default = "trouser", sentence = "ISO 13937-2, ASTM D2261, ASTM D5587" },
+    { name = "along", kind = "text", choices = { "warp", "weft" }, default = "warp", sentence = "yarns along which the tear runs: the others break" },
+    { name = "h", kind = "number", unit = "m", above = 0, default = 3 * mm, sentence = "size of the elements along the tear" },
+    { name = "width", kind = "number", unit = "m", above = 0, optional = true, sentence = "of the specimen, for a trapezoid along the tear; default: the standard's" },
+    { name = "leg", kind = "number", unit = "m", above = 0, optional = true, sentence = "trouser, tongue: from jaw to tip; default: half of the standard's gauge length" },
+    { name = "short", kind = "number", unit = "m", above = 0, optional = true, sentence = "trapezoid: the short side; default: the standard's" },
+    { name = "long", kind = "number", unit = "m", above = 0, optional = true, sentence = "trapezoid: the long side; default: the standard's" },
+    { name = "cut", kind = "number", unit = "m", above = 0, optional = true, sentence = "trapezoid: length of the cut; default: the standard's" },
+    { name = "tear", kind = "number", unit = "m", above = 0, optional = true, sentence = "how far it is torn; default: 50 mm" },
+    { name = "ledger_limit", kind = "number", above = 0, default = 0.05, sentence = "as for fabric.dynamic" },
+  },
+  sentence = "A cut specimen is torn on: trouser [iso_13937_2], tongue (single rip) [astm_d2261] or trapezoid [astm_d5587]; a membrane whose yarns break on the line of the "
+    .. "cut. Returns mean (N, the work of the grips over their way after the first quarter of the tear; with legs that do not stretch half of the energy of breaking), "
+    .. "mean_of_peaks (N, as the standard takes it; nil where the record has no peaks), peaks, peak (N), expected (N, half of the energy; trouser and tongue), curve (a list of "
+    .. "time, displacement, force: N, work over way from row to row, torn: m, open: joints, and the energies of analysis.energy), energy (J), fracture (J), kinetic (kinetic "
+    .. "energy over work at the peak), series (VTK), analysis, model and mesh.",
+  example = "local fabric = require 'fabric'\n"
+    .. "local sheet = fabric.svk{ young=1e8, poisson=0, density=500, thickness=5e-4, through_thickness=true }\n"
+    .. "local card = sheet:with{ rupture={ weft={ strength=1250, energy=20 } } }\n"
+    .. "local test = fabric.lab.tear{ card=card, h=0.004, width=0.024, leg=0.012, tear=0.02 }\n"
+    .. "assert(test.expected == 10 and math.abs(test.mean / 10 - 1) < 0.2)",
+  run = run,
+}

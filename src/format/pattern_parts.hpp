@@ -1,0 +1,21 @@
+// What the readers of patterns share: the names of edges, and notches beside a boundary.
+#pragma once
+#include <string>
+
+#include "format/pattern.hpp"
+
+namespace fabricsh::format {
+
+// Starts a closed line at its sharpest corner and names its edges edge1, edge2, ...: one ends where the
+// direction turns by more than 30 degrees.
+void name_edges(mesh::Loop& loop);
+// The point of the outline that is nearest to x, m.
+mesh::Vec2 on_boundary(const PatternPiece& piece, const mesh::Vec2& x);
+// Adds a notch at the place of the outline that is nearest to x (m). Off by more than 2 mm it is left out,
+// with a remark that begins with `who`.
+void add_notch(PatternPiece& piece, const std::string& name, const mesh::Vec2& x, const std::string& who);
+// Remarks if a unit was given and the file has another; returns the one to be used, m. Error: there is none.
+double unit_of_file(const std::string& file, std::optional<double> given, std::optional<double> own,
+                    Remarks* remarks);
+
+}  // namespace fabricsh::format

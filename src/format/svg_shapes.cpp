@@ -1,0 +1,219 @@
+#include "format/svg_shapes.hpp"
+
+// GCC 12 cannot see that svgpp's arcs are set before they are read.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
+
+#include <libxml/parser.h>
+#include <libxml/tree.h>
+
+#include <svgpp/policy/xml/libxml2.hpp>
+#include <svgpp/svgpp.hpp>
+// Both of these need what stands above.
+#include <algorithm>
+#include <boost/mpl/set.hpp>
+#include <boost/mpl/set/set30.hpp>
+#include <map>
+#include <memory>
+
+#include "base/error.hpp"
+#include "format/pattern_parts.hpp"
+#include "format/source.hpp"
+
+namespace fabricsh::format {
+
+namespace {
+
+using mesh::Curve;
+using mesh::Vec2;
+
+// x' = linear x + shift.
+struct Affine {
+  Eigen::Matrix2d linear = Eigen::Matrix2d::Identity();
+  Vec2 shift = Vec2::Zero();
+  Vec2 operator()(const Vec2& x) const { return linear * x + shift; }
+  Affine operator*(const Affine& inner) const {
+    return {linear * inner.linear, linear * inner.shift + shift};
+  }
+};
+
+// svgpp calls these functions while it walks through the document; all coordinates are absolute.
+class Collector {
+ public:
+  // most: how many pieces of lines a document of this size can have.
+  Collector(double unit, std::size_t most) : unit_(unit), left_(most) {}
+  std::vector<SvgShape> result() { return std::move(shapes_); }
+
+  template <class Tag>
+  void on_enter_element(Tag) {
+    levels_.push_back({{}, levels_.empty() ? upward() : levels_.back().to_drawing});
+  }
+  void on_exit_element() {
+    Level& level = levels_.back();
+    if (!level.lines.empty()) finish(level);
+    levels_.pop_back();
+  }
+  template <class Range>
+  void set(svgpp::tag::attribute::id, const Range& text) {
+    levels_.back().shape.id.assign(boost::begin(text), boost::end(text));
+  }
+  void transform_matrix(const boost::array<double, 6>& m) {
+    Affine own;
+    own.linear << m[0], m[2], m[1], m[3];
+    own.shift = {m[4], m[5]};
+    levels_.back().to_drawing = levels_.back().to_drawing * own;
+  }
+  void path_move_to(double x, double y, svgpp::tag::coordinate::absolute) {
+    levels_.back().lines.push_back({{{{x, y}}}, false});
+  }
+  void path_line_to(double x, double y, svgpp::tag::coordinate::absolute) { extend({{x, y}}); }
+  void path_cubic_bezier_to(double x1, double y1, double x2, double y2, double x, double y,
+                            svgpp::tag::coordinate::absolute) {
+    extend({{x1, y1}, {x2, y2}, {x, y}});
+  }
+  void path_close_subpath() { now().closed = true; }
+  void path_exit() {}
+
+ private:
+  // A line by the control points of its pieces, each without its start; the first entry is the start.
+  struct Points {
+    std::vector<std::vector<Vec2>> pieces;
+    bool closed;
+  };
+  struct Level {
+    SvgShape shape;
+    Affine to_drawing;
+    std::vector<Points> lines = {};
+  };
+
+  Affine upward() const { return {Eigen::Vector2d(unit_, -unit_).asDiagonal(), Vec2::Zero()}; }
+  // After a closed line the next one begins where that began, unless there is a move.
+  Points& now() {
+    auto& lines = levels_.back().lines;
+    if (lines.empty()) throw std::runtime_error("a path that does not begin with a move");
+    return lines.back();
+  }
+  // An arc with one radius of zero has no end in svgpp 1.3: its pieces are not finite, or more than there can
+  // be.
+  void extend(std::vector<Vec2> piece) {
+    for (const Vec2& x : piece)
+      if (!x.allFinite())
+        throw std::runtime_error("a coordinate that is not finite, as of an arc without radius");
+    if (left_-- == 0) throw std::runtime_error("an arc without end");
+    if (now().closed) levels_.back().lines.push_back({{now().pieces.front()}, false});
+    now().pieces.push_back(std::move(piece));
+  }
+  void finish(Level& level);
+
+  double unit_;  // m
+  std::size_t left_;
+  std::vector<Level> levels_;
+  std::vector<SvgShape> shapes_;
+};
+
+void Collector::finish(Level& level) {
+  for (const Points& points : level.lines) {
+    SvgLine line{{}, points.closed};
+    const Vec2 start = level.to_drawing(points.pieces.front()[0]);
+    Vec2 from = start;
+    const auto straight = [&](const Vec2& to) {
+      if (to != from) line.pieces.push_back({Curve::line(from, to)});
+      from = to;
+    };
+    for (std::size_t i = 1; i < points.pieces.size(); ++i) {
+      std::vector<Vec2> control{from};
+      for (const Vec2& x : points.pieces[i]) control.push_back(level.to_drawing(x));
+      for (const Vec2& x : control)
+        if (!x.allFinite()) throw std::runtime_error("a coordinate that is not finite");
+      if (control.size() == 2) {
+        straight(control.back());
+        continue;
+      }
+      line.pieces.push_back({Curve::bezier(control)});
+      from = control.back();
+    }
+    // A line that returns to its start is closed, whether it says so or not.
+    const double gap = (from - start).norm();
+    double length = 0;
+    for (const auto& piece : line.pieces) length += piece.curve.length();
+    if (line.closed && gap > 1e-6 * length) straight(start);
+    if (line.pieces.empty()) continue;
+    if (gap <= 1e-6 * length) line.closed = true;
+    level.shape.lines.push_back(std::move(line));
+  }
+  if (!level.shape.lines.empty()) shapes_.push_back(std::move(level.shape));
+}
+
+using Elements = boost::mpl::set<svgpp::tag::element::svg, svgpp::tag::element::g, svgpp::tag::element::path,
+                                 svgpp::tag::element::polygon, svgpp::tag::element::polyline,
+                                 svgpp::tag::element::rect, svgpp::tag::element::circle,
+                                 svgpp::tag::element::ellipse, svgpp::tag::element::line>::type;
+using Attributes = boost::mpl::insert<
+    boost::mpl::insert<svgpp::traits::shapes_attributes_by_element, svgpp::tag::attribute::transform>::type,
+    svgpp::tag::attribute::id>::type;
+
+struct FreeDocument {
+  void operator()(xmlDoc* document) const { xmlFreeDoc(document); }
+};
+
+std::string attribute(xmlNode* node, const char* name) {
+  xmlChar* text = xmlGetNoNsProp(node, reinterpret_cast<const xmlChar*>(name));
+  if (text == nullptr) return {};
+  std::string value(reinterpret_cast<const char*>(text));
+  xmlFree(text);
+  return value;
+}
+
+// A length with a unit of paper, m; none for pixels, percents and bare numbers.
+std::optional<double> paper_length(const std::string& text) {
+  static const std::map<std::string, double> units = {
+      {"mm", 1e-3}, {"cm", 1e-2}, {"in", 0.0254}, {"pt", 0.0254 / 72}, {"pc", 0.0254 / 6}};
+  if (text.size() < 3) return {};
+  const auto unit = units.find(text.substr(text.size() - 2));
+  double value = 0;
+  if (unit == units.end() || !parse(std::string_view(text).substr(0, text.size() - 2), value) || !(value > 0))
+    return {};
+  return value * unit->second;
+}
+
+// What a user unit is, from width, height and viewBox; without the latter it is a pixel, 1/96 inch. None if
+// the page has no size on paper, or is stretched.
+std::optional<double> unit_of(xmlNode* root) {
+  const auto width = paper_length(attribute(root, "width")), height = paper_length(attribute(root, "height"));
+  if (!width && !height) return {};
+  std::string box = attribute(root, "viewBox");
+  if (box.empty()) return 0.0254 / 96;
+  std::replace(box.begin(), box.end(), ',', ' ');
+  Source words("viewBox", box);
+  double numbers[4] = {};
+  for (double& x : numbers) x = words.real("a number");
+  if (!(numbers[2] > 0 && numbers[3] > 0)) return {};
+  const double across = width ? *width / numbers[2] : *height / numbers[3],
+               down = height ? *height / numbers[3] : across;
+  return std::abs(across / down - 1) < 1e-3 ? std::optional(across) : std::nullopt;
+}
+
+}  // namespace
+
+std::vector<SvgShape> read_svg_shapes(const std::string& name, std::string_view bytes,
+                                      std::optional<double> unit, Remarks* remarks) {
+  // No network, no files: external parts of a document are not loaded.
+  const std::unique_ptr<xmlDoc, FreeDocument> document(
+      xmlReadMemory(bytes.data(), static_cast<int>(std::min<std::size_t>(bytes.size(), 1U << 30)), nullptr,
+                    nullptr, XML_PARSE_NONET | XML_PARSE_NOERROR | XML_PARSE_NOWARNING));
+  xmlNode* root = document == nullptr ? nullptr : xmlDocGetRootElement(document.get());
+  if (root == nullptr) throw Error(name + ": expected an SVG drawing, got what is no XML");
+  Collector collector(unit_of_file(name, unit, unit_of(root), remarks), 16 + bytes.size());
+  try {
+    svgpp::document_traversal<svgpp::processed_elements<Elements>, svgpp::processed_attributes<Attributes>,
+                              svgpp::transform_policy<svgpp::policy::transform::matrix>,
+                              svgpp::path_policy<svgpp::policy::path::minimal>>::load_document(root,
+                                                                                               collector);
+  } catch (const std::exception& error) {
+    throw Error(name + ": expected an SVG drawing, got what cannot be read: " + error.what());
+  }
+  return collector.result();
+}
+
+}  // namespace fabricsh::format

@@ -1,0 +1,34 @@
+// Seams as rows of the map from unknowns to nodes: a closed stitch makes a node of one edge follow the place
+// on the other edge, with weights along that edge (model/seams.hpp).
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "base/archive.hpp"
+#include "model/seams.hpp"
+
+namespace fabricsh::mechanics {
+
+struct NodeFreedoms;
+
+// The state of all stitches.
+struct Sewn {
+  std::vector<std::uint8_t> closed;  // per stitch: its node follows
+  std::vector<std::uint8_t>
+      parted;  // per stitch: it has been opened, or has broken; it is not drawn together
+  std::vector<std::uint8_t> turning;  // per seam: the directors of both edges move as one
+  bool operator==(const Sewn&) const = default;
+  void keep(Archive& archive) { archive(closed, parted, turning); }
+};
+
+// What follows what where these stitches are closed; sorted by node, then component. `free` has the equations
+// of all nodes without seams, 0 where a degree of freedom is unknown. Nodes that meet node to node are
+// one joint, led by one of them, for each component by one that a support holds, if any. A degree of freedom
+// that a support holds stays with the support. Errors: a node is held where what it is sewn to, between two
+// nodes, is not; a node between nodes of two other edges; nodes held in oblique frames.
+std::vector<model::Follower> sewn_followers(const std::vector<model::Stitch>& stitches, const Sewn& sewn,
+                                            const std::vector<NodeFreedoms>& nodes,
+                                            const std::vector<std::array<mesh::Index, 5>>& free);
+
+}  // namespace fabricsh::mechanics

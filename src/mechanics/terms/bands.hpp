@@ -1,0 +1,40 @@
+// Bands along edges (model/bands.hpp): between neighbouring nodes of an edge a spring that pulls and never
+// pushes, whose length without force is that of the edge, less the ease.
+#pragma once
+#include <vector>
+
+#include "mechanics/term.hpp"
+#include "model/model.hpp"
+
+namespace fabricsh::mechanics {
+
+class Bands final : public Term {
+ public:
+  explicit Bands(const model::Model& model);
+
+  const char* name() const override { return "bands"; }
+  Outcome add_forces(const law::Step&, const Trial& trial, Forces& forces) override;
+  void add_tangent(const Trial& trial, TangentSink& sink) const override;
+  void add_energies(const Trial& trial, std::vector<Energy>& out) const override;
+  double step_work() const override { return work_; }
+  void commit() override;
+  void keep(Archive& archive) override { archive(time_, pulling_); }
+
+ private:
+  struct Piece {
+    Index a, b;
+    double length;  // m, of the edge
+    std::size_t band;
+  };
+  double rest(const Piece& piece, double time) const;  // m
+  double strain(const Piece& piece, const Trial& trial) const;
+  double pull_on_rest(const Piece& piece, double strain) const;  // N, d(energy) / d(rest length)
+
+  const std::vector<model::Band> bands_;
+  std::vector<Piece> pieces_;
+  std::vector<double> pulling_, now_;  // N: the last of these at the committed and the trial state
+  double time_ = 0, aimed_ = 0;        // s: committed, of the trial state
+  double work_ = 0;                    // J, of shortening the bands in the step
+};
+
+}  // namespace fabricsh::mechanics

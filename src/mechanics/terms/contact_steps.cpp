@@ -1,0 +1,90 @@
+// The explicit steps that contact allows, and the speeds that it stops.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "mechanics/terms/contact.hpp"
+
+namespace fabricsh::mechanics {
+
+namespace {
+
+constexpr double kInGuard = 1;    // stiffness * step^2 / areal mass while the guard acts
+constexpr double kAboutNode = 2;  // areas of a node that press a ball on it: half its own and its facets'
+
+}  // namespace
+
+double Contacts::share_of_cloth() const { return contact_step_of_cloth; }
+
+// s: what a light free body carries, whose mass is not that of the cloth that it presses: `share` of its
+// mass over the stiffness of all places that press it at once, squared with the step. These are the nodes and
+// facets about one node of the largest area, or the patch that a depth of the range of contact makes.
+double Contacts::carried_by_bodies(double share, bool guarded) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& it : scene_.interactions()) {
+    double inverse = 0;
+    for (const int side : {it.first, it.second})
+      if (side >= static_cast<int>(sheets_.size()))
+        inverse += bodies_.inverse_mass_pressed(side - sheets_.size());
+    if (!(inverse > 0)) continue;
+    const double range = it.law.gap() - it.law.floor(), radius = scene_.surfaces()[it.second].radius;
+    double area = it.rigid ? 1 : 2 * std::numbers::pi * radius * range;
+    for (const std::int32_t p : scene_.surfaces()[it.first].points)
+      if (!it.rigid) area = std::max(area, kAboutNode * scene_.area(p));
+    const double stiffness =
+        guarded ? it.law(it.law.floor() + std::min(trial_.gap, range)).stiffness : it.law.stiffest();
+    least = std::min(least, share / (area * stiffness * inverse));
+  }
+  return std::sqrt(least);
+}
+
+double Contacts::largest_step(bool scaled) const {
+  double stiffest = 0;
+  for (const auto& it : scene_.interactions())
+    if (!it.rigid) stiffest = std::max(stiffest, it.law.stiffest());
+  return std::min({contact_step_of_cloth * cloth_.stable_step(scaled),
+                   std::sqrt(carried_stiffness * least_areal_ / stiffest),
+                   carried_by_bodies(carried_stiffness, false)});
+}
+
+// Of the square of the speed that is stopped flat: the area with which one pair presses over the area whose
+// mass it stops. One corner of a solid's facets may meet an element in its middle, whose three nodes count;
+// an edge that crosses one of the cloth in the middle stops two.
+double Contacts::weakest_share(const contact::Interaction& it) const {
+  const auto& sheet = scene_.surfaces()[it.first];
+  const auto& other = scene_.surfaces()[it.second];
+  double most = 0;
+  for (const std::int32_t p : sheet.points) most = std::max(most, scene_.area(p));
+  if (other.shape == contact::Shape::wall) return 0.5;
+  if (other.shape == contact::Shape::cloth) return 1.0 / 3;
+  if (other.shape != contact::Shape::solid) return 1.0 / 12;
+  double least = sheet.mean_area;
+  for (const std::int32_t p : other.points) least = std::min(least, scene_.area(p));
+  return least / 2 / (3 * most);
+}
+
+Contacts::Stopped Contacts::speed_stopped() const {
+  Stopped least{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), false};
+  for (std::size_t i = 0; i < meetings_.size(); ++i) {
+    const auto& it = scene_.interactions()[i];
+    if (it.rigid) continue;
+    // Two sheets that meet share the speed: half of the mass has all of it.
+    const bool sheets = it.second < static_cast<std::int32_t>(sheets_.size());
+    const double range = it.law.gap() - it.law.guard_gap(), mass = sheets ? least_areal_ / 2 : least_areal_;
+    const double flat = range * std::sqrt(it.law.stiffest() / mass);
+    if (flat < least.flat) least.given = meetings_[i].given;
+    least.flat = std::min(least.flat, flat);
+    least.anywhere = std::min(least.anywhere, flat * std::sqrt(weakest_share(it)));
+  }
+  return least;
+}
+
+double Contacts::largest_contact_step() const {
+  double stiffest = 0;
+  for (const auto& it : scene_.interactions())
+    if (!it.rigid) stiffest = std::max(stiffest, it.law(it.law.floor() + trial_.gap).stiffness);
+  return std::min(std::sqrt(kInGuard * least_areal_ / stiffest), carried_by_bodies(kInGuard, true));
+}
+
+}  // namespace fabricsh::mechanics

@@ -1,0 +1,423 @@
+#include "mechanics/terms/seams.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "base/number.hpp"
+#include "geometry/node_view.hpp"
+#include "mechanics/sewn_edges.hpp"
+
+namespace fabricsh::mechanics {
+
+namespace {
+
+// Share of m / dt^2 that drawing threads have, m being the mass of both edges taken together and dt the
+// largest step of the cloth: with it their own frequency does not limit a step.
+constexpr double kStiff = 0.2;
+constexpr double kDamped = 0.7;    // of their critical damping
+constexpr double kReady = 0.8;     // share of the time of sewing at which the edges are to meet
+constexpr double kLeads = 0.05;    // of that time: how fast a target leads as far as the thread is stretched
+constexpr double kSlow = 0.2;      // of a thread's own frequency: the same, in motion
+constexpr double kStiffest = 0.5;  // as for strings of tears: share of m / dt^2 on their way back
+
+// From 0 to 1, with rates of zero at both ends.
+double smooth(double s) {
+  s = std::clamp(s, 0.0, 1.0);
+  return s * s * s * (10 - 15 * s + 6 * s * s);
+}
+
+}  // namespace
+
+// --- one thread
+
+double Thread::stiffness() const {
+  if (!is_softening()) return k;
+  const double onset = strength / k;
+  return strength * std::max(0.0, 1 - (widest - onset) / (vanishes() - onset)) / widest;
+}
+
+// The work on the way to the largest opening, less what comes back.
+double Thread::fracture() const {
+  if (!is_softening()) return 0;
+  const double onset = strength / k, end = std::min(widest, vanishes());
+  const double work = strength * onset / 2 + (end - onset) * (strength + stiffness() * end) / 2;
+  return work - stiffness() * end * end / 2;
+}
+
+void Thread::commit() {
+  gap_before = gap;
+  target_before = target;
+  shift_before = shift;
+  damping_before = damping;
+  lost_before = lost;
+  widest_before = widest;
+}
+
+void Thread::rollback() {
+  gap = gap_before;
+  target = target_before;
+  shift = shift_before;
+  damping = damping_before;
+  lost = lost_before;
+  widest = widest_before;
+}
+
+void Thread::keep(Archive& archive) {
+  for (Vec3* v : {&gap_before, &target_before, &shift_before, &damping_before})
+    archive(v->x(), v->y(), v->z());
+  archive(lost_before, widest_before, softens);
+  if (archive.reading()) rollback();
+}
+
+// --- all of them
+
+Seams::Seams(const model::Model& model, const Configuration& configuration, const Cloth& cloth,
+             const Dofs& dofs)
+    : model_(model), configuration_(configuration), cloth_(cloth), dofs_(dofs) {
+  const auto& stitches = dofs.stitches();
+  const double step = cloth.stable_step(true);
+  std::map<Index, std::vector<Index>> around;
+  for (const auto& s : stitches) around[s.node];
+  for (const auto& e : model.mesh().elements)
+    for (const Index n : e)
+      if (const auto at = around.find(n); n >= 0 && at != around.end())
+        for (const Index other : e)
+          if (other >= 0) at->second.push_back(other);
+  for (std::size_t i = 0; i < stitches.size(); ++i) {
+    Thread thread;
+    double inverse = 1 / cloth.mass()[stitches[i].node];
+    for (const auto& lead : stitches[i].leads) inverse += lead.weight * lead.weight / cloth.mass()[lead.node];
+    thread.k = kStiff / (inverse * step * step);
+    thread.pace = kSlow * std::sqrt(thread.k * inverse);
+    thread.c = 2 * kDamped * std::sqrt(thread.k / inverse);
+    if (seam(i).stiffness) {
+      thread.k = *seam(i).stiffness * stitches[i].length;
+      thread.strength = seam(i).strength.value_or(0) * stitches[i].length;
+      thread.energy = seam(i).energy.value_or(0) * stitches[i].length;
+    }
+    thread.start = thread.gap = thread.target = dofs.gap(stitches[i], configuration.x());
+    if (!seam(i).over) thread.start = thread.target = Vec3::Zero();
+    thread.commit();
+    threads_.push_back(thread);
+    around_.push_back(around.at(stitches[i].node));
+    breaks_ = breaks_ || has_strength(i);
+  }
+  burst_.assign(stitches.size(), 0);
+  strings_.resize(stitches.size());
+  share_.assign(stitches.size(), 0);
+  carried_.assign(stitches.size(), Vec3::Zero());
+  list_joined();
+}
+
+Seams::State Seams::state(std::size_t i) const {
+  const Sewn& sewn = dofs_.sewn();
+  if (sewn.closed[i] != 0) return State::closed;
+  if (burst_[i] != 0) return State::burst;
+  if (seam(i).stiffness && (sewn.parted[i] == 0 || has_burst(i))) return State::own;
+  return sewn.parted[i] != 0 ? State::open : State::drawn;
+}
+
+bool Seams::has_burst(std::size_t i) const { return burst_[i] != 0 || threads_[i].is_softening(); }
+
+Vec3 Seams::nominal(std::size_t i, double time) const {
+  const auto& over = seam(i).over;
+  return over ? Vec3((1 - smooth(time / (kReady * *over))) * threads_[i].start) : Vec3(Vec3::Zero());
+}
+
+// The target leads what is wanted by an integral of how far the thread is stretched, so that the edges meet
+// whatever they carry.
+void Seams::pull(const law::Step& step, const Trial& trial, std::size_t i) {
+  Thread& t = threads_[i];
+  t.gap = dofs_.gap(dofs_.stitches()[i], trial.configuration.x());
+  if (step.dt > 0) {
+    const auto& over = seam(i).over;
+    const bool drawing = over && time_before_ < *over;
+    const bool moves = drawing && trial.motion != nullptr && trial.motion->moves();
+    t.shift = t.shift_before;
+    if (over && !seam(i).stiffness) {
+      const double pace = std::min(1 / (kLeads * *over), moves ? t.pace : 1 / step.dt);
+      t.shift += std::min(1.0, pace * step.dt) * (t.gap_before - nominal(i, time_before_));
+    }
+    t.target = nominal(i, trial.time) - t.shift;
+    const Vec3 stretch = (t.gap - t.gap_before) - (t.target - t.target_before);
+    t.damping = moves ? Vec3(t.c / step.dt * stretch) : Vec3(Vec3::Zero());
+    t.lost = t.lost_before + (t.damping + t.damping_before).dot(stretch) / 2;
+  }
+  t.softens = trial.motion != nullptr && trial.motion->moves() && trial.motion->damping_weight() == 0;
+  t.widest = t.widest_before;
+  if (!(t.strength > 0)) return;
+  const Vec3 out = outward(i, trial.configuration.x());
+  const double along = t.gap.dot(out);
+  t.widest = std::max(t.widest, (along < 0 ? t.gap : Vec3(t.gap - along * out)).norm());
+}
+
+// A force on the node, internal, and its counterpart on what it is sewn to.
+void Seams::put(std::size_t i, const Vec3& force, std::span<double> on_x) const {
+  const auto& stitch = dofs_.stitches()[i];
+  at(on_x, stitch.node) += force;
+  for (const auto& lead : stitch.leads) at(on_x, lead.node) -= lead.weight * force;
+}
+
+Outcome Seams::add_forces(const law::Step& step, const Trial& trial, Forces& forces) {
+  for (std::size_t i = 0; i < threads_.size(); ++i) switch (state(i)) {
+      case State::drawn:
+      case State::own:
+        pull(step, trial, i);
+        if (has_strength(i)) share_[i] = threads_[i].k * threads_[i].widest / threads_[i].strength;
+        put(i, threads_[i].force(), forces.on_x);
+        break;
+      case State::burst: {
+        BridgingString& string = strings_[i];
+        const Vec3 way = string.offset * string.force.normalized() -
+                         dofs_.gap(dofs_.stitches()[i], trial.configuration.x());
+        put(i, -string.pull(way), forces.on_x);
+        break;
+      }
+      case State::closed:
+      case State::open:
+        break;
+    }
+  if (breaks_) measure(trial.configuration.x(), forces.on_x);
+  return {};
+}
+
+void Seams::couple(const Trial&, std::vector<NodePair>& pairs) {
+  for (std::size_t i = 0; i < threads_.size(); ++i) {
+    if (state(i) != State::drawn && state(i) != State::own) continue;
+    const auto& stitch = dofs_.stitches()[i];
+    for (std::size_t a = 0; a < stitch.leads.size(); ++a) {
+      pairs.emplace_back(stitch.node, stitch.leads[a].node);
+      for (std::size_t b = 0; b < a; ++b) pairs.emplace_back(stitch.leads[a].node, stitch.leads[b].node);
+    }
+  }
+}
+
+// A thread that softens is taken at the stiffness of its way back.
+void Seams::add_tangent(const Trial& trial, TangentSink& sink) const {
+  const bool implicit = trial.motion != nullptr && trial.motion->damping_weight() > 0;
+  for (std::size_t i = 0; i < threads_.size(); ++i) {
+    if (state(i) != State::drawn && state(i) != State::own) continue;
+    const auto& stitch = dofs_.stitches()[i];
+    const double c = implicit && trial.motion->dt() > 0 ? threads_[i].c / trial.motion->dt() : 0;
+    const Mat3 k = (threads_[i].stiffness() + c) * Mat3::Identity();
+    sink.on_positions(stitch.node, stitch.node, k);
+    for (const auto& a : stitch.leads) {
+      sink.on_positions(stitch.node, a.node, -a.weight * k);
+      sink.on_positions(a.node, stitch.node, -a.weight * k);
+      for (const auto& b : stitch.leads) sink.on_positions(a.node, b.node, a.weight * b.weight * k);
+    }
+  }
+}
+
+void Seams::add_energies(const Trial& trial, std::vector<Energy>& out) const {
+  double stored = 0, bridged = 0, lost = 0, fracture = 0;
+  for (std::size_t i = 0; i < threads_.size(); ++i) {
+    const Thread& t = threads_[i];
+    const State now = state(i);
+    lost += t.lost;
+    fracture += t.fracture();
+    if (now == State::drawn || now == State::own)
+      stored += t.stiffness() * (t.gap - t.target).squaredNorm() / 2;
+    if (burst_[i] == 0) continue;
+    const BridgingString& string = strings_[i];
+    bridged += string.stored(string.offset * string.force.normalized() -
+                             dofs_.gap(dofs_.stitches()[i], trial.configuration.x()));
+    fracture += string.lost();
+  }
+  out.push_back({"threads", Account::stored, stored + bridged});
+  out.push_back({"sewing", Account::dissipated, lost});
+  out.push_back({"fracture", Account::dissipated, fracture});
+}
+
+// Of what shortens the threads.
+double Seams::step_work() const {
+  double work = 0;
+  for (std::size_t i = 0; i < threads_.size(); ++i) {
+    const Thread& t = threads_[i];
+    if (!seam(i).over || (state(i) != State::drawn && state(i) != State::own)) continue;
+    const Vec3 before = t.stiffness() * (t.gap_before - t.target_before) + t.damping_before;
+    work -= (t.force() + before).dot(t.target - t.target_before) / 2;
+  }
+  return work;
+}
+
+// --- strength
+
+// From the sheet across its edge, at the stitch's node; unit, or zero where the sheet gives no direction.
+Vec3 Seams::outward(std::size_t i, std::span<const double> x) const {
+  Vec3 mean = Vec3::Zero();
+  for (const Index n : around_[i]) mean += at(x, n);
+  const Vec3 out = at(x, dofs_.stitches()[i].node) - mean / static_cast<double>(around_[i].size());
+  return out.norm() > 0 ? Vec3(out.normalized()) : Vec3(Vec3::Zero());
+}
+
+// What presses the edges against each other does not break the seam.
+double Seams::share_of(std::size_t i, const Vec3& force, std::span<const double> x) const {
+  if (!has_strength(i)) return 0;
+  const Vec3 out = outward(i, x);
+  const double along = force.dot(out);
+  const Vec3 parting = along > 0 ? force : Vec3(force - along * out);
+  return parting.norm() / (*seam(i).strength * dofs_.stitches()[i].length);
+}
+
+void Seams::list_joined() {
+  joined_.clear();
+  for (const auto& f : dofs_.freedoms().followers)
+    if (f.sewn && f.component < 3) joined_.push_back(f);
+}
+
+// What the seam does to a node is what gives it the acceleration of its joint: S = f + m a, with its internal
+// force f and a = -sum f / sum m over all nodes of the joint.
+void Seams::measure(std::span<const double> x, std::span<const double> on_x) {
+  std::map<Index, std::array<std::pair<double, double>, 3>> sums;  // of each joint: force, mass
+  const auto& mass = cloth_.mass();
+  const auto& nodes = dofs_.freedoms().nodes;
+  for (const auto& f : joined_)
+    for (const auto& lead : f.leads) {
+      const auto c = static_cast<std::size_t>(f.component);
+      auto& sum = sums.try_emplace(lead.node).first->second[c];
+      if (sum.second == 0) sum = {at(on_x, lead.node)[f.component], mass[lead.node]};
+      sum.first += lead.weight * at(on_x, f.node)[f.component];
+      sum.second += lead.weight * mass[f.node];
+    }
+  const auto acceleration = [&](Index n, std::size_t c) {
+    const auto found = sums.find(n);
+    if (found == sums.end() || found->second[c].second == 0 || nodes[n].equation[c] < 0) return 0.0;
+    return -found->second[c].first / found->second[c].second;
+  };
+  const auto& stitches = dofs_.stitches();
+  for (std::size_t i = 0; i < stitches.size(); ++i) {
+    carried_[i].setZero();
+    if (!has_strength(i) || state(i) == State::own) continue;
+    share_[i] = 0;
+    if (state(i) != State::closed) continue;
+    const Index n = stitches[i].node;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const Index equation = nodes[n].equation[c];
+      if (equation < 0 && equation != tied) continue;
+      double a = equation >= 0 ? acceleration(n, c) : 0;
+      if (equation == tied)
+        for (const auto& f : joined_)
+          if (f.node == n && f.component == static_cast<int>(c))
+            for (const auto& lead : f.leads) a += lead.weight * acceleration(lead.node, c);
+      carried_[i][static_cast<int>(c)] = at(on_x, n)[static_cast<int>(c)] + mass[n] * a;
+    }
+    share_[i] = share_of(i, carried_[i], x);
+  }
+}
+
+Seams::Worst Seams::worst() const {
+  const auto most = std::max_element(share_.begin(), share_.end());
+  if (most == share_.end() || !(*most > 0)) return {};
+  const auto i = static_cast<std::size_t>(most - share_.begin());
+  return {*most, *seam(i).strength, seam(i).name(),
+          dofs_.reference()[static_cast<std::size_t>(dofs_.stitches()[i].node)]};
+}
+
+Sewn Seams::let_go(double step) {
+  Sewn next = dofs_.sewn();
+  const auto& stitches = dofs_.stitches();
+  for (std::size_t i = 0; i < stitches.size(); ++i) {
+    if (!(share_[i] >= 1)) continue;
+    next.parted[i] = 1;
+    if (state(i) != State::closed) continue;
+    double inverse = 1 / cloth_.mass()[stitches[i].node];
+    for (const auto& lead : stitches[i].leads)
+      inverse += lead.weight * lead.weight / cloth_.mass()[lead.node];
+    next.closed[i] = 0;
+    BridgingString string;
+    string.force = carried_[i];
+    string.offset = carried_[i].norm() * step * step * inverse / kStiffest;
+    string.energy = *seam(i).energy * stitches[i].length;
+    ready_.push_back(string);
+    ready_at_.push_back(i);
+  }
+  return next;
+}
+
+// --- opening and closing
+
+void Seams::decide_turning(Sewn& next) const {
+  const auto x = configuration_.x(), d = configuration_.d();
+  const SewnEdges edges{model_.mesh(), dofs_.stitches(), [x](Index n) { return Vec3(at(x, n)); },
+                        [d](Index n) { return Vec3(at(d, n)); }};
+  std::vector<char> closed(next.turning.size(), 0), closes = closed;
+  for (std::size_t i = 0; i < threads_.size(); ++i) {
+    if (dofs_.sewn().closed[i] != 0) closed[dofs_.stitches()[i].seam] = 1;
+    if (next.closed[i] != 0) closes[dofs_.stitches()[i].seam] = 1;
+  }
+  for (std::size_t s = 0; s < closes.size(); ++s)
+    if (closes[s] != 0 && closed[s] == 0) next.turning[s] = edges.turning(dofs_.seams()[s], s);
+}
+
+Sewn Seams::due(double time) const {
+  Sewn next = dofs_.sewn();
+  for (std::size_t i = 0; i < threads_.size(); ++i)
+    if (state(i) == State::drawn && time >= *seam(i).over * (1 - 1e-9)) next.closed[i] = 1;
+  if (next != dofs_.sewn()) decide_turning(next);
+  return next;
+}
+
+// The forces of strings that begin are those that the closed seam carried.
+void Seams::renumbered(Forces& forces) {
+  for (std::size_t k = 0; k < ready_.size(); ++k) {
+    const std::size_t i = ready_at_[k];
+    strings_[i] = ready_[k];
+    burst_[i] = 1;
+    put(i, -ready_[k].force, forces.on_x);
+  }
+  ready_.clear();
+  ready_at_.clear();
+  list_joined();
+  for (std::size_t i = 0; i < share_.size(); ++i)
+    if (state(i) == State::burst || state(i) == State::open) share_[i] = 0;
+}
+
+void Seams::commit() {
+  time_before_ = configuration_.time();
+  for (Thread& thread : threads_) thread.commit();
+  for (BridgingString& string : strings_) string.committed = string.widest;
+}
+
+void Seams::rollback() {
+  for (Thread& thread : threads_) thread.rollback();
+  for (BridgingString& string : strings_) string.widest = string.committed;
+}
+
+void Seams::keep(Archive& archive) {
+  for (Thread& thread : threads_) thread.keep(archive);
+  archive(burst_, share_, strings_, time_before_);
+  if (!archive.reading()) return;
+  list_joined();
+  rollback();
+}
+
+std::vector<std::string> Seams::describe() const {
+  std::vector<std::string> lines;
+  for (std::size_t s = 0; s < dofs_.seams().size(); ++s) {
+    const model::Seam& seam = dofs_.seams()[s];
+    double length = 0, farthest = 0;
+    std::size_t count = 0, between = 0;
+    for (const auto& stitch : dofs_.stitches()) {
+      if (stitch.seam != s) continue;
+      length += stitch.length;
+      farthest = std::max(farthest, dofs_.gap(stitch, configuration_.x()).norm());
+      ++count;
+      between += stitch.leads.size() > 1 ? 1 : 0;
+    }
+    std::string line =
+        "seam " + seam.name() + ": " + std::to_string(count) + " stitches over " + number(length) + " m";
+    if (between > 0) line += ", " + std::to_string(between) + " of them between two nodes";
+    line += seam.over
+                ? ", drawn together from up to " + number(farthest) + " m over " + number(*seam.over) + " s"
+                : ", closed at the start";
+    if (!seam.over && !seam.stiffness)
+      line += dofs_.sewn().turning[s] != 0 ? ", bends as one piece" : ", a hinge";
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+}  // namespace fabricsh::mechanics

@@ -1,0 +1,57 @@
+// The mesh of a panel, which is a flat piece of cloth that an outline of lines and curves encloses.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mesh/curve.hpp"
+#include "mesh/mesh.hpp"
+
+namespace fabricsh::mesh {
+
+// A part of a closed line. Pieces of one name form an edge, which becomes a set of nodes.
+struct Piece {
+  Curve curve;
+  std::string edge = {};  // empty: of no edge
+  Index elements = 0;     // along the whole piece; 0: as many as the size of the panel gives
+};
+// Each piece starts where the one before it ends, the first where the last ends. Either direction.
+using Loop = std::vector<Piece>;
+
+// A wedge that is cut out of the panel, from a point of the outline to the tip and back to the outline.
+// Points on the outline, also those of notches, may be off it by a hundredth of the size of the elements. Its
+// sides become the edges name_in (towards the tip) and name_out, counter-clockwise around the panel.
+struct Dart {
+  std::string name;
+  Vec2 from, tip, to;
+};
+
+// A place on an edge, which gets a node and the name of the notch.
+struct Notch {
+  std::string name, edge;            // edge may be empty if there is a point
+  std::optional<double> at = {};     // m from the start of the edge as it was drawn
+  std::optional<double> share = {};  // of its length
+  std::optional<Vec2> point = {};    // on the outline or on the edge
+};
+
+struct Panel {
+  Loop outline;
+  std::vector<Loop> holes = {};
+  std::vector<Dart> darts = {};
+  std::vector<Notch> notches = {};
+  double size = 0;         // of an element, m
+  double grain = 0;        // direction of the warp, degrees counter-clockwise from +x
+  bool triangles = false;  // equilateral inside, instead of squares along the grain
+};
+
+// A flat mesh in the x-y plane, normal +z. Inside: squares along the grain that fit the panel's extent along
+// and across it. Between them and the border: triangles, and quadrilaterals where two triangles form a good
+// one. All border nodes lie on the curves. Numbers: first the nodes of the outline, counter-clockwise from
+// its start (or from its end if it was drawn clockwise), then those of the holes, then row by row inside. The
+// warp of each element is along the grain. Sets: the edges; of an edge that darts cut, also its parts NAME_1,
+// NAME_2, ...; the notches; boundary, all. The mesh passes check(). Errors name the field, the edge and the
+// place: lines that are open, cross or touch; a hole or a tip outside; a notch or a dart off its edge; sizes;
+// names taken twice.
+Mesh panel(const Panel& shape);
+
+}  // namespace fabricsh::mesh

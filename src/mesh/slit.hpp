@@ -1,0 +1,22 @@
+// A slit along a line of edges.
+#pragma once
+#include <string>
+
+#include "mesh/mesh.hpp"
+
+namespace fabricsh::mesh {
+
+// The nodes of the two sides, ascending; at an end inside the mesh, where the sides stay together, both have
+// its node.
+struct Lips {
+  NodeSet left, right;  // as seen from the start of the slit, against the normal
+};
+
+// Cuts the mesh along the edges on the straight line between two points (m): the nodes there are doubled
+// except at an end inside the mesh. The left side keeps them; the new ones follow all others, and are in the
+// sets of those at their places. A set boundary that has the nodes of all free edges has them again. Errors,
+// with the place: no node at an end; a part of the line without an edge, or along an edge that is free; a
+// slit of one edge inside the mesh, which would not open; a mesh of several parts or in use.
+Lips slit(Mesh& mesh, const Vec3& from, const Vec3& to);
+
+}  // namespace fabricsh::mesh

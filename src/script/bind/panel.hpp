@@ -1,0 +1,10 @@
+// fabric.mesh.panel: the reading of outlines, holes, darts and notches from a deck.
+#pragma once
+#include "mesh/panel.hpp"
+#include "script/bind/rooms.hpp"
+
+namespace fabricsh::script {
+
+std::vector<Entry> panel_rows();
+
+}  // namespace fabricsh::script
