@@ -2,10 +2,10 @@
 -- the tension T (force per length) presses with p = T/R on a cylinder of the radius R, and with p = T cos(a)/R on a cone whose surface is at the angle a to
 -- its axis, where friction holds it. T is that of the stretch: an elastic knit of the stiffness E t, without contraction across.
 --
---   fabricsh compression.lua out long      elements of half the size
-local fabric, out, form = require "fabric", arg[1] or "out/garment", arg[2] or "short"
+--   fabricsh compression.lua long      elements of half the size
+local fabric, form = require "fabric", arg[1] or "short"
 local mm = fabric.units.mm
-local fine = tonumber(arg[3]) or form == "long" and 2 or 1
+local fine = form == "long" and 2 or 1
 local E, thickness = 1.2e6, 0.6 * mm
 local card = fabric.svk { name = "elastic knit", young = E, poisson = 0, density = 500, thickness = thickness, bending = { warp = 5e-6, weft = 5e-6, twist = 3e-6 } }
 local length, ease, grown = 0.07, 1 * mm, 0.025 -- of the sleeve; between sleeve and limb at first; time until the limb has its size
