@@ -49,7 +49,7 @@ local function band_of(values, slopes, covariance, quantile)
   local out, uncertain = { low = {}, high = {}, covariance = {} }, false
   for i, x in ipairs(values) do
     local half = quantile * math.sqrt(math.max(0, linear.quadratic(covariance, slopes[i])))
-    out.low[i], out.high[i], moves = x - half, x + half, uncertain or half > 0
+    out.low[i], out.high[i], uncertain = x - half, x + half, uncertain or half > 0
     for j in ipairs(values) do
       local sum = 0
       for k, a in ipairs(slopes[i]) do
