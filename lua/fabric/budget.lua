@@ -299,7 +299,7 @@ local function text_of(t, result, names)
     say("%d runs%s, %d samples%s", result.runs, where ~= "" and ", samples with " .. where or "", t.samples,
       result.failed > 0 and (", %d of them left out because a run of theirs failed: %s"):format(result.failed, result.trouble) or "")
   end
-  for _, one in ipairs(result.told) do say("%s in %d of %d runs: %s", one.code, one.runs, result.runs - 1, one.text) end
+  for _, one in ipairs(result.sample_warnings) do say("%s in %d of %d runs: %s", one.code, one.runs, result.runs - 1, one.text) end
   for _, name in ipairs(result.not_varied) do say("not varied: %s, which the card assumes", name) end
   return table.concat(lines, "\n")
 end
@@ -343,13 +343,13 @@ local function run(t)
   if used.specimen then
     inputs[#inputs + 1] = { name = "specimen", range = "by its seed", put = function(p, i, set) p.specimen = 1 + i + (set - 1) * t.samples end }
   end
-  local result = { of = {}, value = {}, band = {}, contributions = {}, not_varied = not_varied, runs = 0, failed = 0, warnings = {}, told = {} }
+  local result = { of = {}, value = {}, band = {}, contributions = {}, not_varied = not_varied, runs = 0, failed = 0, warnings = {}, sample_warnings = {} }
   if fabric.checking() then return result end
   local jobs, numerical = plan(t, inputs)
   local before = define.log_end()
   local answers = #jobs > 0 and compute(t, jobs, names) or {}
-  result.runs, result.warnings, result.told = #jobs + 1, define.warnings(before), counted(answers)
-  for _, one in ipairs(result.told) do define.say(("budget: in %d of %d runs: %s"):format(one.runs, #jobs, one.text)) end
+  result.runs, result.warnings, result.sample_warnings = #jobs + 1, define.warnings(before), counted(answers)
+  for _, one in ipairs(result.sample_warnings) do define.say(("budget: in %d of %d runs: %s"):format(one.runs, #jobs, one.text)) end
   for i = 1, numerical do
     if answers[i].trouble then fail("budget: " .. answers[i].trouble) end
   end
@@ -394,7 +394,7 @@ define {
     { name = "figure", kind = "text", optional = true, sentence = "a file for a picture of the shares" },
   },
   sentence = "The uncertainty of what a deck computes, after the GUM: the errors of the mesh (Richardson's extrapolation) and of the steps, the card's measured bands, what it assumes, and the specimen. Returns by the name of each number value, band {low, high} (95 %) "
-    .. "and contributions { {source, deviation, share, first, total, first_band, total_band, range, why}, ... }, the largest first; text, runs, failed, warnings, told (what the samples warned of, once each: code, text, runs), not_varied.",
+    .. "and contributions { {source, deviation, share, first, total, first_band, total_band, range, why}, ... }, the largest first; text, runs, failed, warnings, sample_warnings (what the samples warned of, once each: code, text, runs), not_varied.",
   example = "local b = require 'fabric'.budget{ assumed={ a={0, 2}, b={0, 1} }, samples=256, print=false,\n"
     .. "  run=function(p) return { sum=p.assumed.a + p.assumed.b } end }\n"
     .. "assert(math.abs(b.value.sum - 1.5) < 1e-12 and b.contributions.sum[1].source == 'assumed.a')\n"

@@ -2,7 +2,8 @@
 
     build.py <tree> <out> <version> [--no-pdf]
 <out>/<version>/ gets the pages and fabricsh-manual.pdf; <out>/index.html leads to the newest version, and a list on every page to all
-versions that stand in <out>. Needs Debian's python3-sphinx, python3-myst-parser, furo, libjs-katex, and chromium for the PDF.
+versions that stand in <out>. Needs Debian's python3-sphinx, python3-myst-parser, furo, libjs-katex, and for the PDF chromium and
+python3-pypdf.
 """
 import json
 import os
@@ -18,7 +19,8 @@ KATEX = pathlib.Path("/usr/share/javascript/katex")
 def missing(pdf=True):
     """Debian's packages that are not there."""
     needed = {"python3-sphinx": shutil.which("sphinx-build"), "python3-myst-parser": _module("myst_parser"), "furo": _module("furo"),
-              "libjs-katex": (KATEX / "katex.min.js").exists(), "chromium": shutil.which("chromium") or not pdf}
+              "libjs-katex": (KATEX / "katex.min.js").exists(), "chromium": shutil.which("chromium") or not pdf,
+              "python3-pypdf": _module("pypdf") or not pdf}
     return [name for name, there in needed.items() if not there]
 
 
@@ -144,6 +146,28 @@ def browser(*options):
                           capture_output=True, text=True).stdout
 
 
+def chapter_pages(manual):
+    """The page, from 1, on which each chapter of the PDF begins, by the name of its anchor."""
+    import pypdf
+
+    pdf = pypdf.PdfReader(manual)
+    return {name[1:]: pdf.get_destination_page_number(place) + 1 for name, place in pdf.named_destinations.items()}
+
+
+def print_manual(html, pdf):
+    """Browsers cannot write the page of a link's target (CSS target-counter), so the manual is printed twice: the first printing says
+    on which pages the chapters begin. The numbers have a column of their own, so that they move nothing."""
+    link = re.compile(r'(href="(?:index\.html)?#(document-[^"]+)">.*?</a>)')
+    text = html.read_text()
+    start, end = re.search(r'<div class="contents">.*?</div>', text, flags=re.S).span()
+    pages = {}
+    for _ in range(2):
+        listed = link.sub(lambda m: f'{m[1]}<span class="page">{pages.get(m[2], 0)}</span>', text[start:end])
+        html.write_text(text[:start] + listed + text[end:])
+        browser("--no-pdf-header-footer", "--generate-pdf-document-outline", f"--print-to-pdf={pdf}", html.resolve().as_uri())
+        pages = chapter_pages(pdf)
+
+
 def versions(out):
     """The folders of versions in <out>, the newest first."""
     found = [path.parent.name for path in out.glob("*/index.html")]
@@ -159,8 +183,7 @@ def build(tree, out, version, pdf=True):
     if pdf:
         manual(work / "source", work / "manual-source", version)
         sphinx("singlehtml", work / "manual-source", work / "manual", work, version, FABRICSH_SITE_MANUAL="1")
-        browser("--no-pdf-header-footer", "--generate-pdf-document-outline",
-                f"--print-to-pdf={out / version / 'fabricsh-manual.pdf'}", (work / "manual/index.html").resolve().as_uri())
+        print_manual(work / "manual/index.html", out / version / "fabricsh-manual.pdf")
     known = versions(out)
     (out / "versions.js").write_text("window.fabricshVersions = " + json.dumps(known) + ";\n")
     (out / "index.html").write_text(f'<!DOCTYPE html><meta charset="utf-8"><meta http-equiv="refresh" content="0; url={known[0]}/index.html">'

@@ -300,7 +300,7 @@ function fabric.asked_case() end
 ---@field print? boolean the table (default true)
 ---@field figure? string a file for a picture of the shares
 
----The uncertainty of what a deck computes, after the GUM: the errors of the mesh (Richardson's extrapolation) and of the steps, the card's measured bands, what it assumes, and the specimen. Returns by the name of each number value, band {low, high} (95 %) and contributions { {source, deviation, share, first, total, first_band, total_band, range, why}, ... }, the largest first; text, runs, failed, warnings, told (what the samples warned of, once each: code, text, runs), not_varied.
+---The uncertainty of what a deck computes, after the GUM: the errors of the mesh (Richardson's extrapolation) and of the steps, the card's measured bands, what it assumes, and the specimen. Returns by the name of each number value, band {low, high} (95 %) and contributions { {source, deviation, share, first, total, first_band, total_band, range, why}, ... }, the largest first; text, runs, failed, warnings, sample_warnings (what the samples warned of, once each: code, text, runs), not_varied.
 ---@param fields fabric_budget_fields
 ---@return any
 function fabric.budget(fields) end

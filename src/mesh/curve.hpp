@@ -17,7 +17,7 @@ class Curve {
   static Curve line(const Vec2& from, const Vec2& to);
   // The arc from a point through a second one to a third. Error: the three lie on a line.
   static Curve arc_through(const Vec2& from, const Vec2& through, const Vec2& to);
-  // Counter-clockwise unless told otherwise. Error: the two points are not at one distance from the centre
+  // Counter-clockwise unless `clockwise`. Error: the two points are not at one distance from the centre
   // (to 1e-6 of it), or they are one point.
   static Curve arc_about(const Vec2& centre, const Vec2& from, const Vec2& to, bool clockwise);
   // Counter-clockwise from the +x direction.

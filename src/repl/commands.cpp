@@ -44,7 +44,7 @@ bool is_exit_command(script::Session& session, const std::string& input) {
   return (word == "quit" || word == "exit") && is_free(session.lua(), word);
 }
 
-std::string meant(script::Session& session, const std::string& input) {
+std::string command_as_lua(script::Session& session, const std::string& input) {
   const std::string text = trimmed(input);
   const bool own = script::is_of_fabric(session.lua(), "help"), mark = text.starts_with("?");
   const bool word =

@@ -14,6 +14,6 @@ inline constexpr const char* greeting =
 bool is_exit_command(script::Session& session, const std::string& input);
 
 // Translates "help", "?" and "? word" to Lua; other input is returned unchanged.
-std::string meant(script::Session& session, const std::string& input);
+std::string command_as_lua(script::Session& session, const std::string& input);
 
 }  // namespace fabricsh::repl

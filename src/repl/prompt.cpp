@@ -109,10 +109,10 @@ EvaluationOutcome converse(script::Session& session, Lines& lines, const Voice& 
     }
     if (input.empty() && is_exit_command(session, line)) break;
     const std::string typed = line;
-    input = input.empty() ? meant(session, line) : input + "\n" + line;
+    input = input.empty() ? command_as_lua(session, line) : input + "\n" + line;
     if (!blank(input) && is_incomplete(session, input)) continue;
     if (!blank(input)) {
-      lines.remember(input == meant(session, typed) ? typed : input);
+      lines.remember(input == command_as_lua(session, typed) ? typed : input);
       evaluated(input);
     }
     input.clear();

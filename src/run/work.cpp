@@ -16,7 +16,8 @@ double trapezoid(std::span<const double> before, std::span<const double> now, st
   return ordered_sum(now.size(), [&](std::size_t i) { return (before[i] + now[i]) / 2 * (to[i] - from[i]); });
 }
 
-// Half the change of the forces along the way.
+// Half of what the change of the forces would work over the displacement: the trapezoidal rule's work plus
+// and minus this is that of either state's forces alone.
 double half_change(std::span<const double> before, std::span<const double> now, std::span<const double> from,
                    std::span<const double> to) {
   return ordered_sum(now.size(), [&](std::size_t i) { return (now[i] - before[i]) / 2 * (to[i] - from[i]); });

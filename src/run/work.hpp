@@ -14,7 +14,8 @@ class ExternalWork {
   // loads at that time, N, 3 per node. The first state of a run does no work.
   void start(mechanics::Assembly& assembly, std::span<const double> dead);
   void add(mechanics::Assembly& assembly, std::span<const double> dead);
-  // The same where the way between the states is not known. The forces of either state bound the work.
+  // The same where the path between the states is unknown (relaxation). With forces that change monotonically
+  // along it the work lies between that of the first and of the last state's forces.
   struct Bounded {
     double work = 0, half = 0;  // J, by the trapezoidal rule; how far the work can lie from that
   };

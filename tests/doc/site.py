@@ -30,7 +30,7 @@ def expect(holds, *words):
 gallery = (tree / "share/doc/gallery.md").read_text()
 for part in gallery.split("\n## ")[1:]:
     pictures, decks = re.findall(r"!\[[^\]]+\]\(([^)]+)\)", part), re.findall(r"\]\((\S+?\.lua)\)", part)
-    expect(len(pictures) == 1 and len(decks) == 1, "gallery:", part.split("\n")[0], "has", len(pictures), "pictures,", len(decks), "decks")
+    expect(pictures and len(decks) == 1, "gallery:", part.split("\n")[0], "has", len(pictures), "pictures,", len(decks), "decks")
     for name in pictures + decks:
         expect((tree / "share/doc" / name).is_file(), "gallery: no", name)
 for picture in (tree / "share/doc/figures/gallery").iterdir():
@@ -138,6 +138,11 @@ expect(theory.get("formulas", 0) > 50 and law.get("formulas", 0) >= 1, "formulas
 manual = (out / version / "fabricsh-manual.pdf").read_bytes()
 count = len(re.findall(rb"/Type\s*/Page\b", manual))
 expect(manual.startswith(b"%PDF-") and count > 100, "the manual has", count, "pages")
+listed = build.chapter_pages(out / version / "fabricsh-manual.pdf")
+shown = dict(re.findall(r'href="(?:index.html)?#(document-[^"]+)"><span[^>]*>[^<]*</span></a><span class="page">(\d+)</span>',
+                        (out / ".work/manual/index.html").read_text()))
+expect(len(shown) > 40 and all(listed.get(name) == int(page) for name, page in shown.items()), "page numbers of the contents:",
+       {name: (page, listed.get(name)) for name, page in shown.items() if listed.get(name) != int(page)} or len(shown))
 if faults:
     sys.exit("\n".join(faults))
 print(f"{len(told)} pages, {links} links, manual of {count} pages")

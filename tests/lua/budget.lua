@@ -99,8 +99,8 @@ for _, processes in ipairs { 1, 2 } do
     fabric.warn "said in every run"
     return { v = p.assumed.a }
   end }
-  assert(#b.told == 2 and #b.warnings == 1 + 16, #b.told .. " " .. #b.warnings)
-  local always, above = b.told[1], b.told[2]
+  assert(#b.sample_warnings == 2 and #b.warnings == 1 + 16, #b.sample_warnings .. " " .. #b.warnings)
+  local always, above = b.sample_warnings[1], b.sample_warnings[2]
   if always.runs ~= 48 then always, above = above, always end
   assert(always.runs == 48 and above.runs == 24 and above.code == "deck" and above.text:find "a is 0%.%d%d%d$", above.runs)
   assert(b.text:find("deck in 24 of 48 runs: ", 1, true), b.text)

@@ -86,20 +86,20 @@ TEST_CASE("quit and exit end the session, as names they are the user's") {
 TEST_CASE("help, ? and ? word mean calls of help") {
   script::OpenSession session{script::SessionOptions{}};
   REQUIRE(repl::spill_globals(session).outcome == EvaluationOutcome::done);
-  const auto meant = [&](const char* input) { return repl::meant(session, input); };
-  for (const char* asked : {"help", " help ", "?", "? "}) CHECK(meant(asked) == "help()");
+  const auto as_lua = [&](const char* input) { return repl::command_as_lua(session, input); };
+  for (const char* asked : {"help", " help ", "?", "? "}) CHECK(as_lua(asked) == "help()");
   for (const char* asked : {"? mesh:set", "?mesh:set", "help mesh:set"})
-    CHECK(meant(asked) == "help(\"mesh:set\")");
-  CHECK(meant("? 'two words'") == "help('two words')");
+    CHECK(as_lua(asked) == "help(\"mesh:set\")");
+  CHECK(as_lua("? 'two words'") == "help('two words')");
   for (const char* asked : {"? drape  height", "help drape  height"})
-    CHECK(meant(asked) == "help(\"drape  height\")");
-  CHECK(meant("? mesh:set of nodes") == "help(\"mesh:set of nodes\")");
+    CHECK(as_lua(asked) == "help(\"drape  height\")");
+  CHECK(as_lua("? mesh:set of nodes") == "help(\"mesh:set of nodes\")");
   for (const char* lua :
        {"help()", "help 'shear'", "help = 3", "helper", "x = help", "1 + 1", "help(mesh)", "help .. x"})
-    CHECK(meant(lua) == lua);
+    CHECK(as_lua(lua) == lua);
   CHECK(repl::run_text(session, "help = 3", "=t").outcome == EvaluationOutcome::done);
-  CHECK(meant("help") == "help");
-  CHECK(meant("?") == "require('fabric').help()");
+  CHECK(as_lua("help") == "help");
+  CHECK(as_lua("?") == "require('fabric').help()");
 }
 
 TEST_CASE("a name of the library's, a unit or one of Lua's that is assigned over is told once") {

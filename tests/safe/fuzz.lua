@@ -80,7 +80,7 @@ end
 local function left_out(entry)
   return entry.name:find "^fabric%.lab%.%l" and not (entry.name:find "least" or entry.name:find "ident" or entry.name:find "reduce" or entry.name:find "branches"
     or entry.name:find "marks" or entry.name:find "backbone" or entry.name:find "monotone" or entry.name:find "unloading" or entry.name:find "band"
-    or entry.name:find "boxes" or entry.name:find "ratio" or entry.name:find "%.track$") or entry.name == "fabric.study" or entry.name == "fabric.render"
+    or entry.name:find "boxes" or entry.name:find "ratio" or entry.name:find "%.track$") or entry.name == "fabric.study" or entry.name == "fabric.budget" or entry.name == "fabric.render"
     or entry.name == "analysis:advance" or entry.name:find "^fabric%.help" or entry.name == "fabric.plot"
 end
 

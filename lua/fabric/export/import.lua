@@ -199,7 +199,7 @@ local function units_of(t, notes)
   return units.of(t.units)
 end
 
--- A card that pulls otherwise than the deck's law along a yarn, or in shear, is another material: it is refused. On the other paths the misfit is told.
+-- A card that pulls otherwise than the deck's law along a yarn, or in shear, is another material: it is refused. On the other paths the misfit is reported.
 local most, told_from = 25, 25 -- per cent of the peak stress
 local function judge(t, rows)
   local others = {}

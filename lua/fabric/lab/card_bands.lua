@@ -46,10 +46,10 @@ local function derivatives(by, found, parameters, deviation, make, base)
 end
 
 local function band_of(values, slopes, covariance, quantile)
-  local out, moves = { low = {}, high = {}, covariance = {} }, false
+  local out, uncertain = { low = {}, high = {}, covariance = {} }, false
   for i, x in ipairs(values) do
     local half = quantile * math.sqrt(math.max(0, linear.quadratic(covariance, slopes[i])))
-    out.low[i], out.high[i], moves = x - half, x + half, moves or half > 0
+    out.low[i], out.high[i], uncertain = x - half, x + half, uncertain or half > 0
     for j in ipairs(values) do
       local sum = 0
       for k, a in ipairs(slopes[i]) do
@@ -58,7 +58,7 @@ local function band_of(values, slopes, covariance, quantile)
       out.covariance[(i - 1) * #values + j] = sum
     end
   end
-  return moves and out or nil
+  return uncertain and out or nil
 end
 
 -- by: the caller's name; found: parameters by name; covariance: of them, a matrix (a parameter on a bound: zeros); quantile: half of a band over

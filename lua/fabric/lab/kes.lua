@@ -342,44 +342,44 @@ end
 -- --- what is not measured ---
 
 -- Of two yarns the one that was pulled stands for the other; without pulls both are as the library's.
-local function fill_yarn(fields, told, name, given, poisson)
+local function fill_yarn(fields, provenance, name, given, poisson)
   local other = name == "warp" and "weft" or "warp"
   if given[other] then
     fields[name], fields.tested[name] = { loading = fields[other].loading, unloading = fields[other].unloading }, fields.tested[other]
-    told[name .. ".loading"] = filled.told_as_other(other)
-    told[name .. ".unloading"] = "assumed: as the " .. other .. "'s"
+    provenance[name .. ".loading"] = filled.source_as_other(other)
+    provenance[name .. ".unloading"] = "assumed: as the " .. other .. "'s"
   else
     fields[name], fields.tested[name] = filled.part(name, fields.thickness)
-    told[name .. ".loading"], told[name .. ".unloading"] = filled.told(name), filled.unloading_told
+    provenance[name .. ".loading"], provenance[name .. ".unloading"] = filled.source(name), filled.unloading_source
   end
   fields[name].poisson = poisson
 end
 
 -- Adds the parts for which the sheet has no numbers, and says of each number where it comes from.
 local function fill(t, fields)
-  local told, missing = {}, {}
+  local provenance, missing = {}, {}
   for _, name in ipairs { "warp", "weft" } do
     if not t[name] then
       missing[#missing + 1] = name
-      fill_yarn(fields, told, name, t, t.poisson and t.poisson[name] or filled.poisson)
+      fill_yarn(fields, provenance, name, t, t.poisson and t.poisson[name] or filled.poisson)
     end
-    if not t.poisson then told[name .. ".poisson"] = filled.poisson_told end
+    if not t.poisson then provenance[name .. ".poisson"] = filled.poisson_source end
   end
   if not t.shear then
     missing[#missing + 1] = "shear"
     fields.shear, fields.tested.shear = filled.part("shear", fields.thickness)
-    told["shear.loading"], told["shear.unloading"] = filled.told "shear", filled.unloading_told
+    provenance["shear.loading"], provenance["shear.unloading"] = filled.source "shear", filled.unloading_source
   end
   if #missing == 0 and t.poisson then return "" end
   for _, name in ipairs { "warp", "weft", "shear" } do
-    told[name .. ".loading"] = told[name .. ".loading"] or "measured: KES"
-    told[name .. ".unloading"] = told[name .. ".unloading"] or "measured: KES"
+    provenance[name .. ".loading"] = provenance[name .. ".loading"] or "measured: KES"
+    provenance[name .. ".unloading"] = provenance[name .. ".unloading"] or "measured: KES"
   end
   if t.bending then
     local loops = t.bending.warp["2HB"] and t.bending.weft["2HB"]
-    told.bending = (loops and "measured: B, 2HB" or "measured: B") .. (t.bending.twist and "" or "; assumed: twist half of the mean")
+    provenance.bending = (loops and "measured: B, 2HB" or "measured: B") .. (t.bending.twist and "" or "; assumed: twist half of the mean")
   end
-  fields.provenance = told
+  fields.provenance = provenance
   return #missing == 0 and "" or ("; %s assumed: not on the sheet"):format(table.concat(missing, ", "))
 end
 

@@ -1,6 +1,6 @@
 -- Shared by the virtual tests in which cloth breaks: what the card must say, how fast is slow, the run, and what it gives.
 --
--- Cloth breaks in explicit motion. The grips move at a speed at which kinetic energy is a small share of the work (`kinetic`, told
+-- Cloth breaks in explicit motion. The grips move at a speed at which kinetic energy is a small share of the work (`kinetic`; a warning
 -- beyond 5 %); the force is the work of the grips over their way from row to row, so that its sum is the work exactly and the
 -- oscillations of single steps are averaged.
 local define = require "fabric.define"

@@ -1,6 +1,6 @@
 -- fabric.lab.rupture: from records of strips to break, and of a tear, to a card's `rupture`.
 --
--- Strength is the largest force over the width. Its scatter is told as the modulus m of a Weibull distribution, by the greatest likelihood:
+-- Strength is the largest force over the width. Its scatter is given as the modulus m of a Weibull distribution, by the greatest likelihood:
 --   sum f^m ln f / sum f^m - 1/m = mean of ln f,
 -- with a band from the variance of ln m, 0.608 / n for n strips [thoman1969]. It is that of strips, hundreds of yarns side by side and in a row,
 -- and so no part of the card, whose scatter is that of the places of a mesh.
