@@ -239,7 +239,8 @@ TEST_CASE("guard of the directors: a fold that closes has no guard, and no force
   CHECK(wrong(1e-3) > 0);
 }
 
-TEST_CASE("guard of the directors: a joint that opens in a fold makes no energy, and is guarded from there on") {
+TEST_CASE(
+    "guard of the directors: a joint that opens in a fold makes no energy, and is guarded from there on") {
   constexpr double kFold = 1.2;  // of each half from the plane
   auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(0.02, 0.01, 2, 1));
   auto m = std::make_shared<model::Model>(mesh, test::svk(), model::Options{});
@@ -255,8 +256,7 @@ TEST_CASE("guard of the directors: a joint that opens in a fold makes no energy,
     for (Index n = 0; n < static_cast<Index>(X.size()); ++n) {
       const bool left = std::find(first.begin(), first.end(), n) != first.end();
       const double s = X[n].x() - 0.01, side = s < 0 || (s == 0 && left) ? -1 : 1;
-      at(sheet.assembly.state().x(), n) =
-          Vec3(s * std::cos(kFold), X[n].y(), -std::abs(s) * std::sin(kFold));
+      at(sheet.assembly.state().x(), n) = Vec3(s * std::cos(kFold), X[n].y(), -std::abs(s) * std::sin(kFold));
       const double turned = s == 0 ? towards : kFold;
       at(sheet.assembly.state().d(), n) = Vec3(side * std::sin(turned), 0, std::cos(turned));
       at(sheet.assembly.state().b1(), n) = Vec3(0, 1, 0);

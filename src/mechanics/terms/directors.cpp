@@ -354,8 +354,8 @@ std::vector<Index> Directors::leaning_nodes(const Configuration& configuration) 
 
 namespace {
 
-// The lean s = (c |N| - d.N) / m, with the cosine c where it begins to cost, m^2 = (|N|^2 + A^2) / 2 and A the
-// value of |N| in the reference: a difference of cosines where the sheet keeps its area, and zero with N.
+// The lean s = (c |N| - d.N) / m, with the cosine c where it begins to cost, m^2 = (|N|^2 + A^2) / 2 and A
+// the value of |N| in the reference: a difference of cosines where the sheet keeps its area, and zero with N.
 struct TiltMeasure {
   double s, size, m, excess;
   Vec3 by_normal, by_director;

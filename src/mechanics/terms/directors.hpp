@@ -12,9 +12,10 @@
 //   the modulus of transverse shear. The normal is the mean of its elements' normals by area; in the limit of
 //   a fold that closes, where it vanishes, the guard does so, too.
 //
-//   Where a joint opens in a fold, its director, which stood upright on the mean of both sides, leans on each.
-//   That must make no energy: the cosine at which leaning begins to cost is that which the part has there, and
-//   goes back to that of 45 degrees as its director comes upright. What the whole joint had stored is lost.
+//   Where a joint opens in a fold, its director, which stood upright on the mean of both sides, leans on
+//   each. That must make no energy: the cosine at which leaning begins to cost is that which the part has
+//   there, and goes back to that of 45 degrees as its director comes upright. What the whole joint had stored
+//   is lost.
 #pragma once
 #include <array>
 #include <cstdint>
