@@ -7,6 +7,7 @@ local assumed = {}
 
 local rules = {
   poisson = { 0.1, 1, why = "seven of the eight of [williams2010] are 0.12 to 0.99" },
+  no_poisson = { 0, 1, why = "from none to the largest of [williams2010]" },
   unloading = { 0.6, 2.5, why = "eight curves of [williams2010] unload 2.5 to 10.2 times as steeply as they load; the rule says 4" },
   shear_unloading = { 0.5, 1.3, why = "four curves of [williams2010] unload 1.5 to 3.9 times as steeply as they load; the rule says 3" },
   bending = { 0.4, 2.5, why = "a guess: not measured on this cloth" },
@@ -27,6 +28,9 @@ end
 
 -- How a value is put into a card.
 local function poisson(part) return function(card, value) return card:with { [part] = { poisson = value } } end end
+-- A woven law takes both ratios zero or neither, so that of a card whose ratios are zero both are one quantity.
+local function both_poisson(card, value) return card:with { warp = { poisson = value }, weft = { poisson = value } } end
+local function without_poisson(card) return card.warp.poisson == 0 and card.weft.poisson == 0 end
 local function unloading(part)
   return function(card, factor) return card:with { [part] = { unloading = factor * card[part].unloading } } end
 end
@@ -69,11 +73,17 @@ local function stated(words)
   return low and high and low < high and { low, high, why = "the card" } or nil
 end
 
+-- A model refuses cards that can be written down, such as one whose loading is steeper than its unloading.
+local function accepted(apply, card, value)
+  local made, changed = pcall(apply, card, value)
+  return made and changed:check().ok
+end
+
 -- The ends of a range at which the card is refused move halfway towards its value, five times at most.
 local function usable(card, input)
   for _, side in ipairs { 1, 2 } do
     for _ = 1, 5 do
-      if pcall(input.apply, card, input[side]) then break end
+      if accepted(input.apply, card, input[side]) then break end
       input[side] = (input[side] + input.value) / 2
     end
   end
@@ -87,11 +97,12 @@ function assumed.of(card)
     local range = stated(words) or rules[rule] or loading_rule(name:match "^%a+", words)
     list[#list + 1] = usable(card, { range[1], range[2], name = name, value = value, apply = apply, why = range.why })
   end
-  local seen = {}
+  local seen, zero = {}, without_poisson(card)
+  if zero and (provenance["warp.poisson"] or ""):find "^assumed" then add("poisson", "no_poisson", 0, both_poisson, "") end
   for _, row in ipairs(known) do
     local words = provenance[row[1]] or ""
     seen[row[1]] = true
-    if words:find "^assumed" then add(row[1], row[2], row[2] == "poisson" and card[row[1]:match "^%a+"].poisson or 1, row[3], words) end
+    if words:find "^assumed" and not (zero and row[2] == "poisson") then add(row[1], row[2], row[2] == "poisson" and card[row[1]:match "^%a+"].poisson or 1, row[3], words) end
   end
   local words = provenance.bending or ""
   if card.bending and words:find "^assumed" then add("bending", "bending", 1, bending, words) end

@@ -61,6 +61,19 @@ near(b.of.nu.deviation, 0.05 / 1.96, 0.003, "deviation by the band")
 near(by_source(b.contributions.nu)["card.warp"].share, 1, 1e-9, "share of the band")
 assert(b.of.same.deviation == 0 and b.value.same == 12e6)
 
+-- A model takes every card at both ends of what it assumes; aramid's unloading may not fall below its steepest tangent, and glass, of
+-- yarns without lateral contraction, gets both Poisson ratios or none.
+for _, name in ipairs(fabric.cards()) do
+  local card = fabric.card(name)
+  for _, input in ipairs((require "fabric.assumed".of(card))) do
+    for side = 1, 2 do
+      local changed = input.apply(card, input[side])
+      assert(changed:check().ok, ("%s: %s = %g: %s"):format(name, input.name, input[side], changed:check().text))
+    end
+    assert(input[1] <= input.value and input.value <= input[2], name .. ": " .. input.name)
+  end
+end
+
 -- --- what a card assumes: wool's Poisson ratios and unloading are, its curves are not; thickness is, and is not varied.
 local wool = fabric.card "wool"
 b = budget { card = wool, samples = 32, assumed = { ["warp.poisson"] = { 0.3, 0.5 } }, run = function(p)
