@@ -1,6 +1,8 @@
 -- The part of `require "fabric"` that is written in Lua, in addition to the bindings.
 require "fabric.expect"
 require "fabric.columns"
+require "fabric.rigid.limb"
+require "fabric.rigid.torso"
 require "fabric.lab"
 require "fabric.export"
 require "fabric.inputs"

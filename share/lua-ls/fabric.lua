@@ -48,7 +48,7 @@ local history = {}
 ---@class analysis
 ---@field beyond any The largest strain beyond what the card was tested to, or nil: share (1.2 is 20 % beyond), yarn (warp, weft or shear), element and time of this largest strain, strain (E11, E22 or E12), tested (the strain tested), first (time at which the run first went beyond) and elements (fraction of the elements beyond).
 ---@field duration number Where it ends, s.
----@field energy table<string, number> Energies in J: kinetic, stored, dissipated, damping, external, internal, initial, created. Parts of stored: contact, guard (the barrier that keeps surfaces from passing), stick (elastic slip of friction that holds), directors (what keeps the directors by the normal where the elements' shear does not). Parts of dissipated: dissipated_warp, _weft, _shear, _bending, friction (of contact), impact (of surfaces that meet), joints (motion lost as joints closed, see analysis:join), fracture (broken yarns of tearable zones). Parts of kinetic: rigid (free rigid bodies), scaled (rotary inertia that is scaled up). error: the imbalance over the largest external work; with contact at least over the cloth's weight times its thickness.
+---@field energy table<string, number> Energies in J: kinetic, stored, dissipated, damping, external, internal, initial, created. Parts of stored: contact, guard (the barrier that keeps surfaces from passing), stick (elastic slip of friction that holds), directors (what keeps the directors by the normal where the elements' shear does not). Parts of dissipated: dissipated_warp, _weft, _shear, _bending, friction (of contact), impact (of surfaces that meet), joints (motion lost as joints closed, see analysis:join, and what directors had stored where they opened), fracture (broken yarns of tearable zones). Parts of kinetic: rigid (free rigid bodies), scaled (rotary inertia that is scaled up). error: the imbalance over the largest external work; with contact at least over the cloth's weight times its thickness.
 ---@field joints any Of the tearable zones: open, the number of places whose joint is open; places, of all places with several nodes. Of seams: stitches, and how many of them are closed.
 ---@field mesh any The mesh of its model, as it was before the run.
 ---@field model any The model that it computes.
@@ -817,6 +817,18 @@ function fabric.lab.density(fields) end
 ---@return test
 function fabric.lab.drape(fields) end
 
+---@class fabric_lab_dress_fields
+---@field analysis analysis a run in motion, of pieces around a body with seams, contact and gravity, that has not got to `at` yet
+---@field at number s: the time to run to, when the seams have closed (their over= has passed) and the cloth shall rest; the body moves after it
+---@field window? number s: before that time, over which rest is judged (default 0.02)
+---@field still? number m: rest: no node has moved by more than that in the window (default 0.001)
+---@field calm? number rest: the kinetic energy is below this part of the energy stored (default 0.01)
+
+---Sews pieces around a body and lets them come to rest: runs to the time `at` and judges rest there. A piece that starts through a body is refused when the run is made. Returns at_rest (without it a warning says why), moved (m, by `node`, in the window), kinetic (over the energy stored), stitches and how many are open (those of a seam with a stiffness of its own stay so), gap (m, the smallest above the floor of contact, of `pair`), and time.
+---@param fields fabric_lab_dress_fields
+---@return table<string, any>
+function fabric.lab.dress(fields) end
+
 ---@class fabric_lab_ensemble_fields
 ---@field parameters table { {name=, start=, low=, high=}, ... } as of fabric.lab.identify; any value between the bounds is as likely before the data
 ---@field tests? table as of fabric.lab.identify: the same likelihood, exp(-chi^2/2)
@@ -1456,11 +1468,11 @@ function fabric.lab.synthetic(fields) end
 
 ---@class fabric_lab_tear_fields
 ---@field card card the fabric, with rupture
----@field method? "trouser"|"tongue"|"trapezoid" ISO 13937-2, ASTM D2261, ASTM D5587 (default "trouser")
+---@field method? "trouser"|"tongue"|"wing"|"trapezoid" ISO 13937-2, ASTM D2261, ISO 13937-3, ASTM D5587 (default "trouser")
 ---@field along? "warp"|"weft" yarns along which the tear runs: the others break (default "warp")
 ---@field h? number m: size of the elements along the tear (default 0.003)
 ---@field width? number m: of the specimen, for a trapezoid along the tear; default: the standard's
----@field leg? number m: trouser, tongue: from jaw to tip; default: half of the standard's gauge length
+---@field leg? number m: trouser, tongue, wing: from jaw to tip along the cut; default: half of the standard's gauge length, for a wing at right angles to the grip
 ---@field short? number m: trapezoid: the short side; default: the standard's
 ---@field long? number m: trapezoid: the long side; default: the standard's
 ---@field cut? number m: trapezoid: length of the cut; default: the standard's
@@ -1474,7 +1486,7 @@ function fabric.lab.synthetic(fields) end
 ---@field out? string folder for curve.csv and the VTK series
 ---@field prepare? function function(analysis), called before the run: for hooks, records and checkpoints of your own
 
----A cut specimen is torn on: trouser [iso_13937_2], tongue (single rip) [astm_d2261] or trapezoid [astm_d5587]; a membrane whose yarns break on the line of the cut. Returns mean (N, the work of the grips over their way after the first quarter of the tear; with legs that do not stretch half of the energy of breaking), mean_of_peaks (N, as the standard takes it; nil where the record has no peaks), peaks, peak (N), expected (N, half of the energy; trouser and tongue), curve (a list of time, displacement, force: N, work over way from row to row, torn: m, open: joints, and the energies of analysis.energy), energy (J), fracture (J), kinetic (kinetic energy over work at the peak), series (VTK), analysis, model and mesh.
+---A cut specimen is torn on: trouser [iso_13937_2], tongue (single rip) [astm_d2261], wing [iso_13937_3] or trapezoid [astm_d5587]; a membrane whose yarns break on the line of the cut. Returns mean (N, the work of the grips over their way after the first quarter of the tear; with legs that do not stretch half of the energy of breaking), mean_of_peaks (N, as the standard takes it; nil where the record has no peaks), peaks, peak (N), expected (N, half of the energy, for a wing over sin 55; not for a trapezoid), curve (a list of time, displacement, force: N, work over way from row to row, torn: m, open: joints, and the energies of analysis.energy), energy (J), fracture (J), kinetic (kinetic energy over work at the peak), series (VTK), analysis, model and mesh.
 ---@param fields fabric_lab_tear_fields
 ---@return table<string, any>
 function fabric.lab.tear(fields) end
@@ -1926,13 +1938,34 @@ function fabric.rigid.cylinder(fields) end
 ---@return body
 function fabric.rigid.disc(fields) end
 
+---@class fabric_rigid_limb_fields
+---@field upper number m: length of the first part, up to the middle of the joint
+---@field lower number m: length of the second part
+---@field radii number[] m: {beginning, joint, end}
+---@field bend? number|function|history degrees: of the joint, up to 150: a number, or a history or function(t), which is followed (default 0)
+---@field duration? number s: over which bend= is followed; afterwards it stays
+---@field every? number s: time between two shapes, between which points go straight; default: what turns by 3 degrees
+---@field joint? number m: length of the middle line that bends, to an arc; default 2.2 of its radius, enough for 119 degrees
+---@field from? number[] {x, y, z}: where the middle line begins, m, default the origin
+---@field axis? number[] {x, y, z}: direction of the first part, default {0, 0, 1}
+---@field towards? number[] {x, y, z}: where the second part bends to, default {1, 0, 0}
+---@field around? integer facets around, a multiple of 4 (default 32)
+---@field size? number m: of facets along the limb; default: as around the joint
+---@field name? string for messages and files; default the shape's
+
+---An arm, a leg or a finger: two tapered round parts with a joint that bends, closed, with round ends. Returns a rigid body, which stands (and m:move may move it) where bend is a number, and the list of the meshes of its shapes, whose sets are upper, joint, lower, joint_inner and joint_outer.
+---@param fields fabric_rigid_limb_fields
+---@return body
+function fabric.rigid.limb(fields) end
+
 ---@class fabric_rigid_motion_fields
 ---@field files? table { 'file', ... }: mesh files with the same facets at other places
 ---@field meshes? table { mesh, ... }: in their place
 ---@field times number[] s: at which it has these shapes, ascending
+---@field closed? boolean the surface bounds a solid in every shape; a hole in it is an error, and cloth may not start inside (default false)
 ---@field name? string for messages and files; default the shape's
 
----A rigid surface that moves from shape to shape, each vertex in straight lines; before the first time and after the last it is at rest.
+---A rigid surface that moves from shape to shape, each vertex in straight lines; before the first time and after the last it is at rest. Friction acts with the speed of the surface where it touches.
 ---@param fields fabric_rigid_motion_fields
 ---@return body
 function fabric.rigid.motion(fields) end
@@ -1969,6 +2002,20 @@ function fabric.rigid.sphere(fields) end
 ---@param fields fabric_rigid_surface_fields
 ---@return body
 function fabric.rigid.surface(fields) end
+
+---@class fabric_rigid_torso_fields
+---@field sections table { {height, half width, half depth}, ... }, m: half axes of ellipses along the axis, from the lowest on
+---@field from? number[] {x, y, z}: where the height is 0, m, default the origin
+---@field axis? number[] {x, y, z}: direction of heights, default {0, 0, 1}
+---@field towards? number[] {x, y, z}: direction of widths, default {1, 0, 0}
+---@field around? integer facets around (default 48)
+---@field size? number m: of facets along the axis; default: as around the smaller half axis of the first section
+---@field name? string for messages and files; default the shape's
+
+---A trunk, hips, a leg that stays straight or a dress form: a closed surface through elliptical sections, smooth and without bulges between them, with round ends. Returns a rigid body, which stands (and m:move may move it), and its mesh.
+---@param fields fabric_rigid_torso_fields
+---@return body
+function fabric.rigid.torso(fields) end
 
 ---@class fabric_show_fields.options
 ---@field rows? integer at most, from the beginning and the end (default 40)

@@ -443,6 +443,12 @@ std::vector<Contact::Overlap> Contact::overlaps(std::span<const Vec3> x) const {
     const EdgeRow& edge = scene_->edges()[e];
     const TriangleRow& triangle = scene_->triangles()[t];
     if (scene_->between(edge.surface, triangle.surface) == nullptr) continue;
+    // What a seam holds together has its place in common, as what shares a corner.
+    const auto sewn = [&](std::int32_t end) {
+      return std::any_of(triangle.nodes.begin(), triangle.nodes.end(),
+                         [&](std::int32_t corner) { return scene_->are_sewn(end, corner); });
+    };
+    if (sewn(edge.a) || sewn(edge.b)) continue;
     const std::int32_t apex = triangle.nodes[2];
     found.push_back({{edge.a, edge.b, triangle.nodes[0], apex}, 0});
   }

@@ -69,6 +69,15 @@ class Checks {
                             std::to_string(m.first.vertices.size()) + " in the first");
       for (const Vec3& v : m.shapes[i])
         if (!v.allFinite()) refuse("files", "shape " + std::to_string(i + 1) + ": expected finite vertices");
+      if (i > 0 && m.first.closed) solid(m, i);
+    }
+  }
+  // Facets whose order was right in the first shape may be turned inside out in a later one.
+  void solid(const MovingFacets& m, std::size_t i) const {
+    try {
+      contact::solid_mass(m.shapes[i], m.first.triangles, 1);
+    } catch (const Error& error) {
+      refuse("closed", "shape " + std::to_string(i + 1) + ": " + error.what());
     }
   }
 

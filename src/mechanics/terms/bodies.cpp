@@ -537,7 +537,10 @@ Bodies::BodyKinematics Bodies::state(std::size_t i) const {
   BodyKinematics state{body.given->centre(), Vec3::Zero(), Vec3::Zero()};
   if (body.moving) {
     const std::vector<Vec3> x = moved(i, std::vector<Vec3>(body.count));
+    std::vector<Vec3> v(body.count);
+    body.moving->velocity(now(), v);
     state.place = std::accumulate(x.begin(), x.end(), Vec3(Vec3::Zero())) / double(body.count);
+    state.velocity = std::accumulate(v.begin(), v.end(), Vec3(Vec3::Zero())) / double(body.count);
     return state;
   }
   if (body.motion == nullptr) return state;

@@ -87,6 +87,7 @@ class Bodies {
   struct BodyKinematics {
     Vec3 place, velocity, spin;  // of its centre, m, m/s; rad/s
   };
+  // Of a moving surface: the means over its vertices, and no spin.
   BodyKinematics state(std::size_t i) const;
   // The motion of the body since time 0.
   contact::Pose pose(std::size_t i) const;

@@ -65,6 +65,7 @@ std::vector<model::Facets> read_shapes(const Call& call) {
                              (call.has("files") ? "both" : "neither"));
   const char* const field = call.has("files") ? "files" : "meshes";
   lua_State* L = call.L();
+  const bool closed = call.flag("closed");
   std::vector<model::Facets> shapes;
   call.push(field);
   const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
@@ -74,7 +75,7 @@ std::vector<model::Facets> read_shapes(const Call& call) {
                           ? std::make_shared<mesh::Mesh>(read_mesh_file(call, lua_tostring(L, -1)))
                           : to_object<mesh::Mesh>(L, -1);
     if (mesh != nullptr)
-      shapes.push_back(shapes.empty() ? model::facets_of(*mesh, false)
+      shapes.push_back(shapes.empty() ? model::facets_of(*mesh, closed)
                                       : model::facets_of(*mesh, shapes.front()));
     else
       call.refuse(field, "expected a list of " + std::string(call.has("files") ? "file names" : "meshes") +
@@ -247,9 +248,14 @@ std::vector<Entry> body_rows() {
        Style::fields,
        {value_("files", table, "{ 'file', ... }: mesh files with the same facets at other places").optional(),
         value_("meshes", table, "{ mesh, ... }: in their place").optional(),
-        value_("times", numbers, "at which it has these shapes, ascending", "s"), name_row()},
+        value_("times", numbers, "at which it has these shapes, ascending", "s"),
+        value_("closed", boolean,
+               "the surface bounds a solid in every shape; a hole in it is an error, and cloth may not start "
+               "inside")
+            .or_else(false),
+        name_row()},
        "A rigid surface that moves from shape to shape, each vertex in straight lines; before the first time "
-       "and after the last it is at rest.",
+       "and after the last it is at rest. Friction acts with the speed of the surface where it touches.",
        use + "local function at(z) return fabric.mesh.rectangle{ width=0.1, height=0.1, nx=2, ny=2 "
              "}:map(function(x, y) return x, y, z end) end\n"
              "local press = fabric.rigid.motion{ meshes={ at(0.01), at(0.005) }, times={0, 1} }",

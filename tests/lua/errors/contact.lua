@@ -101,7 +101,7 @@ wrong("fabric.rigid.surface", "fabric.rigid.surface{ mesh=mesh, closed=true }",
 
 -- fabric.rigid.motion
 wrong("fabric.rigid.motion", "fabric.rigid.motion{ wrong=1 }",
-  "deck.lua:1: motion: unknown field 'wrong' (known: files meshes times name)")
+  "deck.lua:1: motion: unknown field 'wrong' (known: files meshes times closed name)")
 wrong("fabric.rigid.motion", "fabric.rigid.motion{}",
   "deck.lua:1: motion: field 'times': expected a table of numbers in s, got nil (missing, or a misspelt variable)")
 wrong("fabric.rigid.motion", "fabric.rigid.motion{ files=5, times={0} }",
@@ -116,6 +116,8 @@ wrong("fabric.rigid.motion", "fabric.rigid.motion{ meshes={mesh}, times=5 }",
   "deck.lua:1: motion: field 'times': expected a table of numbers in s, got 5")
 wrong("fabric.rigid.motion", "fabric.rigid.motion{ meshes={mesh}, times={0}, name=5 }",
   "deck.lua:1: motion: field 'name': expected a string, got 5")
+wrong("fabric.rigid.motion", "fabric.rigid.motion{ meshes={mesh}, times={0}, closed=5 }",
+  "deck.lua:1: motion: field 'closed': expected true or false, got 5")
 wrong("fabric.rigid.motion", "fabric.rigid.motion{ meshes={mesh, mesh}, times={0} }",
   "deck.lua:1: motion: field 'times': expected as many times as shapes, got 1 and 2")
 wrong("fabric.rigid.motion", "fabric.rigid.motion{ meshes={mesh, mesh}, times={1, 0} }",
