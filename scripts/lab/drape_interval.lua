@@ -3,7 +3,7 @@
 --
 --   fabricsh scripts/lab/drape_interval.lua                              worsted, 8 samples, 3 elements over the overhang: seconds
 --   fabricsh scripts/lab/drape_interval.lua "broad nylon" 16 5           these cards, 16 samples (two discs each), five elements
---   fabricsh scripts/long/drape_interval.lua                             every card but wool and aramid, and the table of share/doc/drape.md
+--   fabricsh scripts/long/drape_interval.lua                             every card but wool, and the table of share/doc/drape.md
 --
 -- A card whose coefficient was measured on a JIS disc [matsudaira2015] has a second row, for that disc, with the measured one.
 -- warns: relaxation has taken
@@ -12,7 +12,7 @@ local which, samples, cells, write = arg[1] or "worsted", tonumber(arg[2] or 8),
 local root = arg[0]:gsub("[^/]*$", "") .. "../../"
 local measured = { broad = 82.9, tropical = 50.7 }
 local fine = { nylon = true, tarpaulin = true } -- whose yarns lock a coarse mesh: eight elements, where the others have five
-local slow = { wool = true, aramid = true } -- half a minute a disc and more
+local slow = { wool = true } -- tens of thousands of iterations a disc
 
 local names = {}
 for word in which:gmatch "%S+" do

@@ -1,4 +1,4 @@
--- scripts/lab/drape_interval.lua for every card but wool and aramid, with eight samples: the table of share/doc/drape.md if `write` is given, a quarter of an hour on one core.
+-- scripts/lab/drape_interval.lua for every card but wool, with eight samples: the table of share/doc/drape.md if `write` is given, a quarter of an hour on one core.
 -- warns: nine measured cloths in ten have 1 to 70 uN.m
 -- warns: no tested strain is stated
 -- warns: relaxation has taken

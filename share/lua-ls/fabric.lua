@@ -48,7 +48,7 @@ local history = {}
 ---@class analysis
 ---@field beyond any The largest strain beyond what the card was tested to, or nil: share (1.2 is 20 % beyond), yarn (warp, weft or shear), element and time of this largest strain, strain (E11, E22 or E12), tested (the strain tested), first (time at which the run first went beyond) and elements (fraction of the elements beyond).
 ---@field duration number Where it ends, s.
----@field energy table<string, number> Energies in J: kinetic, stored, dissipated, damping, external, internal, initial, created. Parts of stored: contact, guard (the barrier that keeps surfaces from passing), stick (elastic slip of friction that holds), directors (what keeps the directors by the normal where the elements' shear does not). Parts of dissipated: dissipated_warp, _weft, _shear, _bending, friction (of contact), impact (of surfaces that meet), joints (motion lost as joints closed, see analysis:join), fracture (broken yarns of tearable zones). Parts of kinetic: rigid (free rigid bodies), scaled (rotary inertia that is scaled up). error: the imbalance over the largest external work; with contact at least over the cloth's weight times its thickness.
+---@field energy table<string, number> Energies in J: kinetic, stored, dissipated, damping, external, internal, initial, created. Parts of stored: contact, guard (the barrier that keeps surfaces from passing), stick (elastic slip of friction that holds), directors (what keeps the directors by the normal where the elements' shear does not). Parts of dissipated: dissipated_warp, _weft, _shear, _bending, friction (of contact), impact (of surfaces that meet), joints (motion lost as joints closed, see analysis:join, and what directors had stored where they opened), fracture (broken yarns of tearable zones). Parts of kinetic: rigid (free rigid bodies), scaled (rotary inertia that is scaled up). error: the imbalance over the largest external work; with contact at least over the cloth's weight times its thickness.
 ---@field joints any Of the tearable zones: open, the number of places whose joint is open; places, of all places with several nodes. Of seams: stitches, and how many of them are closed.
 ---@field mesh any The mesh of its model, as it was before the run.
 ---@field model any The model that it computes.
@@ -1468,11 +1468,11 @@ function fabric.lab.synthetic(fields) end
 
 ---@class fabric_lab_tear_fields
 ---@field card card the fabric, with rupture
----@field method? "trouser"|"tongue"|"trapezoid" ISO 13937-2, ASTM D2261, ASTM D5587 (default "trouser")
+---@field method? "trouser"|"tongue"|"wing"|"trapezoid" ISO 13937-2, ASTM D2261, ISO 13937-3, ASTM D5587 (default "trouser")
 ---@field along? "warp"|"weft" yarns along which the tear runs: the others break (default "warp")
 ---@field h? number m: size of the elements along the tear (default 0.003)
 ---@field width? number m: of the specimen, for a trapezoid along the tear; default: the standard's
----@field leg? number m: trouser, tongue: from jaw to tip; default: half of the standard's gauge length
+---@field leg? number m: trouser, tongue, wing: from jaw to tip along the cut; default: half of the standard's gauge length, for a wing at right angles to the grip
 ---@field short? number m: trapezoid: the short side; default: the standard's
 ---@field long? number m: trapezoid: the long side; default: the standard's
 ---@field cut? number m: trapezoid: length of the cut; default: the standard's
@@ -1486,7 +1486,7 @@ function fabric.lab.synthetic(fields) end
 ---@field out? string folder for curve.csv and the VTK series
 ---@field prepare? function function(analysis), called before the run: for hooks, records and checkpoints of your own
 
----A cut specimen is torn on: trouser [iso_13937_2], tongue (single rip) [astm_d2261] or trapezoid [astm_d5587]; a membrane whose yarns break on the line of the cut. Returns mean (N, the work of the grips over their way after the first quarter of the tear; with legs that do not stretch half of the energy of breaking), mean_of_peaks (N, as the standard takes it; nil where the record has no peaks), peaks, peak (N), expected (N, half of the energy; trouser and tongue), curve (a list of time, displacement, force: N, work over way from row to row, torn: m, open: joints, and the energies of analysis.energy), energy (J), fracture (J), kinetic (kinetic energy over work at the peak), series (VTK), analysis, model and mesh.
+---A cut specimen is torn on: trouser [iso_13937_2], tongue (single rip) [astm_d2261], wing [iso_13937_3] or trapezoid [astm_d5587]; a membrane whose yarns break on the line of the cut. Returns mean (N, the work of the grips over their way after the first quarter of the tear; with legs that do not stretch half of the energy of breaking), mean_of_peaks (N, as the standard takes it; nil where the record has no peaks), peaks, peak (N), expected (N, half of the energy, for a wing over sin 55; not for a trapezoid), curve (a list of time, displacement, force: N, work over way from row to row, torn: m, open: joints, and the energies of analysis.energy), energy (J), fracture (J), kinetic (kinetic energy over work at the peak), series (VTK), analysis, model and mesh.
 ---@param fields fabric_lab_tear_fields
 ---@return table<string, any>
 function fabric.lab.tear(fields) end

@@ -24,7 +24,7 @@ Assembly::Assembly(const model::Model& model)
   // The second term, which sees the forces of the cloth alone.
   if (Tears::possible(model)) tears_ = make<Tears>(model, std::as_const(configuration_), *cloth_, dofs_);
   if (!model.seams().empty()) seams_ = make<Seams>(model, std::as_const(configuration_), *cloth_, dofs_);
-  directors_ = make<Directors>(model, *cloth_, dofs_);
+  directors_ = make<Directors>(model, std::as_const(configuration_), *cloth_, dofs_);
   if (std::any_of(model.gravity().begin(), model.gravity().end(), [](const auto& g) { return bool(g); }))
     make<Gravity>(model, cloth_->mass(), cloth_->mass_moment());
   if (!model.forces().empty() || !model.tractions().empty()) make<DeadLoads>(model);

@@ -12,6 +12,12 @@ namespace fabricsh::run {
 
 namespace {
 
+// The directors of a joint that opens in a bent sheet lose what balanced them, and no step resolves how they
+// turn back. With gamma = 3/2 and beta = 1 the two eigenvalues of what is much faster than the steps are zero
+// [hughes2000]: after two steps nothing of it is left.
+constexpr NewmarkScheme kSettling{1.5, 1, 0};
+constexpr int kSettlingSteps = 2;
+
 NewmarkScheme scheme_of(const DynamicOptions& o) {
   const double hht = o.hht.value_or(0);
   if (hht != 0) return NewmarkScheme::of_hht(hht);
@@ -49,7 +55,9 @@ void Implicit::begin_free() {
   newmark_.start(free);
 }
 
-// The nodes keep their velocities but where joints close; accelerations jump with the forces.
+// The nodes keep their velocities but where joints close. Accelerations jump with the forces, but those of
+// directors that a joint no longer balances would throw them far beyond where they come to rest: while these
+// settle, the steps go on from the accelerations of before.
 void Implicit::take(const mechanics::Transfer& change, const std::vector<double>& rates) {
   if (!started()) return begin_free();
   mechanics::NodalRates velocities = newmark_.velocities();
@@ -57,7 +65,19 @@ void Implicit::take(const mechanics::Transfer& change, const std::vector<double>
   problem_.set_time(committed_time());
   if (problem_.begin_step() != Answer::ok)
     throw NumericalFailure("dynamic: the fabric law failed where joints changed", committed_time());
+  mechanics::NodalRates before = newmark_.committed().a;
   problem_.start(velocities);
+  if (change.closes() || !has_turning_directors()) return;
+  newmark_.set_accelerations(std::move(before));
+  now_.settling = kSettlingSteps;
+  now_.surplus = energy().surplus();
+  take_scheme();
+}
+
+bool Implicit::has_turning_directors() const {
+  for (mechanics::Index i = 0; i < assembly_->unknowns(); ++i)
+    if (assembly_->turns(i)) return true;
+  return false;
 }
 
 void Implicit::take_options(const DynamicOptions& options) {
@@ -120,7 +140,8 @@ void Implicit::commit(StepReport& report) {
   // With alpha the inertia forces do not balance those at the step's end, and rigid bodies have forces that
   // hold them together, so the balance's work is used.
   double kinetic = 0, work = 0;
-  if (damps()) {
+  const bool settling = now_.settling > 0, damps = this->damps() && !settling;
+  if (damps) {
     const bool balances = newmark_.scheme().hht == 0 && assembly_->freedoms().bodies.empty();
     kinetic = newmark_.kinetic();
     work = balances ? newmark_.work_of_acceleration() : problem_.work_of_balance();
@@ -133,11 +154,20 @@ void Implicit::commit(StepReport& report) {
   work_.add(*assembly_, dead_);
   problem_.commit(report.time);
   // The work of all forces that does not become kinetic energy is the loss of the scheme.
-  if (damps()) now_.loss += work - (newmark_.kinetic() - kinetic);
+  if (damps) now_.loss += work - (newmark_.kinetic() - kinetic);
+  if (settling) settle();
   watch_jump(driven_before, problem_.driven(), report.time, smallest_);
   control_.grow(last_.iterations, report.cuts > 0);
   now_.step = control_.current();
   ++now_.steps;
+}
+
+// What is missing after a step in which directors settle is what they had.
+void Implicit::settle() {
+  const double surplus = energy().surplus();
+  now_.loss += std::max(0.0, now_.surplus - surplus);
+  now_.surplus = energy().surplus();
+  if (--now_.settling == 0) take_scheme();
 }
 
 const mechanics::NodalRates& Implicit::rates() const { return newmark_.velocities(); }
@@ -153,7 +183,9 @@ bool Implicit::begin_to_damp() {
 }
 
 void Implicit::take_scheme() {
-  newmark_.set_scheme(now_.damps ? NewmarkScheme::of_hht(kDampingAlpha) : scheme_of(options_));
+  newmark_.set_scheme(now_.settling > 0 ? kSettling
+                      : now_.damps      ? NewmarkScheme::of_hht(kDampingAlpha)
+                                        : scheme_of(options_));
   if (assembly_->contact() != nullptr) assembly_->contact()->set_weight(newmark_.weight_of_contact());
 }
 

@@ -36,7 +36,9 @@ class Implicit final : public Dynamic {
   void take(const mechanics::Transfer& change, const std::vector<double>& rates) override;
   void begin_free();
   bool begin_to_damp() override;
-  void take_scheme();  // that of the options, or the one that damps
+  void take_scheme();  // that of the options, the one that damps, or the one in which directors settle
+  bool has_turning_directors() const;
+  void settle();
 
   Newmark newmark_;
   EquilibriumProblem problem_;

@@ -32,7 +32,7 @@ struct EnergyAccount {  // J
   double stick = 0;               // part of stored: elastic slip of friction
   double friction = 0;            // part of dissipated: friction of contact
   double impact = 0;              // part of dissipated: lost where surfaces meet
-  double joints = 0;              // part of dissipated: kinetic energy lost as joints closed
+  double joints = 0;              // part of dissipated: lost as joints closed or opened
   double fracture = 0;            // part of dissipated: broken yarns
   double rigid = 0;               // part of kinetic: free rigid bodies
   double dissipated_warp = 0, dissipated_weft = 0, dissipated_shear = 0, dissipated_bending = 0, created = 0;

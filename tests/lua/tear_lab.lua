@@ -51,6 +51,12 @@ for _, case in ipairs { { "trouser", 4, 24 }, { "trouser", 2, 24 }, { "tongue", 
   force[#force + 1] = test.mean
 end
 near("tongue on h and h / 2", force[3], force[4], 0.05)
+-- A wing: the grips move by 2 a sin 55 while the tear grows by a.
+do
+  local test = trouser { method = "wing", h = 4 * mm, width = 60 * mm, leg = 30 * mm }
+  near("what a wing should tear at", test.expected, 10 / math.sin(math.rad(55)), 1e-12)
+  near("force of a wing tear", test.mean, test.expected, 0.05)
+end
 
 -- A test that is taken up in its middle ends with the same bits.
 do

@@ -1,5 +1,6 @@
 // The guard of the directors: its forces and tangent are derivatives of its energy, it is zero in ordinary
 // deformation, and a director that is turned over is told from an element that is.
+#include <algorithm>
 #include <random>
 
 #include "catch.hpp"
@@ -236,6 +237,61 @@ TEST_CASE("guard of the directors: a fold that closes has no guard, and no force
   };
   CHECK(std::log10(wrong(1e-2) / wrong(1e-3)) > 2.99);
   CHECK(wrong(1e-3) > 0);
+}
+
+TEST_CASE(
+    "guard of the directors: a joint that opens in a fold makes no energy, and is guarded from there on") {
+  constexpr double kFold = 1.2;  // of each half from the plane
+  auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(0.02, 0.01, 2, 1));
+  auto m = std::make_shared<model::Model>(mesh, test::svk(), model::Options{});
+  m->tearable("all");
+  m->validate();
+  m->divide_zones();
+  Guarded sheet(m);
+  const auto& first = m->mesh().elements[0];
+  const auto& X = sheet.assembly.reference();
+  // Directors of the fold stand in the middle, each turned about the fold towards its sheet.
+  const auto fold = [&](double towards) {
+    sheet.assembly.rollback();
+    for (Index n = 0; n < static_cast<Index>(X.size()); ++n) {
+      const bool left = std::find(first.begin(), first.end(), n) != first.end();
+      const double s = X[n].x() - 0.01, side = s < 0 || (s == 0 && left) ? -1 : 1;
+      at(sheet.assembly.state().x(), n) = Vec3(s * std::cos(kFold), X[n].y(), -std::abs(s) * std::sin(kFold));
+      const double turned = s == 0 ? towards : kFold;
+      at(sheet.assembly.state().d(), n) = Vec3(side * std::sin(turned), 0, std::cos(turned));
+      at(sheet.assembly.state().b1(), n) = Vec3(0, 1, 0);
+    }
+    sheet.assembly.state().touch();
+  };
+  const auto stored = [&] {
+    std::vector<mechanics::Energy> all;
+    sheet.guard->add_energies(sheet.trial(), all);
+    REQUIRE(all.size() == 2);
+    CHECK(all[1].account == mechanics::Account::dissipated);
+    CHECK(all[1].value == 0);  // the whole joint had nothing to lose
+    return all[0].value;
+  };
+  fold(0);
+  sheet.assembly.commit(0);
+  CHECK(stored() == 0);
+  REQUIRE(sheet.assembly.open({{1, 4}, {4, 1}}, 0).has_value());
+  CHECK(stored() == 0);
+  // Leaning on costs at once, and force and energy agree.
+  fold(-0.2);
+  CHECK(stored() > 0);
+  const Eigen::VectorXd f = sheet.forces();
+  const double step = 1e-6, low = (fold(-0.2 - step), stored()), high = (fold(-0.2 + step), stored());
+  double turning = 0;
+  fold(-0.2);
+  for (std::size_t n = 0; n < sheet.nodes(); ++n)
+    if (X[n].x() == 0.01) turning += std::hypot(f[5 * n + 3], f[5 * n + 4]);
+  CHECK(turning == Approx((low - high) / (2 * step)).epsilon(1e-6));
+  // A director that has come upright is guarded as any other.
+  fold(kFold);
+  sheet.assembly.commit(0);
+  CHECK(stored() == 0);
+  fold(0);
+  CHECK(stored() > 0);
 }
 
 TEST_CASE("a director that is turned over is told from an element that is turned inside out") {

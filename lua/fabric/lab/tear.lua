@@ -8,6 +8,9 @@
 --      |                                       |_        |    the tear runs along x
 --      | leg 2, pulled down                      ---___  |
 --
+--   wing: as trouser, but the legs are gripped along lines that meet the cut at 55 degrees, outwards towards the tip, and both grips are laid along
+--   the tear. The distance from the tip to a grip grows by a sin 55 as the tear grows by a, at the same place along both grips.
+--
 -- The specimen is a membrane: the folds at the tip are sharper than any element, and what bending costs there is far below what
 -- breaking yarns does. Yarns break on the line of the cut alone.
 local fabric = require "fabric"
@@ -22,12 +25,14 @@ local spread = 4     -- elements along the tear over which yarns are breaking at
 local growth = 1.4   -- of elements from the tear outwards
 local haste = 3      -- speed of the legs while they are turned into place, over that of the pull
 local skipped = 0.25 -- of the record, before the mean is taken
+local wing = math.rad(55) -- between the grips of a wing specimen and the cut
 
 -- Specimens of the standards, m: width, length of the legs between jaw and tip, way to be torn (of the 75 mm of the standards: the
 -- rest is alike), and how the standard takes peaks: their mean, and which rise counts.
 local specimens = {
   trouser = { width = 50 * mm, leg = 50 * mm, tear = 50 * mm, mean = "iso", rise = 0.1 },
   tongue = { width = 75 * mm, leg = 37.5 * mm, tear = 50 * mm, mean = "astm", rise = 0.01 },
+  wing = { width = 100 * mm, leg = 50 * mm / math.sin(wing), tear = 40 * mm, mean = "iso", rise = 0.1 },
   trapezoid = { width = 75 * mm, short = 25 * mm, long = 100 * mm, cut = 15 * mm, tear = 50 * mm, mean = "astm", rise = 0.01 },
 }
 
@@ -53,6 +58,11 @@ local function specimen(t)
     x = rupture.lines(t.width, x - 2 * t.h, x + 2 * t.h, t.h, 6 * t.h, growth),
     y = rupture.lines(t.leg + t.tear + t.rest, y - 2 * t.h, y + t.tear, t.h, 4 * t.h, growth) } }
   local near = 0.01 * t.h
+  -- Legs of a wing end along their grips; about the tip the mesh stays along the yarns.
+  local straight = y - 2 * t.h
+  if t.method == "wing" then
+    mesh:map(function(px, py) return px, py + math.max(0, 1 - py / straight) * math.abs(px - x) / math.tan(wing), 0 end)
+  end
   mesh:slit { from = { x, 0 }, to = { x, y }, left = "left lip", right = "right lip" }
   local lip = {}
   for i, name in ipairs { "left lip", "right lip" } do
@@ -62,8 +72,8 @@ local function specimen(t)
     local ids = {}
     for n = 1, #mesh.nodes do
       local p = mesh.nodes[n]
-      local side = lip[n] or (p[1] < x and 1 or 2)
-      if p[2] < near and side == i then ids[#ids + 1] = n end
+      local side, from = lip[n] or (p[1] < x and 1 or 2), t.method == "wing" and math.abs(p[1] - x) / math.tan(wing) or 0
+      if p[2] < from + near and side == i then ids[#ids + 1] = n end
     end
     mesh:set(name, ids)
   end
@@ -72,19 +82,48 @@ local function specimen(t)
   return mesh
 end
 
--- A leg turns about the tip through a right angle, and is then pulled away from the other one.
-local function legs(t, model)
-  local turning = 2 * t.leg / (haste * t.speed)
-  local function angle(time) return time < turning and math.pi / 4 * (1 - math.cos(math.pi * time / turning)) or math.pi / 2 end
-  local gently = 0.1 * t.tear / t.speed
-  local way = fabric.history(rupture.way(gently, 2 * t.far / t.speed, t.speed))
-  local function apart(time) return way:value(math.max(0, time - turning)) end
+-- A leg turns through a right angle about the line through the tip that is parallel to its grip, and is then pulled away from the other one.
+local function straight_legs(t, model, angle, apart)
   for i, sign in ipairs { 1, -1 } do
     model:fix("leg " .. i, "x")
     model:move("leg " .. i, {
       y = function(time) return t.leg * (1 - math.cos(angle(time))) end,
       z = function(time) return sign * (t.leg * math.sin(angle(time)) + apart(time) / 2) end,
     })
+  end
+end
+
+-- The legs of a wing turn about the tip in their plane as well, until both grips lie along the tear. A node of a grip has the distance `arm` from
+-- the line through the tip that is parallel to the grip, and the coordinate s along it.
+local function wing_legs(t, model, mesh, angle, apart)
+  local arm, tip = t.leg * math.sin(wing), { t.width / 2, t.leg }
+  for i, sign in ipairs { 1, -1 } do
+    for k, n in ipairs(mesh:set("leg " .. i)) do
+      local p, set = mesh.nodes[n], ("leg %d, %d"):format(i, k)
+      local s = -sign * (p[1] - tip[1]) * math.sin(wing) + (p[2] - tip[2]) * math.cos(wing)
+      local function slant(time) return wing * (1 - angle(time) / (math.pi / 2)) end
+      local function flat(time) return arm * math.cos(angle(time)) end
+      mesh:set(set, { n })
+      model:move(set, {
+        x = function(time) return tip[1] - p[1] - sign * (s * math.sin(slant(time)) + flat(time) * math.cos(slant(time))) end,
+        y = function(time) return tip[2] - p[2] + s * math.cos(slant(time)) - flat(time) * math.sin(slant(time)) end,
+        z = function(time) return sign * (arm * math.sin(angle(time)) + apart(time) / 2) end,
+      })
+    end
+  end
+end
+
+local function legs(t, model, mesh)
+  local arm = t.leg * math.sin(t.slant)
+  local turning = 2 * arm / (haste * t.speed)
+  local function angle(time) return time < turning and math.pi / 4 * (1 - math.cos(math.pi * time / turning)) or math.pi / 2 end
+  local gently = 0.1 * t.tear / t.speed
+  local way = fabric.history(rupture.way(gently, 2 * t.far / t.speed, t.speed))
+  local function apart(time) return way:value(math.max(0, time - turning)) end
+  if t.method == "wing" then
+    wing_legs(t, model, mesh, angle, apart)
+  else
+    straight_legs(t, model, angle, apart)
   end
   return turning, apart, turning + gently
 end
@@ -105,15 +144,16 @@ local function trouser(t)
   local yarn = rupture.other(t.along)
   local broken = rupture.of("tear", t.card, yarn)
   local card = strengths(t, yarn, broken)
-  local expected, areal = broken.energy / 2, card.density * card.thickness
+  t.slant = t.method == "wing" and wing or math.pi / 2
+  local expected, areal = broken.energy / 2 / math.sin(t.slant), card.density * card.thickness
   local c = math.sqrt(expected / (areal * t.width / 2)) -- of waves across a taut leg
   t.speed = t.speed or math.sqrt(inertia) * c
   t.damping = t.damping or calm * math.pi * c / (t.leg + t.tear / 2)
-  t.rest, t.far = math.max(10 * t.h, t.width / 2), 1.25 * t.tear
+  t.rest, t.far = math.max(10 * t.h, t.width / 2), 1.25 * t.tear * math.sin(t.slant)
   local mesh = specimen(t)
   local model = fabric.model { mesh = mesh, card = card, warp = t.along == "warp" and 90 or 0, membrane = true }
   model:tearable("zone", { coarse = t.coarse, seed = t.seed, path = "path" })
-  local turning, apart, from = legs(t, model)
+  local turning, apart, from = legs(t, model, mesh)
   local duration = turning + 2 * t.far / t.speed
   local a = fabric.dynamic { model = model, duration = duration, damping = { mass = t.damping }, ledger_limit = t.ledger_limit }
   local every = math.min(duration / 50, t.rows and duration / t.rows or t.h / 4 / t.speed)
@@ -136,7 +176,7 @@ local function pulled_apart(t)
   return rupture.peaks(result, specimens.trapezoid.mean, specimens.trapezoid.rise)
 end
 
-local methods = { trouser = trouser, tongue = trouser, trapezoid = pulled_apart }
+local methods = { trouser = trouser, tongue = trouser, wing = trouser, trapezoid = pulled_apart }
 
 local function run(t)
   for name, value in pairs(specimens[t.method]) do t[name] = t[name] or value end
@@ -149,20 +189,20 @@ define {
   name = "fabric.lab.tear",
   arguments = rupture.rows {
     { name = "card", of = "card", sentence = "the fabric, with rupture" },
-    { name = "method", kind = "text", choices = { "trouser", "tongue", "trapezoid" }, default = "trouser", sentence = "ISO 13937-2, ASTM D2261, ASTM D5587" },
+    { name = "method", kind = "text", choices = { "trouser", "tongue", "wing", "trapezoid" }, default = "trouser", sentence = "ISO 13937-2, ASTM D2261, ISO 13937-3, ASTM D5587" },
     { name = "along", kind = "text", choices = { "warp", "weft" }, default = "warp", sentence = "yarns along which the tear runs: the others break" },
     { name = "h", kind = "number", unit = "m", above = 0, default = 3 * mm, sentence = "size of the elements along the tear" },
     { name = "width", kind = "number", unit = "m", above = 0, optional = true, sentence = "of the specimen, for a trapezoid along the tear; default: the standard's" },
-    { name = "leg", kind = "number", unit = "m", above = 0, optional = true, sentence = "trouser, tongue: from jaw to tip; default: half of the standard's gauge length" },
+    { name = "leg", kind = "number", unit = "m", above = 0, optional = true, sentence = "trouser, tongue, wing: from jaw to tip along the cut; default: half of the standard's gauge length, for a wing at right angles to the grip" },
     { name = "short", kind = "number", unit = "m", above = 0, optional = true, sentence = "trapezoid: the short side; default: the standard's" },
     { name = "long", kind = "number", unit = "m", above = 0, optional = true, sentence = "trapezoid: the long side; default: the standard's" },
     { name = "cut", kind = "number", unit = "m", above = 0, optional = true, sentence = "trapezoid: length of the cut; default: the standard's" },
     { name = "tear", kind = "number", unit = "m", above = 0, optional = true, sentence = "how far it is torn; default: 50 mm" },
     { name = "ledger_limit", kind = "number", above = 0, default = 0.05, sentence = "as for fabric.dynamic" },
   },
-  sentence = "A cut specimen is torn on: trouser [iso_13937_2], tongue (single rip) [astm_d2261] or trapezoid [astm_d5587]; a membrane whose yarns break on the line of the "
+  sentence = "A cut specimen is torn on: trouser [iso_13937_2], tongue (single rip) [astm_d2261], wing [iso_13937_3] or trapezoid [astm_d5587]; a membrane whose yarns break on the line of the "
     .. "cut. Returns mean (N, the work of the grips over their way after the first quarter of the tear; with legs that do not stretch half of the energy of breaking), "
-    .. "mean_of_peaks (N, as the standard takes it; nil where the record has no peaks), peaks, peak (N), expected (N, half of the energy; trouser and tongue), curve (a list of "
+    .. "mean_of_peaks (N, as the standard takes it; nil where the record has no peaks), peaks, peak (N), expected (N, half of the energy, for a wing over sin 55; not for a trapezoid), curve (a list of "
     .. "time, displacement, force: N, work over way from row to row, torn: m, open: joints, and the energies of analysis.energy), energy (J), fracture (J), kinetic (kinetic "
     .. "energy over work at the peak), series (VTK), analysis, model and mesh.",
   example = "local fabric = require 'fabric'\n"

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "geometry/node_view.hpp"
 
@@ -76,8 +78,9 @@ double shear_rigidity(const section::Section& section) {
 
 }  // namespace
 
-Directors::Directors(const model::Model& model, Cloth& cloth, const Dofs& dofs)
-    : cloth_(cloth), dofs_(dofs), model_(model), X_(model.mesh().nodes) {
+Directors::Directors(const model::Model& model, const Configuration& configuration, Cloth& cloth,
+                     const Dofs& dofs)
+    : configuration_(configuration), cloth_(cloth), dofs_(dofs), model_(model), X_(model.mesh().nodes) {
   find_planes();
   follow_joints();
   for (const auto& section : model.sections()) rigidity_.push_back(rigidities(section));
@@ -89,15 +92,15 @@ Directors::Directors(const model::Model& model, Cloth& cloth, const Dofs& dofs)
 void Directors::follow_joints() {
   const auto& all = model_.mesh().elements;
   const Joints& joints = dofs_.joints();
-  first_element_.assign(X_.size() + 1, 0);
+  around_.first.assign(X_.size() + 1, 0);
   for (const auto& e : all)
-    for (int a = 0; a < corners(e); ++a) ++first_element_[joints.leader(e[a]) + 1];
-  for (std::size_t n = 0; n < X_.size(); ++n) first_element_[n + 1] += first_element_[n];
-  node_elements_.resize(first_element_.back());
-  auto next = first_element_;
+    for (int a = 0; a < corners(e); ++a) ++around_.first[joints.leader(e[a]) + 1];
+  for (std::size_t n = 0; n < X_.size(); ++n) around_.first[n + 1] += around_.first[n];
+  around_.elements.resize(around_.first.back());
+  auto next = around_.first;
   for (std::size_t i = 0; i < all.size(); ++i)
     for (int a = 0; a < corners(all[i]); ++a)
-      node_elements_[next[joints.leader(all[i][a])]++] = static_cast<Index>(i);
+      around_.elements[next[joints.leader(all[i][a])]++] = static_cast<Index>(i);
   find_weights();
 }
 
@@ -143,9 +146,9 @@ void Directors::find_weights() {
     for (const auto& lead : follower.leads) weight_[lead.node] = 0;
 }
 
-std::span<const Index> Directors::elements_of(Index node) const {
-  const auto first = static_cast<std::size_t>(first_element_[node]);
-  return std::span(node_elements_).subspan(first, static_cast<std::size_t>(first_element_[node + 1]) - first);
+std::span<const Index> Directors::Around::of(Index node) const {
+  const auto from = static_cast<std::size_t>(first[node]);
+  return std::span(elements).subspan(from, static_cast<std::size_t>(first[node + 1]) - from);
 }
 
 Vec3 Directors::plane_projected(Index node, const Vec3& v) const {
@@ -351,32 +354,37 @@ std::vector<Index> Directors::leaning_nodes(const Configuration& configuration) 
 
 namespace {
 
-// The lean s = (cos 45 |N| - d.N) / m, with m^2 = (|N|^2 + A^2) / 2 and A the value of |N| in the reference:
-// a difference of cosines where the sheet keeps its area, and zero with N.
+// The lean s = (c |N| - d.N) / m, with the cosine c where it begins to cost, m^2 = (|N|^2 + A^2) / 2 and A
+// the value of |N| in the reference: a difference of cosines where the sheet keeps its area, and zero with N.
 struct TiltMeasure {
   double s, size, m, excess;
   Vec3 by_normal, by_director;
 };
 
-TiltMeasure measure(const Vec3& N, const Vec3& d, double area) {
+TiltMeasure measure(const Vec3& N, const Vec3& d, double area, double upright) {
   TiltMeasure v;
   v.size = N.norm();
   v.m = std::sqrt((v.size * v.size + area * area) / 2);
-  v.excess = kUpright * v.size - d.dot(N);
+  v.excess = upright * v.size - d.dot(N);
   v.s = v.excess / v.m;
   if (!(v.s > 0)) return v;
-  v.by_normal = (kUpright / v.size * N - d) / v.m - v.excess / (2 * v.m * v.m * v.m) * N;
+  v.by_normal = (upright / v.size * N - d) / v.m - v.excess / (2 * v.m * v.m * v.m) * N;
   v.by_director = -N / v.m;
   return v;
 }
 
 }  // namespace
 
+double Directors::upright(Index node) const {
+  const auto found = lowered_.find(node);
+  return found == lowered_.end() ? kUpright : found->second;
+}
+
 bool Directors::lean_of(Index node, const Configuration& configuration, Lean& lean) const {
   if (!(weight_[node] > 0)) return false;
   lean.node = node;
   lean.normal = plane_projected(node, normal_at(node, configuration.x()));
-  const TiltMeasure v = measure(lean.normal, at(configuration.d(), node), area_[node]);
+  const TiltMeasure v = measure(lean.normal, at(configuration.d(), node), area_[node], upright(node));
   if (!(v.s > 0)) return false;
   const Ramp R = ramp(v.s / kUpright);
   lean.energy = weight_[node] * kUpright * R.value;
@@ -408,12 +416,13 @@ void Directors::add_lean_forces(const Lean& lean, std::span<const double> x, For
 void Directors::add_lean_tangent(const Lean& lean, const Configuration& now, TangentSink& sink) const {
   const auto x = now.x();
   const Vec3 d = at(now.d(), lean.node), &N = lean.normal;
-  const TiltMeasure v = measure(N, d, area_[lean.node]);
+  const double cosine = upright(lean.node);
+  const TiltMeasure v = measure(N, d, area_[lean.node], cosine);
   const Ramp R = ramp(v.s / kUpright);
   const double w = weight_[lean.node], U1 = w * R.slope, U2 = w * R.bend / kUpright, m3 = v.m * v.m * v.m;
   const Mat3 one = Mat3::Identity();
-  const Vec3 n = N / v.size, c = kUpright * n - d;
-  Mat3 NN = kUpright / (v.size * v.m) * (one - n * n.transpose()) -
+  const Vec3 n = N / v.size, c = cosine * n - d;
+  Mat3 NN = cosine / (v.size * v.m) * (one - n * n.transpose()) -
             (c * N.transpose() + N * c.transpose()) / (2 * m3) - v.excess / (2 * m3) * one +
             3 * v.excess / (4 * m3 * v.m * v.m) * N * N.transpose();
   NN = U2 * v.by_normal * v.by_normal.transpose() + U1 * NN;
@@ -488,6 +497,57 @@ void Directors::add_energies(const Trial& trial, std::vector<Energy>& out) const
   visit_ridges(trial.configuration, [&](const Ridge&, const Splay& v) { sum += v.F; });
   visit_leans(trial.configuration, [&](const Lean& lean) { sum += lean.energy; });
   out.push_back({"directors", Account::stored, sum});
+  if (changes_joints()) out.push_back({"joints", Account::dissipated, lost_});
+}
+
+// --- joints
+
+bool Directors::changes_joints() const { return dofs_.joints().any() || !dofs_.stitches().empty(); }
+
+double Directors::cosine_at(Index node) const {
+  const Vec3 normal = plane_projected(node, normal_at(node, configuration_.x()));
+  return at(configuration_.d(), node).dot(normal) / std::max(normal.norm(), 1e-300);
+}
+
+// A node whose normal is that of other elements now, or whose guard weighs more or less, stores nothing.
+void Directors::renumbered(Forces&) {
+  std::vector<double> stored(X_.size(), 0);
+  Lean lean;
+  for (Index n = 0; n < static_cast<Index>(X_.size()); ++n)
+    if (lean_of(n, configuration_, lean)) stored[n] = lean.energy;
+  const Around around = std::exchange(around_, {});
+  const std::vector<double> weight = std::exchange(weight_, {});
+  follow_joints();
+  for (Index n = 0; n < static_cast<Index>(X_.size()); ++n) {
+    const auto now = elements_of(n), before = around.of(n);
+    if (weight_[n] == weight[n] && std::equal(now.begin(), now.end(), before.begin(), before.end())) continue;
+    lost_ += stored[n];
+    lowered_.erase(n);
+    if (!(weight_[n] > 0)) continue;
+    if (const double cosine = cosine_at(n); cosine < kUpright) lowered_[n] = cosine;
+  }
+}
+
+// Where a director has come nearer to the normal, leaning costs from there on.
+void Directors::commit() {
+  for (auto it = lowered_.begin(); it != lowered_.end();) {
+    it->second = std::max(it->second, cosine_at(it->first));
+    it = it->second < kUpright ? std::next(it) : lowered_.erase(it);
+  }
+}
+
+void Directors::keep(Archive& archive) {
+  if (!changes_joints()) return;
+  std::vector<Index> nodes;
+  std::vector<double> cosines;
+  for (const auto& [node, cosine] : lowered_) {
+    nodes.push_back(node);
+    cosines.push_back(cosine);
+  }
+  archive(nodes, cosines, lost_);
+  if (!archive.reading()) return;
+  lowered_.clear();
+  for (std::size_t i = 0; i < nodes.size(); ++i) lowered_[nodes[i]] = cosines[i];
 }
 
 // An element is sound if its normal is on the side of the mean at the node, and not all of its directors are

@@ -11,9 +11,15 @@
 //   Lean. A director more than 45 degrees from the normal of the surface at its node is resisted by half of
 //   the modulus of transverse shear. The normal is the mean of its elements' normals by area; in the limit of
 //   a fold that closes, where it vanishes, the guard does so, too.
+//
+//   Where a joint opens in a fold, its director, which stood upright on the mean of both sides, leans on
+//   each. That must make no energy: the cosine at which leaning begins to cost is that which the part has
+//   there, and goes back to that of 45 degrees as its director comes upright. What the whole joint had stored
+//   is lost.
 #pragma once
 #include <array>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -27,14 +33,16 @@ namespace fabricsh::mechanics {
 
 class Directors final : public Term {
  public:
-  Directors(const model::Model& model, Cloth& cloth, const Dofs& dofs);
+  Directors(const model::Model& model, const Configuration& configuration, Cloth& cloth, const Dofs& dofs);
 
   const char* name() const override { return "directors"; }
-  void renumbered(Forces&) override { follow_joints(); }
+  void renumbered(Forces&) override;
   Outcome add_forces(const law::Step&, const Trial& trial, Forces& forces) override;
   void couple(const Trial& trial, std::vector<NodePair>& pairs) override;
   void add_tangent(const Trial& trial, TangentSink& sink) const override;
   void add_energies(const Trial& trial, std::vector<Energy>& out) const override;
+  void commit() override;
+  void keep(Archive& archive) override;
 
   // The nodes, ascending, whose director is on the wrong side of the sheet while the elements about them are
   // sound: their normals are on one side.
@@ -58,13 +66,21 @@ class Directors final : public Term {
     double energy;                // J
   };
 
+  // The elements about each node that leads its joint.
+  struct Around {
+    std::vector<Index> first, elements;  // those of node n from first[n] to first[n + 1]
+    std::span<const Index> of(Index node) const;
+  };
+  bool changes_joints() const;
+  double cosine_at(Index node) const;  // of director and normal in the configuration as it is
   bool sound(Index element, const Vec3& mean, const Configuration& configuration) const;
   void follow_joints();
   void find_weights();
   void find_planes();
   std::vector<double> bent_limits() const;
   Ridge ridge(const Batch& batch, int lane, int edge) const;
-  std::span<const Index> elements_of(Index node) const;
+  std::span<const Index> elements_of(Index node) const { return around_.of(node); }
+  double upright(Index node) const;
   Vec3 normal_at(Index node, std::span<const double> x) const;
   Vec3 plane_projected(Index node, const Vec3& v) const;
   std::vector<Index> leaning_nodes(const Configuration& configuration) const;
@@ -76,6 +92,7 @@ class Directors final : public Term {
   void add_lean_forces(const Lean& lean, std::span<const double> x, Forces& forces) const;
   void add_lean_tangent(const Lean& lean, const Configuration& configuration, TangentSink& sink) const;
 
+  const Configuration& configuration_;
   Cloth& cloth_;
   const Dofs& dofs_;
   const model::Model& model_;
@@ -85,7 +102,9 @@ class Directors final : public Term {
   std::vector<double> weight_;  // J per node: half the shear modulus times thickness and area; 0: no guard
   std::vector<double> area_;    // m^2 per node, |N| in the reference
   std::unordered_map<Index, Vec3> plane_;  // normal of the plane in which a director must stay
-  std::vector<Index> first_element_, node_elements_;
+  Around around_;
+  std::map<Index, double> lowered_;  // cosine at which leaning begins to cost, of nodes where it is lowered
+  double lost_ = 0;                  // J, as joints changed
 };
 
 }  // namespace fabricsh::mechanics
