@@ -10,8 +10,8 @@ local rules = {
   no_poisson = { 0, 1, why = "from none to the largest of [williams2010]" },
   unloading = { 0.6, 2.5, why = "eight curves of [williams2010] unload 2.5 to 10.2 times as steeply as they load; the rule says 4" },
   shear_unloading = { 0.5, 1.3, why = "four curves of [williams2010] unload 1.5 to 3.9 times as steeply as they load; the rule says 3" },
-  bending = { 0.4, 2.5, why = "a guess: not measured on this cloth" },
-  twist = { 0.5, 2, why = "a guess: not measured on this cloth" },
+  bending = { 0.15, 4, why = "95 % of 307 cloths [feng2022] have 0.146 to 4.12 times the median of those with their mass within a quarter" },
+  twist = { 0.05, 5, why = "309 cloths [feng2022] have at 45 degrees a twist of up to 5.2 times half of the mean of warp and weft (97.5 %), the stiffer three quarters 0.2 and more, an eighth none" },
 }
 
 -- The rule for a loading curve, by the words of its provenance, which are those of the rules of fabric.lab.card and of fabric.lab.filled.

@@ -273,7 +273,7 @@ local function budget_of(t, inputs, base, numerical, rows)
   table.sort(out.contributions, function(a, b) return a.deviation > b.deviation or a.deviation == b.deviation and a.source < b.source end)
   local expanded = 1.96 * math.sqrt(from_numbers)
   local function half(side) return math.sqrt(math.max(side, 0) ^ 2 + expanded ^ 2) end
-  out.value, out.deviation = value, math.sqrt(whole)
+  out.value, out.coarsest, out.deviation = value, base, math.sqrt(whole)
   out.band = { low = value - half(below), high = value + half(above) }
   return out
 end
@@ -294,7 +294,9 @@ local function text_of(t, result, names)
     end
   end
   local function at(kind) return t[kind] and ("%s %s"):format(kind == "steps" and "step" or kind, tostring(t[kind][1])) or nil end
-  local where = table.concat({ at "mesh" or at "steps", at "mesh" and at "steps" or nil }, ", ")
+  local where, there = table.concat({ at "mesh" or at "steps", at "mesh" and at "steps" or nil }, ", "), {}
+  for i, name in ipairs(names) do there[i] = ("%s = %.5g"):format(name, result.of[name].coarsest) end
+  if t.mesh and #t.mesh > 1 or t.steps and #t.steps > 1 then where = where .. " (the coarsest, where " .. table.concat(there, ", ") .. ")" end
   if result.runs > 0 then
     say("%d runs%s, %d samples%s", result.runs, where ~= "" and ", samples with " .. where or "", t.samples,
       result.failed > 0 and (", %d of them left out because a run of theirs failed: %s"):format(result.failed, result.trouble) or "")

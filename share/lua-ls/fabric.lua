@@ -1304,7 +1304,7 @@ function fabric.lab.ratio(fields) end
 ---@field decimal? "auto"|"."|"," decimal sign (default "auto")
 ---@field thousands? "auto"|"."|"," sign between thousands; auto: where it cannot be the decimal sign (default "auto")
 
----A load frame's record in SI: displacement, force, and time and strain where there are such columns that can be read; rows, names, preamble, file, lines (of the file, of each row), left_out (lines below the rows), specimen where the file names it. A file with several specimens (headings that occur again, a column that names the specimen, sheets of a spreadsheet) gives a list of records.
+---A load frame's record in SI: displacement, force, and time and strain where there are such columns that can be read; rows, names, preamble, file, lines (of the file, of each row), left_out (lines below the rows), specimen where the file names it. A file with several specimens (headings that occur again, below or side by side, a column that names the specimen, sheets of a spreadsheet) gives a list of records.
 ---@param fields fabric_lab_read_fields
 ---@return table<string, any>
 function fabric.lab.read(fields) end

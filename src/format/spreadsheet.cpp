@@ -10,8 +10,8 @@ namespace fabricsh::format {
 namespace {
 
 // Run in isolation (-I), so that no module of the present folder takes part. Writes each sheet behind a line
-// that begins with the byte 1 and has its name. A formula counts by the value that was last computed; rows
-// and columns without any content are left out.
+// that begins with the byte 1 and has its name. A formula counts by the value that was last computed;
+// columns without any content are left out, rows are kept as blank lines.
 constexpr const char* script = R"(
 import datetime, io, sys
 try:
@@ -31,11 +31,13 @@ def plain(value):
 book = openpyxl.load_workbook(io.BytesIO(open(0, 'rb').read()), data_only=True)
 out = open(1, 'w', encoding='utf-8')
 for sheet in book.worksheets:
-    rows = [row for row in sheet.iter_rows(values_only=True) if any(cell is not None for cell in row)]
-    used = [i for i in range(sheet.max_column or 0) if any(row[i] is not None for row in rows)]
+    rows = [row if any(cell is not None for cell in row) else None for row in sheet.iter_rows(values_only=True)]
+    while rows and rows[-1] is None:
+        rows.pop()
+    used = [i for i in range(sheet.max_column or 0) if any(row and row[i] is not None for row in rows)]
     out.write('\x01' + plain(sheet.title) + '\n')
     for row in rows:
-        out.write('\t'.join(plain(row[i]) for i in used) + '\n')
+        out.write('\t'.join(plain(row[i]) for i in used if row) + '\n')
 out.flush()
 )";
 

@@ -77,7 +77,7 @@ TableReading try_form(Source source, const TableForm& form, bool text) {
 // There are two if the first rows do not determine the decimal sign, and none if no form fits.
 std::vector<TableReading> find_readings(const Source& source, const TableForm& given, bool text) {
   std::vector<TableReading> best;
-  for (const char separator : {'\t', ';', ',', ' '}) {
+  for (const char separator : {'\t', ';', ',', '|', ' '}) {
     if (given.separator != 0 && given.separator != separator) continue;
     for (const char decimal : {'.', ','}) {
       if (given.decimal != 0 && given.decimal != decimal) continue;
@@ -131,8 +131,12 @@ void name_columns(Table& table, const std::vector<std::string_view>& above, cons
   while (last > 0 && !is_heading(above[last - 1], reading, cells)) --last;
   if (last == 0) return;
   table.header = true;
-  // Of two heading lines the lower one holds units; it may have gaps.
-  bool units = last > 1 && is_heading(above[last - 2], reading, below);
+  // Of two heading lines the lower one holds units; it may have gaps. Gaps in the upper one alone are those
+  // between the names of specimens side by side.
+  const auto filled = [](const Cells& row) {
+    return std::count_if(row.begin(), row.end(), [](auto cell) { return !cell.empty(); });
+  };
+  bool units = last > 1 && is_heading(above[last - 2], reading, below) && filled(below) >= filled(cells);
   if (last < above.size() && is_units(above[last], reading, below)) {
     std::swap(cells, below);
     units = true;
@@ -302,7 +306,7 @@ std::vector<Table> tables_in(const std::string& name, std::string_view bytes, Ta
   auto readings = readings_of(source, form);
   if (readings.empty())
     throw Error(source.name() +
-                ":1: expected lines of numbers (columns parted by comma, semicolon, tab or "
+                ":1: expected lines of numbers (columns parted by comma, semicolon, tab, | or "
                 "blanks; decimal point or comma), found none in the first 200 lines");
   for (TableReading& reading : readings) widen(source, reading);
   std::size_t bad = 0;

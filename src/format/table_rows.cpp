@@ -108,10 +108,20 @@ bool heads_rows(Source source, std::string_view line, const TableForm& form, Tab
   return false;
 }
 
+// A heading without the number of a specimen at its end: "Load" of "Load 2".
+std::string_view without_number(std::string_view name) {
+  return name.substr(0, name.find_last_not_of("0123456789 _.-#()[]") + 1);
+}
+
 // The rows of one table being read.
 class TableRowReader {
  public:
-  TableRowReader(Table& table, Source& source) : table_(table), source_(source) {}
+  TableRowReader(Table& table, Source& source) : table_(table), source_(source) {
+    const TableColumn& first = table.columns.front();
+    beside_ = std::any_of(table.columns.begin() + 1, table.columns.end(), [&](const TableColumn& other) {
+      return table.header && !first.name.empty() && without_number(other.name) == without_number(first.name);
+    });
+  }
 
   bool any() const { return !table_.columns.front().values.empty(); }
 
@@ -123,7 +133,8 @@ class TableRowReader {
     for (std::size_t i = 0; i < cells.size(); ++i) {
       if (table_.columns[i].text) {
         if (has_letter(cells[i].substr(0, 1)) && is_total(cells[i])) return true;
-      } else if ((i == 0 || !is_missing(cells[i])) && !parse_cell(cells[i], table_.form, value)) {
+      } else if (((i == 0 && !beside_) || !is_missing(cells[i])) &&
+                 !parse_cell(cells[i], table_.form, value)) {
         return true;
       }
     }
@@ -138,6 +149,7 @@ class TableRowReader {
     TableHeading found;
     found.text = static_cast<std::size_t>(line.data() - source_.bytes(0, source_.size()).data());
     std::vector<LeftOut> out;
+    bool needs_heading = false;
     labels_.clear();
     for (int i = 0; i < most; ++i) {
       if (carries_data(line) && !is_blank_row(line, table_.form.separator)) {
@@ -146,14 +158,17 @@ class TableRowReader {
           head = std::move(found);
           return true;
         }
-        if (!is_no_row(line)) return false;
+        if (!is_no_row(line)) {
+          if (!may_stand_above()) return false;
+          needs_heading = true;
+        }
         found.above.push_back(line);
         out.push_back({static_cast<std::size_t>(line.data() - whole().data()), std::string(trimmed(line)),
                        has_numbers(line)});
       }
       if (!ahead.next_line(line)) {
-        keep(out, false);
-        return true;
+        if (!needs_heading) keep(out, false);
+        return !needs_heading;
       }
     }
     return false;
@@ -173,6 +188,13 @@ class TableRowReader {
     if (table_.columns.front().text || parse_cell(cells_[0], table_.form, value)) return false;
     if (cells_[0].empty()) return cells_.size() == table_.columns.size();
     return has_letter(cells_[0].substr(0, 1)) && labels_.insert(cells_[0]).second;
+  }
+
+  // Whether the line that was split last, which has numbers or no letter, can stand above a heading: a name
+  // such as "1 _ 2", or numbers behind words, but not as many cells as a row has.
+  bool may_stand_above() const {
+    return cells_.size() != table_.columns.size() &&
+           (cells_.size() == 1 || has_letter(cells_[0].substr(0, 1)));
   }
 
   // Whether the line that was split last has a number, or a total with its number and unit in one cell.
@@ -197,6 +219,7 @@ class TableRowReader {
 
   Table& table_;
   Source& source_;
+  bool beside_;  // whether specimens stand side by side, of which the first may end before the others
   Cells cells_;
   std::set<std::string_view> labels_;
 };
@@ -242,7 +265,7 @@ class CommaCells {
   std::vector<Cell> unclear_;
 };
 
-// Appends a row; returns the number of its cells that are not numbers.
+// Appends a row; returns the number of its cells that hold something else than a number.
 std::size_t append(Table& table, const Cells& cells, const Source& source, CommaCells& commas) {
   std::size_t bad = 0;
   for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -253,7 +276,7 @@ std::size_t append(Table& table, const Cells& cells, const Source& source, Comma
       commas.take(cells[i], i, column.values.size(), column.name, source, table.form);
     } else {
       value = std::numeric_limits<double>::quiet_NaN();
-      ++bad;
+      if (!is_missing(cells[i])) ++bad;
       if (column.error.empty()) {
         column.error = cell_error(source, table.form, column.name, cells[i]);
         column.error_row = column.values.size();

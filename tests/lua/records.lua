@@ -148,13 +148,30 @@ said = {}
 r = read "Data:;No.;Zeit;Weg;Kraft\n;;;;\n;;s;mm;N\n;1;0;0;0\n;2;1;2;3,5\n;;;;\n;3;2;3;7\n;;;;\n"
 assert(#r.force == 3 and r.time[3] == 2 and r.displacement[3] == 3e-3 and r.force[2] == 3.5)
 assert(columns "Zeit;Kraft\ns;N\n0;1\n1;2\n2;3\nFmax;3,0 N\n".left_out[1].numbers)
--- specimens side by side, the second shorter: the error says how to read each
+-- --- specimens side by side, each to its own end ---
 local both = "Extension (mm),Load (N),Extension (mm),Load (N)\n0,0,0,0\n1,2,1,5\n2,4,2,7\n3,9,,\n4,11,,\n"
-fails("if 2 specimens stand side by side, read each: columns={ displacement=1, force=2 }, then { displacement=3, force=4 }", read, both)
+r = read(both)
+assert(#r == 2 and r[1].specimen == "1" and #r[1].force == 5 and r[2].specimen == "2" and #r[2].force == 3 and r[2].force[3] == 7 and #r[2].lines == 3)
 assert(#read(both, { columns = { displacement = 1, force = 2 } }).force == 5)
 r = read(both, { columns = { displacement = 3, force = 4 } })
 assert(#r.force == 3 and #r.displacement == 3 and r.rows == 3 and #r.lines == 3 and r.force[3] == 7)
-fails(":3: column 'Load': expected a finite number, got ''", read, (both:gsub("1,5\n", "1,\n")), { columns = { displacement = 3, force = 4 } })
+fails(":3: column 'Load': expected a finite number, got ''", read, (both:gsub("1,5\n", "1,\n")))
+-- the first one shorter, names above, a blank column between, units of their own
+r = read "Probe A;;;;Probe B 7;;\nZeit;Weg;Kraft;;Zeit;Weg;Kraft\ns;mm;N;;s;mm;kN\n0;0;0;;0;0;0\n1;1,5;2;;1;1;0,5\n2;2,5;4;;2;2;0,7\n;;;;3;3;0,9\n;;;;4;4;1,1\n"
+assert(#r == 2 and r[1].specimen == "A" and r[2].specimen == "B 7" and #r[1].force == 3 and #r[2].force == 5 and r[2].force[5] == 1100 and r[2].time[5] == 4)
+-- numbers in the headings, one time for all
+r = read "Time (s),Stroke 1 (mm),Force 1 (N),Stroke 2 (mm),Force 2 (N),Stroke 3 (mm),Force 3 (N)\n0,0,0,0,0,0,0\n1,1,2,1,3,1,4\n2,2,4,2,6,2,8\n3,3,6,,,3,12\n"
+assert(#r == 3 and #r[1].time == 4 and #r[2].time == 3 and r[3].force[4] == 12 and r[3].specimen == "3" and #r[2].names == 3)
+-- two lengths of one specimen are no two specimens
+fails("columns 'Extension' and 'Extension' (1, 2) may each be the displacement", read, "Extension (mm),Extension (mm),Load (N)\n0,0,0\n1,1,2\n2,2,4\n")
+-- under one heading, with a blank line between
+local rest = "Extension (mm),Load (N)\n" .. pull(12, 1, "%.10g,%.14g\n") .. "\n" .. pull(9, 2, "%.10g,%.14g\n")
+r = read(rest)
+assert(#r == 2 and #r[1].force == 12 and #r[2].force == 9 and r[2].lines[1] == 15)
+assert(#read(heading .. pull(12, 1, "%g,%.10g,%.14g\n", 0.5) .. "\n" .. pull(9, 2, "%g,%.10g,%.14g\n", 0.5)) == 2)
+assert(#read("Extension (mm),Load (N)\n" .. pull(12, 1, "%.10g,%.14g\n") .. "\n3,10\n3.25,11\n").force == 14)
+-- a sum below the rows
+fails(":14: the displacement leaps on from 0.00275 to 0.0165 m in one row", read, heading .. rows .. "33,16.5,70\n")
 -- nothing is dropped or chosen without a word
 said = {}
 r = read "Temps (tic);Allongement (mm);D\u{e9}placement traverse (mm);Force (N)\n0;0;0;0\n1;2;3;4\n2;3;4;5\n"

@@ -44,12 +44,17 @@ local function unit_of(vocabulary, quantity, unit)
   if factor then return factor, "force per width" end
 end
 
--- Splits a unit without brackets from a name: "Extension mm", "displacement_mm", "Load/N".
+-- Splits a unit without brackets from a name: "Extension mm", "displacement_mm", "Load/N", "Axial strain mm/mm", at the first place that leaves a quantity and a unit.
 local function split_unit(vocabulary, column)
   if column.unit ~= "" then return end
-  local name, unit = column.name:match "^(.-)[%s_,/]+(%S+)$"
-  local quantity = name and quantity_of(vocabulary, name)
-  if quantity and (unit_of(vocabulary, quantity, unit) or quantity == "strain" and unit_of(vocabulary, "displacement", unit)) then column.unit, column.bare = unit, name end
+  for place in column.name:gmatch "()[%s_,/]+%S" do
+    local name, unit = column.name:sub(1, place - 1), column.name:sub(place):match "^[%s_,/]+(%S+)$"
+    local quantity = unit and quantity_of(vocabulary, name)
+    if quantity and (unit_of(vocabulary, quantity, unit) or quantity == "strain" and unit_of(vocabulary, "displacement", unit)) then
+      column.unit, column.bare = unit, name
+      return
+    end
+  end
 end
 
 -- The quantity in a column, from its name and unit: an elongation in per cent is a strain, a strain in mm a displacement.
@@ -120,18 +125,6 @@ local function named_column(t, file, quantity, wanted)
     math.type(wanted) == "integer" and (", got %d"):format(wanted) or ""))
 end
 
--- Advice for specimens that stand side by side, a displacement and a force of each.
-local function side_by_side(vocabulary, file)
-  local places = { displacement = {}, force = {} }
-  for i, column in ipairs(file) do
-    local list = places[held(vocabulary, column)]
-    if list then list[#list + 1] = i end
-  end
-  local u, F = places.displacement, places.force
-  if #u < 2 or #u ~= #F then return "" end
-  return ("; if %d specimens stand side by side, read each: columns={ displacement=%d, force=%d }, then { displacement=%d, force=%d }"):format(#u, u[1], F[1], u[2], F[2])
-end
-
 -- The column of a quantity. needed: an error if there is none, or if two are possible.
 local function find_column(vocabulary, t, file, quantity, needed)
   local wanted = (t.columns or {})[quantity]
@@ -145,8 +138,8 @@ local function find_column(vocabulary, t, file, quantity, needed)
       names[i] = "'" .. column.name .. "'"
       for k, c in ipairs(file) do places[i] = c == column and k or places[i] end
     end
-    fail(("read: %s: columns %s (%s) may each be the %s; give columns={ %s=place }%s"):format(t.file, table.concat(names, " and "),
-      table.concat(places, ", "), quantity, quantity, side_by_side(vocabulary, file)))
+    fail(("read: %s: columns %s (%s) may each be the %s; give columns={ %s=place }"):format(t.file, table.concat(names, " and "),
+      table.concat(places, ", "), quantity, quantity))
   end
   return #found == 1 and found[1] or nil
 end
@@ -313,23 +306,26 @@ local function check_time(t, record, lines)
   end
 end
 
--- The first row at which a displacement leaps back by a quarter of its range so far, and by five times more than it ever moved in a row before.
-local function leap_in(u)
+-- The first row at which a displacement leaps, and its largest step and range before: back by a quarter of its range so far and by five times more than it ever
+-- moved in a row before, or, in the last three rows, forward by more than its range and five such steps, as a sum does.
+local function leap_in(u, timed)
   local low, high, most = u[1], u[1], 0
   for row = 2, #u do
-    local step = math.abs(u[row] - u[row - 1])
-    if row > 0.1 * #u and row > 8 and u[row] < u[row - 1] and step > 0.25 * (high - low) and step > 5 * most then return row, most, high - low end
-    low, high, most = math.min(low, u[row]), math.max(high, u[row]), math.max(most, step)
+    local step = u[row] - u[row - 1]
+    local back, on = not timed and row > 0.1 * #u and -step > 0.25 * (high - low), row > #u - 3 and step > high - low
+    if row > 8 and (back or on) and math.abs(step) > 5 * most then return row, most, high - low end
+    low, high, most = math.min(low, u[row]), math.max(high, u[row]), math.max(most, math.abs(step))
   end
 end
 
--- Without a time: a leap to a place that is not the beginning is a total; to the beginning, another specimen or a way back that was not recorded.
+-- A leap to a place that is not the beginning is a total; to the beginning, another specimen (if a blank line stands before it), or a way back that was not
+-- recorded. Where there is a time, that tells what goes back.
 local function check_leap(t, record, lines)
   local u = record.displacement
-  local row, most, range = leap_in(record.time and {} or u)
+  local row, most, range = leap_in(u, record.time)
   if not row then return end
-  local words = ("read: %s:%d: the displacement leaps back from %.6g to %.6g m in one row, before by %.3g m at most: "):format(t.file, lines[row],
-    u[row - 1], u[row], most)
+  local words = ("read: %s:%d: the displacement leaps %s from %.6g to %.6g m in one row, before by %.3g m at most: "):format(t.file, lines[row],
+    u[row] < u[row - 1] and "back" or "on", u[row - 1], u[row], most)
   if math.abs(u[row] - u[1]) > 0.05 * range then
     fail(words .. "are totals below the record? Take them out of the file")
   elseif row < #u then
@@ -408,13 +404,15 @@ local function record_of(vocabulary, t, file)
   return record
 end
 
--- Whether a table of several is a record: three rows with what a pull needs.
-local function is_record(vocabulary, t, file)
-  if #file[1].values < 3 then return false end
+-- Whether a table has the columns of a pull.
+local function is_pull(vocabulary, t, file)
   local columns = t.columns or {}
   local function has(quantity) return columns[quantity] ~= nil or #candidates(vocabulary, file, quantity) > 0 end
   return has "force" and (has "displacement" or has "strain")
 end
+
+-- Whether a table of several is a record: three rows with what a pull needs.
+local function is_record(vocabulary, t, file) return #file[1].values >= 3 and is_pull(vocabulary, t, file) end
 
 -- The tables that are records; the others are reported.
 local function records_among(vocabulary, t, files)
@@ -438,14 +436,14 @@ local function read(t)
   local vocabulary = vocabulary_of(t)
   check_defaults(vocabulary, t)
   local tables = fabric.table { file = t.file, separator = t.separator, decimal = t.decimal, thousands = t.thousands, lenient = true, blocks = true }
-  local function time_of(file) return find_column(vocabulary, t, file, "time", false) end
+  local function column_of(file, quantity) return find_column(vocabulary, t, file, quantity, false) end
   for _, file in ipairs(tables) do
     for _, column in ipairs(file) do
       split_unit(vocabulary, column)
       if quantity_of(vocabulary, column.bare or column.name) == "time" then specimens().clock(column) end
     end
   end
-  local files, records = records_among(vocabulary, t, specimens().of(t, tables, time_of)), {}
+  local files, records = records_among(vocabulary, t, specimens().of(t, tables, column_of, function(file) return is_pull(vocabulary, t, file) end)), {}
   for i, file in ipairs(files) do
     records[i] = record_of(vocabulary, t, file)
     if #files > 1 then records[i].specimen = records[i].specimen or tostring(i) end
@@ -473,7 +471,7 @@ define {
   },
   sentence = "A load frame's record in SI: displacement, force, and time and strain where there are such columns that can be read; "
     .. "rows, names, preamble, file, lines (of the file, of each row), left_out (lines below the rows), specimen where the file names it. A file "
-    .. "with several specimens (headings that occur again, a column that names the specimen, sheets of a spreadsheet) gives a list of records.",
+    .. "with several specimens (headings that occur again, below or side by side, a column that names the specimen, sheets of a spreadsheet) gives a list of records.",
   example = "local path = os.tmpname()\n"
     .. "local f = io.open(path, 'w') f:write 'Extension (mm),Load (kN)\\n0,0\\n2,0.001\\n' f:close()\n"
     .. "local r = require 'fabric'.lab.read{ file=path }\nos.remove(path)\n"

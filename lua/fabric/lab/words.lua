@@ -16,7 +16,7 @@ words.aliases = { MM = "mm", CM = "cm", inch = "in", inches = "in", ["in."] = "i
   sec = "s", Sec = "s", sek = "s", Sek = "s", n = "N", DaN = "daN", dan = "daN", DAN = "daN", CN = "cN", oz = "ozf", ["\u{79d2}"] = "s",
   ["\u{b5}m"] = "um", ["\u{3bc}m"] = "um", ["\xb5m"] = "um", ["\u{b5}m/m"] = "um/m", ["\u{3bc}m/m"] = "um/m", ["\xb5m/m"] = "um/m",
   ["мм"] = "mm", ["см"] = "cm", ["м"] = "m", ["Н"] = "N", ["кН"] = "kN", ["даН"] = "daN", ["гс"] = "gf", ["кгс"] = "kgf", ["с"] = "s", ["сек"] = "s", ["мин"] = "min", ["мс"] = "ms",
-  ["毫米"] = "mm", ["厘米"] = "cm", ["牛"] = "N", ["牛顿"] = "N", ["千牛"] = "kN", ["分"] = "min", ["초"] = "s", seconds = "s", second = "s", Sekunden = "s", secondes = "s", segundos = "s", secondi = "s",
+  ["毫米"] = "mm", ["厘米"] = "cm", ["牛"] = "N", ["牛顿"] = "N", ["千牛"] = "kN", ["分"] = "min", ["초"] = "s", ["\xec\xec"] = "mm", ["\xf1\xec"] = "cm", ["\xcd"] = "N", ["\xea\xcd"] = "kN", ["\xe4\xe0\xcd"] = "daN", ["\xf1"] = "s", seconds = "s", second = "s", Sekunden = "s", secondes = "s", segundos = "s", secondi = "s",
   ["sn"] = "s", ["seg"] = "s", millimeters = "mm", newtons = "N", Newton = "N",
   percent = "%", Percent = "%", pct = "%", Prozent = "%", prozent = "%", ["per cent"] = "%" }
 
@@ -43,31 +43,34 @@ words.names = {
   displacement = { "displacement", "extension", "elongation", "crosshead", "stroke", "position", "travel", "weg", "verlangerung", "verlaengerung",
     "verformung", "auszug", "deplacement", "allongement", "deformation", "course", "elongazione", "spostamento", "allungamento", "estensione", "corsa", "przemieszczenie", "wydluzenie", "droga", "skok",
     "desplazamiento", "alargamiento", "elongacion", "recorrido", "carrera", "deslocamento", "alongamento", "extensao", "verplaatsing", "uitrekking", "verlenging",
-    "draha", "posuv", "protazeni", "forlangning", "forskjutning", "uzama", "yer degistirme", "deplasman", "przesuniecie", "rozciagniecie", "перемещение", "удлинение", "растяжение",
+    "draha", "posuv", "protazeni", "prodlouzeni", "forlangning", "forskjutning", "stracka", "extensie", "erweiterung", "grip separation", "standart yol", "kontrol yolu", "uzama", "yer degistirme", "deplasman", "przesuniecie", "rozciagniecie", "перемещение", "удлинение", "растяжение", "путь",
     "位移", "伸长", "伸長", "变形", "變形", "行程", "변위", "신장", "연신", "스트로크",
     "\u{ff7d}\u{ff84}\u{ff9b}\u{ff70}\u{ff78}", "\u{4f38}\u{5ea6}",
-    "\u{5909}\u{4f4d}", "\u{30b9}\u{30c8}\u{30ed}\u{30fc}\u{30af}", "\u{4f38}\u{3073}", "\x95\xcf\x88\xca", "\x83x\x83g\x83\x8d\x81[\x83n" },
+    "\x90l\x82\xd1", "\u{5909}\u{4f4d}", "\u{30b9}\u{30c8}\u{30ed}\u{30fc}\u{30af}", "\u{4f38}\u{3073}", "\x95\xcf\x88\xca", "\x83x\x83g\x83\x8d\x81[\x83n" },
   force = { "force", "load", "kraft", "belastung", "effort", "charge", "forza", "carico", "sila", "obciazenie", "fuerza", "carga", "forca", "kracht", "belasting", "kuvvet", "zatizeni",
-    "сила", "усилие", "нагрузка", "载荷", "載荷", "负荷", "負荷", "拉力", "力值", "试验力", "試驗力", "하중", "시험력", "\u{8377}\u{91cd}", "\u{8a66}\u{9a13}\u{529b}", "\x89\xd7\x8fd",
+    "сила", "усилие", "нагрузка", "载荷", "載荷", "负荷", "負荷", "拉力", "力值", "试验力", "試驗力", "标准力", "標準力", "负载", "負載", "拉伸力", "引張力", "인장력", "하중", "시험력", "\u{8377}\u{91cd}", "\u{8a66}\u{9a13}\u{529b}", "\x89\xd7\x8fd",
     "\x8e\x8e\x8c\xb1\x97\xcd" },
-  time = { "time", "zeit", "temps", "tempo", "czas", "tiempo", "tijd", "zaman", "время", "时间", "時間", "시간", "\x8e\x9e\x8a\xd4" },
+  time = { "time", "zeit", "temps", "duree", "tempo", "czas", "tiempo", "tijd", "zaman", "время", "时间", "時間", "시간", "\x8e\x9e\x8a\xd4" },
   strain = { "strain", "dehnung", "deformazione", "odksztalcenie", "deformacion", "deformacao", "gerinim", "деформация", "应变", "應變", "변형률", "변형", "신율", "\u{3072}\u{305a}\u{307f}", "\u{6b6a}" },
 }
 -- Names that consist of one of these only.
 words.letters = { u = "displacement", ext = "displacement", disp = "displacement", elong = "displacement", dl = "displacement", p = "force", f = "force", t = "time",
   last = "force", yuk = "force", ["力"] = "force", ["힘"] = "force", hub = "displacement", slag = "displacement", curso = "displacement", ["ход"] = "displacement", rek = "strain",
-  sure = "time", cas = "time", tid = "time", ["\xc1\xa6"] = "force" } -- the last: one sign of Chinese in GBK
--- Chinese in GBK and Russian in Windows-1251, as frames write them that know no UTF-8.
+  sure = "time", cas = "time", tid = "time", ["\xc1\xa6"] = "force", ["\x97\xcd"] = "force" } -- the last: one sign of Chinese in GBK, of Shift-JIS
+-- Chinese in GBK, Russian in Windows-1251 and Korean in its code page 949, as frames write them that know no UTF-8.
 words.bytes = {
   { "\xce\xbb\xd2\xc6", "displacement" }, { "\xb1\xe4\xd0\xce", "displacement" }, { "\xc9\xec\xb3\xa4", "displacement" }, { "\xca\xb1\xbc\xe4", "time" },
   { "\xd4\xd8\xba\xc9", "force" }, { "\xb8\xba\xba\xc9", "force" }, { "\xca\xd4\xd1\xe9\xc1\xa6", "force" }, { "\xc0\xad\xc1\xa6", "force" }, { "\xd3\xa6\xb1\xe4", "strain" },
   { "\xe5\xf0\xe5\xec\xe5\xf9\xe5\xed\xe8\xe5", "displacement" }, { "\xe4\xeb\xe8\xed\xe5\xed\xe8\xe5", "displacement" }, { "\xe8\xeb\xe0", "force" },
+  { "\xba\xaf\xc0\xa7", "displacement" }, { "\xbd\xc5\xc0\xe5", "displacement" }, { "\xbf\xac\xbd\xc5", "displacement" }, { "\xc7\xcf\xc1\xdf", "force" },
+  { "\xbd\xc3\xc7\xe8\xb7\xc2", "force" }, { "\xbd\xc3\xb0\xa3", "time" },
   { "\xf1\xe8\xeb\xe8\xe5", "force" }, { "\xe0\xe3\xf0\xf3\xe7\xea\xe0", "force" }, { "\xf0\xe5\xec\xff", "time" },
 }
 
 -- What a column or a line calls a specimen; and the words that may stand beside it in the name of such a column.
 words.specimens = { "specimen", "sample", "probe", "prufling", "pruefling", "eprouvette", "echantillon", "probeta", "muestra", "provino", "campione", "provete", "amostra", "proefstuk",
-  "numune", "probka", "образец", "试样", "試樣", "試験片", "시편", "replicate" }
+  "numune", "probka", "vzorek", "provkropp", "prov", "образец", "试样", "試樣", "試験片", "시편", "replicate",
+  "\x8e\x8e\x8c\xb1\x95\xd0", "\xca\xd4\xd1\xf9", "\xce\xe1\xf0a\xe7\xe5o", "\xee\xe1\xf0a\xe7\xe5o" } -- the last four in Shift-JIS, GBK and (as words.plain leaves them) Windows-1251
 words.beside_specimen = { no = true, nr = true, number = true, nummer = true, id = true, name = true, label = true, ["#"] = true, numero = true, ["n\u{b0}"] = true, ["\u{2116}"] = true }
 
 words.quantities = { "displacement", "force", "time", "strain" }
@@ -80,11 +83,12 @@ for plain, letters in pairs {
 end
 for code = 0x410, 0x42f do plain_letters[utf8.char(code)] = utf8.char(code + 0x20) end -- Cyrillic capitals
 plain_letters["Ё"], plain_letters["ё"] = "е", "е"
--- Accented letters in Latin 1, and Polish ones in Windows-1250 and Latin 2, which are not valid UTF-8. (Bytes with two meanings: n with acute is n
+-- Accented letters in Latin 1, Polish and Czech ones in Windows-1250 and Latin 2, and Turkish ones in Windows-1254, which are not valid UTF-8. (Bytes with two meanings: n with acute is n
 -- with tilde in Latin 1, c with acute is ae.)
 local latin = { ["\xe9"] = "e", ["\xc9"] = "e", ["\xe8"] = "e", ["\xe4"] = "a", ["\xc4"] = "a", ["\xfc"] = "u", ["\xdc"] = "u", ["\xf6"] = "o", ["\xd6"] = "o",
   ["\xe0"] = "a", ["\xf2"] = "o", ["\xdf"] = "ss", ["\xb3"] = "l", ["\xa3"] = "l", ["\xbf"] = "z", ["\xaf"] = "z", ["\xb9"] = "a", ["\xb1"] = "a",
-  ["\xea"] = "e", ["\xf3"] = "o", ["\xd3"] = "o", ["\xf1"] = "n", ["\xe6"] = "c", ["\xb6"] = "s" }
+  ["\xea"] = "e", ["\xe3"] = "a", ["\xe1"] = "a", ["\xe2"] = "a", ["\xe7"] = "c", ["\xc7"] = "c", ["\xf5"] = "o", ["\xf4"] = "o", ["\xed"] = "i", ["\xee"] = "i", ["\xfd"] = "i",
+  ["\xdd"] = "i", ["\xfa"] = "u", ["\xfb"] = "u", ["\xf0"] = "g", ["\xd0"] = "g", ["\xfe"] = "s", ["\xde"] = "s", ["\xc8"] = "c", ["\xf3"] = "o", ["\xd3"] = "o", ["\xf1"] = "n", ["\xe6"] = "c", ["\xb6"] = "s" }
 
 -- A name in lower case without accents.
 function words.plain(name)
