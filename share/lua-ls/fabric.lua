@@ -533,7 +533,6 @@ function fabric.lab.band(fields) end
 ---@field path? number[] displacements visited in turn, as parts of the largest; default {1, 0}
 ---@field unload? boolean without a path: back again (default true)
 ---@field unilateral? boolean the grip lets go where the pull is zero; false: it pushes beyond that (default true)
----@field release? number force that counts as zero, over the largest force (default 1e-06)
 ---@field out_of_plane? "held"|"free" free: the strip, bowed by a tenth of its thickness, may buckle (default "held")
 ---@field stabilise? number|boolean as for fabric.static: a buckling strip needs it (default false)
 ---@field cells? number[] {across, along}; default {3, 9}
@@ -683,7 +682,6 @@ function fabric.lab.cantilever(fields) end
 ---@field tension? number N/m: T1, that the strip is held by (default 10)
 ---@field width? number m: of the strip (default 0.01)
 ---@field around? integer elements of the wrap (default 16)
----@field across? integer elements of the width (default 1)
 ---@field lead? integer elements of the straight part on either side (default 2)
 ---@field draw? number of the strip's length: how far it is drawn (default 0.05)
 ---@field step? number s: largest step: 1 s is the tension, 1 s more the drawing (default 0.05)
@@ -774,7 +772,6 @@ function fabric.lab.correlate(fields) end
 ---@field still? number rest: no place of the rim moves by more than this part of the overhang in a window (default 0.005)
 ---@field window? number s: of that rule (default 0.1)
 ---@field duration? number s: to wait for rest, at most; default: 4 s after the lowering
----@field least? number height of a fold that counts, over the overhang (default 0.03)
 ---@field processes? integer seeds side by side; default: the threads that the program may use
 ---@field every? number s: time between frames of the VTK series (default 0.1)
 ---@field out? string folder for a VTK series of each seed
@@ -836,7 +833,6 @@ function fabric.lab.dress(fields) end
 ---@field found? table result of fabric.lab.identify: the walkers begin around it
 ---@field walkers? integer even; default: four a parameter, 20 at least
 ---@field steps? integer that are kept, of every walker; each costs a simulation (default 1000)
----@field discard? integer steps before, that are not kept; default: a quarter of them
 ---@field level? number of the band from low to high (default 0.95)
 ---@field processes? integer side by side (default 1)
 ---@field seed? integer of all that is random (default 1)
@@ -1267,7 +1263,6 @@ function fabric.lab.poke(fields) end
 ---@field groups? table names of fields of the tests by which they belong together: {'laboratory', 'size'}; each has a deviation of its own, and each label is predicted from the others
 ---@field leave? boolean predicts each label of each group by a fit to the others (default true)
 ---@field rate? fabric_lab_pool_fields.rate accounts for the speed: predictions times 1 + p.rate ln(rate / reference)
----@field order? number order of the simulation's error in the size of its cells (default 2)
 ---@field level? number of confidence (default 0.95)
 ---@field processes? integer side by side, for the differences (default 2)
 ---@field iterations? integer at most, of each fit (default 30)
@@ -1580,7 +1575,6 @@ function fabric.lab.twist(fields) end
 ---@field path? number[] displacements visited in turn, as parts of the largest; default {1, 0}
 ---@field unload? boolean without a path: back again (default true)
 ---@field unilateral? boolean the grip lets go where the pull is zero; false: it pushes beyond that (default true)
----@field release? number force that counts as zero, over the largest force (default 1e-06)
 ---@field out_of_plane? "held"|"free" free: the strip, bowed by a tenth of its thickness, may buckle (default "held")
 ---@field stabilise? number|boolean as for fabric.static: a buckling strip needs it (default false)
 ---@field cells? number[] {across, along}; default {3, 9}

@@ -50,6 +50,7 @@ grep -qx 'version: 7.3.0' CITATION.cff
 grep -qx 'date-released: 2030-01-31' CITATION.cff
 grep -qx 'repository-code: "https://example.org/f"' CITATION.cff
 grep -qx 'version = "7.3.0"' share/python/pyproject.toml
+grep -q '^git clone https://example.org/f fabricsh && cd fabricsh$' README.md
 [ -f build/fabricsh-7.3.0.tar.gz ]
 [ -z "$(git status --porcelain --untracked-files=no)" ]
 refused "nothing under" 7.3.1

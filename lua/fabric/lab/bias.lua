@@ -39,7 +39,7 @@ end
 define {
   name = "fabric.lab.bias",
   arguments = arguments,
-  retired = { "most_steps" },
+  retired = { "most_steps", "release" },
   sentence = "A strip pulled off the yarns' axes and let go. " .. strip.returns
     .. " And zone_mean(name): the means of a field in zones 1, 2, 3 at the present time.",
   example = "local fabric = require 'fabric'\n"

@@ -98,7 +98,7 @@ local function reading(t, mesh, x, y)
   local area, outline = shadow.of(x, y, triangles, t.support / 2, rays)
   local ground = math.pi * t.support ^ 2 / 4
   local corner = t.disc / 2 * (1 - math.cos(math.pi / #mesh:set "outer")) -- by which the rim's polygon stands out of its chords
-  local nodes, amplitude = shadow.folds(outline, math.max(t.least * (t.disc - t.support) / 2, 2 * corner))
+  local nodes, amplitude = shadow.folds(outline, math.max(0.03 * (t.disc - t.support) / 2, 2 * corner))
   return (area - ground) / (whole - ground), nodes, amplitude, outline
 end
 
@@ -304,13 +304,12 @@ local definition = {
     { name = "still", kind = "number", above = 0, default = 5e-3, sentence = "rest: no place of the rim moves by more than this part of the overhang in a window" },
     { name = "window", kind = "number", unit = "s", above = 0, default = 0.1, sentence = "of that rule" },
     { name = "duration", kind = "number", unit = "s", above = 0, optional = true, sentence = "to wait for rest, at most; default: 4 s after the lowering" },
-    { name = "least", kind = "number", above = 0, high = 1, default = 0.03, sentence = "height of a fold that counts, over the overhang" },
     { name = "processes", kind = "integer", low = 1, optional = true, sentence = "seeds side by side; default: the threads that the program may use" },
     { name = "every", kind = "number", unit = "s", above = 0, default = 0.1, sentence = "time between frames of the VTK series" },
     { name = "out", kind = "text", optional = true, sentence = "folder for a VTK series of each seed" },
     { name = "file", kind = "text", optional = true, sentence = "the outlines as a figure; ends in .svg" },
   },
-  retired = { "shakes", "shake", "period" },
+  retired = { "shakes", "shake", "period", "least" },
   sentence = "Drape test: a disc of cloth is let down over a pedestal, in motion or by relaxation, until it rests; once for each seed, side by side. Returns coefficient (shadow "
     .. "of the overhang over that of the level cloth, 0 to 1), nodes (folds) and amplitude (half of their height in the outline, m), means over the seeds; "
     .. "scatter (their deviations from disc to disc, nan of one), contour (points {x, y} of the first disc's outline), at_rest, runs (each disc's own, with "

@@ -207,7 +207,7 @@ local function ensemble(t)
     fail(("ensemble: expected a start around which the density is known, %d of %d walkers have none: %s"):format(t.walkers - possible, t.walkers,
       failures.trouble or "it is zero there"))
   end
-  local discard = t.discard or t.steps // 4
+  local discard = t.steps // 4
   local draws, went, means, best = {}, 0, {}, nil
   for i = 1, #t.parameters do means[i] = {} end
   for step = 1, discard + t.steps do
@@ -244,7 +244,6 @@ define {
     { name = "found", kind = "table", optional = true, sentence = "result of fabric.lab.identify: the walkers begin around it" },
     { name = "walkers", kind = "integer", low = 4, optional = true, sentence = "even; default: four a parameter, 20 at least" },
     { name = "steps", kind = "integer", low = 10, default = 1000, sentence = "that are kept, of every walker; each costs a simulation" },
-    { name = "discard", kind = "integer", low = 0, optional = true, sentence = "steps before, that are not kept; default: a quarter of them" },
     { name = "level", kind = "number", above = 0, high = 0.999, default = 0.95, sentence = "of the band from low to high" },
     { name = "processes", kind = "integer", low = 1, default = 1, sentence = "side by side" },
     { name = "seed", kind = "integer", low = 0, default = 1, sentence = "of all that is random" },
@@ -253,5 +252,6 @@ define {
     .. "(lists by name), mean, median, low, high (by name), deviation, correlation, best (the likeliest draw, by name), log (of the density there), taken, time (autocorrelation, steps), independent (number of independent draws they are worth), failed, text.",
   example = "local e = require 'fabric'.lab.ensemble{ parameters={ {name='x', start=0, low=-9, high=9} }, steps=400,\n"
     .. "  log=function(p) return -p.x^2/2 end }\nassert(math.abs(e.deviation[1] - 1) < 0.15 and math.abs(e.mean.x) < 0.15)",
+  retired = { "discard" },
   run = ensemble,
 }

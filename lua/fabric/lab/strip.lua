@@ -90,7 +90,7 @@ local function release(a, t, points, state)
   local function held_open() return sheet.value(points, a.time) <= state.floor end
   a:event {
     value = function() return held_open() and 1 or select(2, a:reaction "top") end,
-    tolerance = t.release,
+    tolerance = 1e-6, -- over the largest force
     action = function()
       local now = sheet.value(points, a.time)
       for _, p in ipairs(points) do
@@ -166,7 +166,6 @@ strip.arguments = {
   { name = "unload", kind = "boolean", default = true, sentence = "without a path: back again" },
   { name = "unilateral", kind = "boolean", default = true,
     sentence = "the grip lets go where the pull is zero; false: it pushes beyond that" },
-  { name = "release", kind = "number", above = 0, default = 1e-6, sentence = "force that counts as zero, over the largest force" },
   { name = "out_of_plane", kind = "text", choices = { "held", "free" }, default = "held",
     sentence = "free: the strip, bowed by a tenth of its thickness, may buckle" },
   { name = "stabilise", kind = "boolean|number", default = false, sentence = "as for fabric.static: a buckling strip needs it" },

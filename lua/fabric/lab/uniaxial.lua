@@ -36,7 +36,7 @@ table.move(strip.arguments, 1, #strip.arguments, #arguments + 1, arguments)
 define {
   name = "fabric.lab.uniaxial",
   arguments = arguments,
-  retired = { "most_steps" },
+  retired = { "most_steps", "release" },
   sentence = "A strip pulled and let go. " .. strip.returns,
   example = "local fabric = require 'fabric'\n"
     .. "local test = fabric.lab.uniaxial{ card=fabric.card 'denim', grips='free', steps=8 }\n"

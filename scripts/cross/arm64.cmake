@@ -1,0 +1,17 @@
+# For 64-bit ARM by Debian's cross compiler, with the packages that scripts/cross/sysroot unpacks in FABRICSH_SYSROOT; programs of the build run under qemu.
+set(CMAKE_SYSTEM_NAME Linux)
+set(CMAKE_SYSTEM_PROCESSOR aarch64)
+set(CMAKE_C_COMPILER aarch64-linux-gnu-gcc)
+set(CMAKE_CXX_COMPILER aarch64-linux-gnu-g++)
+list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES FABRICSH_SYSROOT)
+set(CMAKE_SYSROOT ${FABRICSH_SYSROOT})
+set(CMAKE_LIBRARY_ARCHITECTURE aarch64-linux-gnu)
+set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
+set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
+set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
+set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
+set(CMAKE_CROSSCOMPILING_EMULATOR qemu-aarch64 -L ${FABRICSH_SYSROOT})
+# Debian's alternatives choose among BLAS and MPI when packages are installed, which these are not.
+set(CMAKE_EXE_LINKER_FLAGS_INIT "-Wl,--allow-shlib-undefined")
+set(ENV{PKG_CONFIG_LIBDIR} ${FABRICSH_SYSROOT}/usr/lib/aarch64-linux-gnu/pkgconfig:${FABRICSH_SYSROOT}/usr/share/pkgconfig)
+set(ENV{PKG_CONFIG_SYSROOT_DIR} ${FABRICSH_SYSROOT})
