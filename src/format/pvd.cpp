@@ -109,6 +109,7 @@ void PvdSeries::frame(double time, const VtuGrid& grid, const std::vector<PvdPar
     parts_.push_back(name);
     const std::string beside = frame_path(frames(), name);
     VtuGrid shape{part.points, part.cells};
+    shape.point_data = part.point_data;
     shape.time = time;
     write_vtu(beside, shape, system::Sync::no, system::Folder::expect);
     entry +=

@@ -25,6 +25,7 @@ struct PvdPart {
   std::string name;
   std::vector<Vec3> points;                 // m
   std::vector<std::array<Index, 4>> cells;  // as in a grid
+  std::vector<Array> point_data = {};
 };
 
 class PvdSeries {

@@ -137,7 +137,8 @@ class Matching {
       refuse(seam, "the edges are " + metres(a.length) + " and " + metres(b.length) +
                        " long: expected lengths that differ by at most " + number(100 * seam.ease) +
                        " % (field 'ease')");
-    if (b.nodes.size() > a.nodes.size()) std::swap(a, b);
+    swapped_ = b.nodes.size() > a.nodes.size();
+    if (swapped_) std::swap(a, b);
     fine_ = std::move(a);
     coarse_ = std::move(b);
     if (fine_.ring) align_rings();
@@ -156,7 +157,7 @@ class Matching {
     if (!equal && mine > better)
       refuse(seam_, "it is sewn the wrong way round, the lines between the ends cross: they are " +
                         metres(mine) + " apart, and " + metres(better) +
-                        " with reverse=" + (turn ? "false" : "true"));
+                        " with reverse=" + (turn ? "false" : "true") + (fine_.ring ? "" : sketch(turn)));
     std::vector<Stitch> all = turn ? other : plain;
     std::erase_if(all, [](const Stitch& s) { return s.leads.size() == 1 && s.leads[0].node == s.node; });
     check_shared(all);
@@ -183,6 +184,22 @@ class Matching {
           0.25 * length_at(fine_, i))
         return false;
     return true;
+  }
+  // Both edges as they lie, with the numbers of the nodes at their ends and the lines that cross.
+  std::string sketch(bool turned) const {
+    const auto text = [](Index node) { return std::to_string(node + 1); };
+    const auto edge = [](const std::string& left, const std::string& right, const std::string& name) {
+      return std::string(left.size() < 10 ? 10 - left.size() : 0, ' ') + left + " o-----------o " + right +
+             "    '" + name + "'";
+    };
+    const auto& first = swapped_ ? seam_.second : seam_.first;
+    const auto& second = swapped_ ? seam_.first : seam_.second;
+    const Index left = turned ? coarse_.nodes.front() : coarse_.nodes.back(),
+                right = turned ? coarse_.nodes.back() : coarse_.nodes.front();
+    std::string lines = "\n" + edge(text(fine_.nodes.front()), text(fine_.nodes.back()), first) + "\n";
+    for (const char* middle : {"\\         /", "  \\     /", "     X", "  /     \\", "/         \\"})
+      lines += std::string(12, ' ') + middle + "\n";
+    return lines + edge(text(left), text(right), second);
   }
   // m: between the ends of lines, the mean of both; of rings the mean over all nodes.
   double apart(const std::vector<Stitch>& stitches) const {
@@ -227,6 +244,7 @@ class Matching {
   const mesh::Mesh& mesh_;
   const Seam& seam_;
   std::size_t which_;
+  bool swapped_ = false;  // the second edge has more nodes
   EdgeChain fine_, coarse_;
 };
 

@@ -1,7 +1,7 @@
 #include "run/bodies.hpp"
 
+#include "base/error.hpp"
 #include "geometry/box.hpp"
-#include "mechanics/terms/contact.hpp"
 
 namespace fabricsh::run {
 
@@ -10,6 +10,14 @@ BodyState body_state(const Run& run, const model::Rigid& body) {
   const auto& bodies = run.contact().bodies();
   const auto state = bodies.state(i);
   return {state.place, state.velocity, state.spin, -bodies.force(i)};
+}
+
+mechanics::Contacts::OnSkin on_skin(const Run& run, const model::Rigid& body) {
+  const std::size_t i = run.body_number(body);
+  if (body.facets() == nullptr)
+    throw Error("the " + run.model().interactions().name_of(body) +
+                " has no facets: expected a body of fabric.rigid.surface, motion, limb or torso");
+  return run.contact().on_skin(i);
 }
 
 Touching nearest_pair(const Run& run) {
@@ -27,8 +35,10 @@ std::vector<BodyShown> shown_bodies(const Run& run) {
   const auto& bodies = contact->bodies();
   for (std::size_t i = 0; i < bodies.count(); ++i) {
     const model::Facets facets = model::shown(bodies.body(i), 1.2 * across);
-    all.push_back({run.model().interactions().name_of(bodies.body(i)), bodies.moved(i, facets.vertices),
-                   facets.triangles});
+    all.push_back(
+        {run.model().interactions().name_of(bodies.body(i)), bodies.moved(i, facets.vertices),
+         facets.triangles,
+         bodies.body(i).facets() == nullptr ? std::vector<double>() : contact->on_skin(i).pressure});
   }
   return all;
 }

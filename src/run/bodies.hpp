@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "contact/intersect.hpp"
+#include "mechanics/terms/contact.hpp"
 #include "run/run.hpp"
 
 namespace fabricsh::run {
@@ -12,6 +13,7 @@ struct BodyShown {
   std::string name;
   std::vector<Vec3> vertices;                // m, present positions
   std::vector<contact::Triangle> triangles;  // counter-clockwise from outside
+  std::vector<double> pressure;  // Pa, of the cloth on each vertex of a surface; empty: another shape
 };
 struct BodyState {
   Vec3 place, velocity, spin;  // of its centre, m, m/s; rad/s
@@ -19,6 +21,8 @@ struct BodyState {
 };
 // Error: the model has no contact, or the body is not part of it.
 BodyState body_state(const Run& run, const model::Rigid& body);
+// What the cloth does to the facets of a body. Error: as above; its shape is no surface of facets.
+mechanics::Contacts::OnSkin on_skin(const Run& run, const model::Rigid& body);
 struct Touching {
   double gap;         // m, above the floor, for the pair closest to its floor; at most the range of contact
   std::string words;  // "node 3 and the sphere"; empty: no pair within range

@@ -5,6 +5,7 @@
 #include "base/number.hpp"
 #include "mechanics/terms/seams.hpp"
 #include "mechanics/terms/tears.hpp"
+#include "run/breaks.hpp"
 #include "run/place_text.hpp"
 #include "run/run.hpp"
 
@@ -110,13 +111,39 @@ void Run::tear() {
   }
 }
 
+NearestBreak nearest_break(const mechanics::Assembly& assembly) {
+  NearestBreak nearest;
+  if (const auto* tears = assembly.tears(); tears != nullptr)
+    nearest = {tears->worst().share, tears->committed_share()};
+  if (const auto* seams = assembly.seams(); seams != nullptr)
+    nearest = {std::max(nearest.trial, seams->worst().share),
+               std::max(nearest.committed, seams->committed_share())};
+  return nearest;
+}
+
 void Run::refuse_runaway() {
-  const auto worst = assembly_->tears()->worst();
-  if (!(worst.share > kOvershot)) return;
-  const std::string text = "at time " + number(time()) + " s the force on the " + worst.yarn + " about " +
-                           place_text(worst.at) + " jumps to " + number(worst.share) +
-                           " times its strength, " + number(worst.strength) +
-                           " N/m, however short the step: the tear runs away";
+  if (!(nearest_break(*assembly_).trial > kOvershot)) return;
+  std::string what = "seam";
+  double share = 0, strength = 0;
+  Vec3 at = Vec3::Zero();
+  if (const auto* seams = std::as_const(*assembly_).seams(); seams != nullptr) {
+    const auto worst = seams->worst();
+    what = "seam " + worst.seam;
+    share = worst.share;
+    strength = worst.strength;
+    at = worst.at;
+  }
+  if (const auto* tears = std::as_const(*assembly_).tears();
+      tears != nullptr && tears->worst().share > share) {
+    const auto worst = tears->worst();
+    what = worst.yarn;
+    share = worst.share;
+    strength = worst.strength;
+    at = worst.at;
+  }
+  const std::string text = "at time " + number(time()) + " s the force on the " + what + " about " +
+                           place_text(at) + " jumps to " + number(share) + " times its strength, " +
+                           number(strength) + " N/m, however short the step: the tear runs away";
   fail(NumericalFailure(std::string(kind()) + ": " + text +
                             ".\nTry: fabric.dynamic with scheme=\"explicit\", which shows where it goes.",
                         time()),

@@ -11,6 +11,7 @@
 #include "mechanics/terms/contact.hpp"
 #include "mechanics/terms/seams.hpp"
 #include "mechanics/terms/tears.hpp"
+#include "run/breaks.hpp"
 #include "run/failure.hpp"
 #include "run/foresight.hpp"
 #include "run/place_text.hpp"
@@ -388,14 +389,15 @@ double Run::land_at_limit(double size, StepReport& report) {
   return jump ? size : search(limit, size, report);
 }
 
-// A yarn breaks at its strength, not at what the end of a step happens to reach. Where the force jumps, as
-// over a tear that runs, there is no such step.
+// A yarn, or a stitch, breaks at its strength, not at what the end of a step happens to reach. Where the
+// force jumps, as over a tear that runs, there is no such step.
 double Run::land_at_break(double size, StepReport& report) {
   constexpr double tolerance = 1e-4, limit_ratio = 1 + tolerance;
-  const mechanics::Tears* const tears = std::as_const(*assembly_).tears();
-  if (tears == nullptr || tear_step() > 0 || !(tears->worst().share > limit_ratio + tolerance)) return size;
-  Event breaks{[tears](Run&) { return tears->worst().share - limit_ratio; }, tolerance, {}};
-  breaks.last = std::min(0.0, tears->committed_share() - limit_ratio);
+  if (tear_step() > 0) return size;
+  const NearestBreak nearest = nearest_break(*assembly_);
+  if (!(nearest.trial > limit_ratio + tolerance)) return size;
+  Event breaks{[](Run& run) { return nearest_break(run.assembly()).trial - limit_ratio; }, tolerance, {}};
+  breaks.last = std::min(0.0, nearest.committed - limit_ratio);
   breaks.largest = limit_ratio;
   breaks.side = -1;
   measure(breaks);

@@ -287,7 +287,7 @@ class Run {
   double land(double size, StepReport& report);  // shortens the step to the first event in it
   double search(Event& event, double size, StepReport& report);
   double land_at_limit(double size, StepReport& report);  // of the tested range, with stop_beyond
-  double land_at_break(double size, StepReport& report);  // of the next yarn, in steps that iterate
+  double land_at_break(double size, StepReport& report);  // of the next yarn or stitch, in steps that iterate
   void mark_due();
   std::vector<mechanics::Joints::Edge> edges_along(const Along& along, const char* call, bool sewn) const;
   void rejoin(std::vector<mechanics::Joints::Edge> edges, double within);
@@ -295,11 +295,10 @@ class Run {
   // Changes the joints by a function that returns what becomes of the unknowns, or nothing.
   void change(const std::function<std::optional<mechanics::Transfer>()>& made);
   std::vector<std::size_t> stitches_along(const Along& along) const;
-  void burst();  // opens the stitches that have reached their strength in the committed state
-  void sew();    // closes the seams whose edges have been drawn together
-  [[noreturn]] void refuse_burst();
+  void burst();           // opens the stitches that have reached their strength in the committed state
+  void sew();             // closes the seams whose edges have been drawn together
   void tear();            // opens the joints whose yarns have reached their strength in the committed state
-  void refuse_runaway();  // throws where a yarn's force is beyond its strength in the trial state
+  void refuse_runaway();  // throws where a yarn or stitch is beyond its strength in the trial state
   void keep_assembly(Archive& archive);
   void keep(Archive& archive);
   void keep_motion(Archive& archive);

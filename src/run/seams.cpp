@@ -51,26 +51,15 @@ void Run::sew() {
   }
 }
 
-// Steps that iterate end where the first stitch breaks.
-void Run::refuse_burst() {
-  const auto worst = assembly_->seams()->worst();
-  const std::string text = "at time " + number(time()) + " s the seam " + worst.seam + " about " +
-                           place_text(worst.at) + " has reached its strength, " + number(worst.strength) +
-                           " N/m";
-  fail(NumericalFailure(std::string(kind()) + ": " + text +
-                            ".\nTry: fabric.dynamic with scheme=\"explicit\", which shows how it bursts.",
-                        time()),
-       text);
-}
-
+// In steps that iterate whatever bursts with a stitch does so in the same state, as in tears.
 void Run::burst() {
   mechanics::Seams* const seams = assembly_->seams();
   if (seams == nullptr) return;
-  const auto worst = seams->worst();
-  if (!(worst.share >= 1)) return;
   const double step = tear_step();
-  if (!(step > 0)) refuse_burst();
-  resew(seams->let_go(step), 0);
+  while (seams->worst().share >= 1) {
+    resew(seams->let_go(step), 0);
+    if (step > 0) return;
+  }
 }
 
 // The stitches whose node, or all of what it is sewn to, is in the set.

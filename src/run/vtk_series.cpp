@@ -15,12 +15,15 @@ format::PvdSeries continued(const std::string& stem, std::size_t frames, Archive
   return {stem, place};
 }
 
-// The rigid bodies in their present positions, one grid each.
+// The rigid bodies in their present positions, one grid each; surfaces with the pressure of the cloth on
+// them.
 std::vector<format::PvdPart> bodies_of(const Run& run) {
   std::vector<format::PvdPart> parts;
   for (const BodyShown& body : shown_bodies(run)) {
     format::PvdPart part{body.name, body.vertices, {}};
     for (const auto& t : body.triangles) part.cells.push_back({t[0], t[1], t[2], -1});
+    if (!body.pressure.empty())
+      part.point_data.push_back({"contact_pressure", 1, body.pressure, {}, false, "Pa"});
     parts.push_back(std::move(part));
   }
   return parts;

@@ -90,13 +90,16 @@ for _, scheme in ipairs { "explicit", "implicit" } do
   end
 end
 
--- A seam of strength f bursts at f times its length and takes G times its length; of its own stiffness K the strip is a chain of springs.
-local function sewn_weakly(scheme, n, K, duration)
+-- A seam of strength f bursts at f times its length, as the cloth would that has this strength, and takes G times its length; of its own stiffness K
+-- the strip is a chain of springs. The opening at which it carries nothing more, 2 G/f, is longer than what the strip gives back, so that the way down
+-- is stable in statics too; with less energy it is not, and the run says so.
+local f, G = 20, 0.05
+local function sewn_weakly(scheme, n, K, duration, energy)
   local low = fabric.mesh.rectangle { width = 30 * mm, height = 20 * mm, nx = 3, ny = 2 }
   local high = fabric.mesh.rectangle { width = 30 * mm, height = 30 * mm, nx = n, ny = 3, origin = { 0, 20 * mm, 0 } }
   local m = fabric.model { bodies = { { name = "low", mesh = low, card = card, warp = 90 }, { name = "high", mesh = high, card = card, warp = 90 } } }
   m:fix("low.all", "z rotation"):fix("high.all", "z rotation"):fix("low.bottom", "x y"):fix("high.top", "x")
-  m:move("high.top", { y = fabric.ramp(4 * mm, 1) }):seam { "low.top", "high.bottom", strength = 20, energy = 0.02, stiffness = K }
+  m:move("high.top", { y = fabric.ramp(8 * mm, 1) }):seam { "low.top", "high.bottom", strength = f, energy = energy or G, stiffness = K }
   if scheme == "static" then return fabric.static { model = m, duration = duration, step = 0.02 } end
   return fabric.dynamic {
     model = m,
@@ -107,29 +110,25 @@ local function sewn_weakly(scheme, n, K, duration)
     ledger_limit = 1,
   }
 end
-for _, case in ipairs { { n = 3 }, { n = 4 }, { n = 3, K = 2e5 } } do
-  local a, peak = sewn_weakly("explicit", case.n, case.K, 1), 0
-  a:every(1e-3, function(at) peak = math.max(peak, (select(2, at:reaction "high.top"))) end)
-  a:solve()
-  -- Where the spacings differ the stress beside the seam is not even, and its first stitches go a little early.
-  near(peak, 20 * 30 * mm, case.n == 3 and 2e-3 or 0.05, "strength of the seam")
-  near(a.energy.fracture, 0.02 * 30 * mm, 1e-9, "energy of the seam")
-  assert(a.energy.error < 2e-3 and a:mean("joint_open", "low.top") == 1)
+for _, scheme in ipairs { "explicit", "static", "implicit" } do
+  for _, case in ipairs { { n = 3 }, { n = 4 }, { n = 3, K = 2e4 } } do
+    local what = ("%s, %d elements on 3, %s: "):format(scheme, case.n, case.K and "of its own stiffness" or "stiff")
+    local a, peak = sewn_weakly(scheme, case.n, case.K, 1), 0
+    a:every(scheme == "static" and "step" or 1e-3, function(at) peak = math.max(peak, (select(2, at:reaction "high.top"))) end)
+    a:solve()
+    near(peak, f * 30 * mm, 0.01, what .. "strength of the seam")
+    near(a.energy.fracture, G * 30 * mm, 1e-6, what .. "energy of the seam")
+    assert(a.energy.error < 2e-3 and a:mean("joint_open", "low.top") == 1, what .. "ledger " .. a.energy.error)
+  end
 end
 do -- E t (lambda^2 - 1)/2 lambda on both pieces, which are 50 mm long together, and the seam open by F/(K w)
   local K, h = 2e5, 50 * mm
-  local a = sewn_weakly("static", 3, K, 0.3):solve()
+  local a = sewn_weakly("static", 3, K, 0.15):solve()
   local _, F = a:reaction "high.top"
-  local lambda = 1 + (0.3 * 4 * mm - F / (K * 30 * mm)) / h
+  local lambda = 1 + (0.15 * 8 * mm - F / (K * 30 * mm)) / h
   near(F, 30 * mm * 500 * lambda * (lambda ^ 2 - 1) / 2, 1e-6, "a seam of its own stiffness")
 end
-for _, scheme in ipairs { "static", "implicit" } do
-  for _, K in ipairs { false, 1e6 } do
-    local a = sewn_weakly(scheme, 3, K or nil, 1)
-    fails("of 'low.top' and 'high.bottom' about (", a.solve, a)
-    assert(math.abs(select(2, a:reaction "high.top") / 0.6 - 1) < 0.05)
-  end
-end
+fails("the force on the seam of 'low.top' and 'high.bottom' about (", function() sewn_weakly("static", 4, nil, 1, 1e-3):solve() end)
 
 -- Two discs sewn at the rim and blown up are twice one disc whose rim stays in its plane.
 do

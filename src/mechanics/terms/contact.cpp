@@ -721,8 +721,8 @@ const Contacts::Reading& Contacts::read() const {
   reading_.x.resize(x_.size());
   positions(configuration_.x(), share_, reading_.x);
   open_to(configuration_.time());
-  std::vector<Vec3> force(x_.size(), Vec3::Zero());
-  reading_.totals = contact_->add_forces(reading_.x, force);
+  reading_.force.assign(x_.size(), Vec3::Zero());
+  reading_.totals = contact_->add_forces(reading_.x, reading_.force);
   reading_.at_points = contact_->at_points(reading_.x);
   return reading_;
 }

@@ -122,6 +122,15 @@ class Contacts final : public Term {
   Nearest nearest() const;
   double gap(Index node) const;       // m, above the floor; at most the range of contact
   double pressure(Index node) const;  // Pa, without friction, of both faces added
+  // What the cloth does to a body whose shape is a surface.
+  struct OnSkin {
+    std::vector<Vec3> at;          // m, where its vertices are
+    std::vector<double> pressure;  // Pa, on each vertex, without friction; inwards is positive
+    std::vector<double> area;      // m2, a third of the facets around each vertex, as they are
+    std::vector<Index> node;       // of the cloth, that touches it; ascending
+    std::vector<Vec3> place;       // m, where on the body's surface at time 0 this is
+  };
+  OnSkin on_skin(std::size_t body) const;
   std::size_t touching() const { return read().totals.touching; }
   std::size_t touching_now() const { return (evaluated_ ? trial_ : committed_).touching; }
   std::string words(const std::array<std::int32_t, 4>& points) const;  // "node 3 and sphere"
@@ -164,7 +173,7 @@ class Contacts final : public Term {
   struct Reading {
     std::uint64_t version = 0;
     contact::Totals totals;
-    std::vector<Vec3> x;
+    std::vector<Vec3> x, force;  // m; N, without friction
     contact::Contact::AtPoints at_points;
   };
   Contacts(const model::Model& model, const Configuration& configuration, const Cloth& cloth,
@@ -205,6 +214,7 @@ class Contacts final : public Term {
   void prepare_tangent(const Trial& trial);
   const Reading& read() const;
   int surface_of(std::int32_t point) const;
+  double touches_within(Index node, std::size_t body) const;
 
   const model::Model& model_;
   const Configuration& configuration_;

@@ -21,6 +21,8 @@ constexpr double kReady = 0.8;     // share of the time of sewing at which the e
 constexpr double kLeads = 0.05;    // of that time: how fast a target leads as far as the thread is stretched
 constexpr double kSlow = 0.2;      // of a thread's own frequency: the same, in motion
 constexpr double kStiffest = 0.5;  // as for strings of tears: share of m / dt^2 on their way back
+constexpr double kOrigin =
+    1e-3;  // and in steps that iterate: of the opening at which they carry nothing more
 
 // From 0 to 1, with rates of zero at both ends.
 double smooth(double s) {
@@ -36,6 +38,11 @@ double Thread::stiffness() const {
   if (!is_softening()) return k;
   const double onset = strength / k;
   return strength * std::max(0.0, 1 - (widest - onset) / (vanishes() - onset)) / widest;
+}
+
+double Thread::stiffness_rate() const {
+  if (!is_softening() || !(widest > widest_before) || widest >= vanishes()) return 0;
+  return -(strength / (vanishes() - strength / k) + stiffness()) / widest;
 }
 
 // The work on the way to the largest opening, less what comes back.
@@ -67,7 +74,7 @@ void Thread::rollback() {
 void Thread::keep(Archive& archive) {
   for (Vec3* v : {&gap_before, &target_before, &shift_before, &damping_before})
     archive(v->x(), v->y(), v->z());
-  archive(lost_before, widest_before, softens);
+  archive(lost_before, widest_before);
   if (archive.reading()) rollback();
 }
 
@@ -145,12 +152,18 @@ void Seams::pull(const law::Step& step, const Trial& trial, std::size_t i) {
     t.damping = moves ? Vec3(t.c / step.dt * stretch) : Vec3(Vec3::Zero());
     t.lost = t.lost_before + (t.damping + t.damping_before).dot(stretch) / 2;
   }
-  t.softens = trial.motion != nullptr && trial.motion->moves() && trial.motion->damping_weight() == 0;
   t.widest = t.widest_before;
-  if (!(t.strength > 0)) return;
-  const Vec3 out = outward(i, trial.configuration.x());
-  const double along = t.gap.dot(out);
-  t.widest = std::max(t.widest, (along < 0 ? t.gap : Vec3(t.gap - along * out)).norm());
+  if (t.strength > 0) t.widest = std::max(t.widest, parting(i, trial.configuration.x()).norm());
+}
+
+Vec3 Seams::parting(std::size_t i, std::span<const double> x) const {
+  const Vec3 out = outward(i, x), gap = Dofs::gap(dofs_.stitches()[i], x);
+  const double along = gap.dot(out);
+  return along < 0 ? gap : Vec3(gap - along * out);
+}
+
+Vec3 Seams::way(std::size_t i, std::span<const double> x) const {
+  return strings_[i].offset * strings_[i].force.normalized() - Dofs::gap(dofs_.stitches()[i], x);
 }
 
 // A force on the node, internal, and its counterpart on what it is sewn to.
@@ -165,16 +178,14 @@ Outcome Seams::add_forces(const law::Step& step, const Trial& trial, Forces& for
       case State::drawn:
       case State::own:
         pull(step, trial, i);
-        if (has_strength(i)) share_[i] = threads_[i].k * threads_[i].widest / threads_[i].strength;
+        if (has_strength(i))
+          share_[i] =
+              dofs_.sewn().parted[i] != 0 ? 0 : threads_[i].k * threads_[i].widest / threads_[i].strength;
         put(i, threads_[i].force(), forces.on_x);
         break;
-      case State::burst: {
-        BridgingString& string = strings_[i];
-        const Vec3 way = string.offset * string.force.normalized() -
-                         dofs_.gap(dofs_.stitches()[i], trial.configuration.x());
-        put(i, -string.pull(way), forces.on_x);
+      case State::burst:
+        put(i, -strings_[i].pull(way(i, trial.configuration.x())), forces.on_x);
         break;
-      }
       case State::closed:
       case State::open:
         break;
@@ -185,7 +196,7 @@ Outcome Seams::add_forces(const law::Step& step, const Trial& trial, Forces& for
 
 void Seams::couple(const Trial&, std::vector<NodePair>& pairs) {
   for (std::size_t i = 0; i < threads_.size(); ++i) {
-    if (state(i) != State::drawn && state(i) != State::own) continue;
+    if (state(i) == State::closed || state(i) == State::open) continue;
     const auto& stitch = dofs_.stitches()[i];
     for (std::size_t a = 0; a < stitch.leads.size(); ++a) {
       pairs.emplace_back(stitch.node, stitch.leads[a].node);
@@ -194,14 +205,27 @@ void Seams::couple(const Trial&, std::vector<NodePair>& pairs) {
   }
 }
 
-// A thread that softens is taken at the stiffness of its way back.
-void Seams::add_tangent(const Trial& trial, TangentSink& sink) const {
+// Of the force on the stitch's node by that node. A thread that softens does so along what parts it; the way
+// back, and across, it is a spring.
+Mat3 Seams::tangent(const Trial& trial, std::size_t i) const {
+  const auto x = trial.configuration.x();
+  if (state(i) == State::burst) return strings_[i].stiffness(way(i, x));
+  const Thread& t = threads_[i];
   const bool implicit = trial.motion != nullptr && trial.motion->damping_weight() > 0;
+  const double c = implicit && trial.motion->dt() > 0 ? t.c / trial.motion->dt() : 0;
+  Mat3 k = (t.stiffness() + c) * Mat3::Identity();
+  if (const double rate = t.stiffness_rate(); rate < 0) {
+    const Vec3 apart = parting(i, x);
+    k += rate / apart.norm() * apart * apart.transpose();
+  }
+  return k;
+}
+
+void Seams::add_tangent(const Trial& trial, TangentSink& sink) const {
   for (std::size_t i = 0; i < threads_.size(); ++i) {
-    if (state(i) != State::drawn && state(i) != State::own) continue;
+    if (state(i) == State::closed || state(i) == State::open) continue;
     const auto& stitch = dofs_.stitches()[i];
-    const double c = implicit && trial.motion->dt() > 0 ? threads_[i].c / trial.motion->dt() : 0;
-    const Mat3 k = (threads_[i].stiffness() + c) * Mat3::Identity();
+    const Mat3 k = tangent(trial, i);
     sink.on_positions(stitch.node, stitch.node, k);
     for (const auto& a : stitch.leads) {
       sink.on_positions(stitch.node, a.node, -a.weight * k);
@@ -221,10 +245,8 @@ void Seams::add_energies(const Trial& trial, std::vector<Energy>& out) const {
     if (now == State::drawn || now == State::own)
       stored += t.stiffness() * (t.gap - t.target).squaredNorm() / 2;
     if (burst_[i] == 0) continue;
-    const BridgingString& string = strings_[i];
-    bridged += string.stored(string.offset * string.force.normalized() -
-                             dofs_.gap(dofs_.stitches()[i], trial.configuration.x()));
-    fracture += string.lost();
+    bridged += strings_[i].stored(way(i, trial.configuration.x()));
+    fracture += strings_[i].lost();
   }
   out.push_back({"threads", Account::stored, stored + bridged});
   out.push_back({"sewing", Account::dissipated, lost});
@@ -254,12 +276,11 @@ Vec3 Seams::outward(std::size_t i, std::span<const double> x) const {
 }
 
 // What presses the edges against each other does not break the seam.
-double Seams::share_of(std::size_t i, const Vec3& force, std::span<const double> x) const {
-  if (!has_strength(i)) return 0;
+double Seams::share_of(std::size_t i, std::span<const double> x) const {
   const Vec3 out = outward(i, x);
-  const double along = force.dot(out);
-  const Vec3 parting = along > 0 ? force : Vec3(force - along * out);
-  return parting.norm() / (*seam(i).strength * dofs_.stitches()[i].length);
+  const double along = traction_[i].dot(out);
+  const Vec3 parting = along > 0 ? traction_[i] : Vec3(traction_[i] - along * out);
+  return parting.norm() / *seam(i).strength;
 }
 
 void Seams::list_joined() {
@@ -304,8 +325,33 @@ void Seams::measure(std::span<const double> x, std::span<const double> on_x) {
             for (const auto& lead : f.leads) a += lead.weight * acceleration(lead.node, c);
       carried_[i][static_cast<int>(c)] = at(on_x, n)[static_cast<int>(c)] + mass[n] * a;
     }
-    share_[i] = share_of(i, carried_[i], x);
   }
+  spread();
+  for (std::size_t i = 0; i < stitches.size(); ++i)
+    if (has_strength(i) && state(i) == State::closed) share_[i] = share_of(i, x);
+}
+
+// Force per length of the seam on each closed stitch. Where the edges have different spacings, single
+// stitches carry more and less than the seam does in the mean over the longer of the elements beside it: that
+// mean is what is compared with the strength.
+void Seams::spread() {
+  const auto& stitches = dofs_.stitches();
+  std::map<Index, std::pair<Vec3, double>> sums;  // at each node that stitches follow: N, m
+  const auto each = [&](auto&& visit) {
+    for (std::size_t i = 0; i < stitches.size(); ++i)
+      if (has_strength(i) && state(i) == State::closed)
+        for (const auto& lead : stitches[i].leads) visit(i, lead);
+  };
+  each([&](std::size_t i, const model::Lead& lead) {
+    auto& [force, length] = sums.try_emplace(lead.node, Vec3::Zero(), 0.0).first->second;
+    force += lead.weight * carried_[i];
+    length += lead.weight * stitches[i].length;
+  });
+  traction_.assign(stitches.size(), Vec3::Zero());
+  each([&](std::size_t i, const model::Lead& lead) {
+    const auto& [force, length] = sums.at(lead.node);
+    traction_[i] += lead.weight / length * force;
+  });
 }
 
 Seams::Worst Seams::worst() const {
@@ -329,8 +375,9 @@ Sewn Seams::let_go(double step) {
     next.closed[i] = 0;
     BridgingString string;
     string.force = carried_[i];
-    string.offset = carried_[i].norm() * step * step * inverse / kStiffest;
     string.energy = *seam(i).energy * stitches[i].length;
+    string.offset =
+        step > 0 ? carried_[i].norm() * step * step * inverse / kStiffest : kOrigin * string.vanishes();
     ready_.push_back(string);
     ready_at_.push_back(i);
   }
@@ -372,13 +419,16 @@ void Seams::renumbered(Forces& forces) {
   ready_at_.clear();
   list_joined();
   for (std::size_t i = 0; i < share_.size(); ++i)
-    if (state(i) == State::burst || state(i) == State::open) share_[i] = 0;
+    if (dofs_.sewn().parted[i] != 0) share_[i] = 0;
+  if (breaks_) measure(configuration_.x(), forces.on_x);
+  committed_share_ = worst().share;
 }
 
 void Seams::commit() {
   time_before_ = configuration_.time();
   for (Thread& thread : threads_) thread.commit();
   for (BridgingString& string : strings_) string.committed = string.widest;
+  committed_share_ = worst().share;
 }
 
 void Seams::rollback() {
@@ -392,6 +442,7 @@ void Seams::keep(Archive& archive) {
   if (!archive.reading()) return;
   list_joined();
   rollback();
+  committed_share_ = worst().share;
 }
 
 std::vector<std::string> Seams::describe() const {

@@ -29,13 +29,13 @@ struct Thread {
   Vec3 damping = Vec3::Zero(), damping_before = Vec3::Zero();  // N
   double lost = 0, lost_before = 0;                            // J, to damping
   double widest = 0, widest_before = 0;                        // m, of a seam with a strength
-  // Whether it softens beyond its strength: in explicit motion. Other runs end there.
-  bool softens = false;
 
-  bool is_softening() const { return softens && strength > 0 && k * widest > strength; }
+  bool is_softening() const { return strength > 0 && k * widest >= strength; }
   double vanishes() const { return 2 * energy / strength; }
   double stiffness() const;  // N/m, of the way back from the widest opening
-  double fracture() const;   // J, never falls as `widest` grows
+  // N/m^2, how the stiffness changes as the widest opening grows in the present step.
+  double stiffness_rate() const;
+  double fracture() const;  // J, never falls as `widest` grows
   Vec3 elastic() const { return stiffness() * (gap - target); }
   Vec3 force() const { return elastic() + damping; }
   void commit();
@@ -70,7 +70,9 @@ class Seams final : public Term {
     Vec3 at = Vec3::Zero();  // m, reference
   };
   Worst worst() const;
-  // Prepares strings for all closed stitches that have reached it, stable with a step in s.
+  double committed_share() const { return committed_share_; }  // its share
+  // Prepares strings for all closed stitches that have reached it, stable with a step in s; 0: in steps that
+  // iterate.
   Sewn let_go(double step);
   bool has_burst(std::size_t stitch) const;
   // One line for each seam.
@@ -81,12 +83,16 @@ class Seams final : public Term {
   State state(std::size_t stitch) const;
   const model::Seam& seam(std::size_t stitch) const { return dofs_.seams()[dofs_.stitches()[stitch].seam]; }
   bool has_strength(std::size_t stitch) const { return seam(stitch).strength.has_value(); }
-  Vec3 nominal(std::size_t stitch, double time) const;  // m, the gap wanted at a time
+  Vec3 nominal(std::size_t stitch, double time) const;                // m, the gap wanted at a time
+  Vec3 way(std::size_t stitch, std::span<const double> x) const;      // m, of its string from the origin
+  Vec3 parting(std::size_t stitch, std::span<const double> x) const;  // m, of the gap, without what presses
+  Mat3 tangent(const Trial& trial, std::size_t stitch) const;
   void pull(const law::Step& step, const Trial& trial, std::size_t stitch);
   void put(std::size_t stitch, const Vec3& force, std::span<double> on_x) const;
   void list_joined();
   Vec3 outward(std::size_t stitch, std::span<const double> x) const;
-  double share_of(std::size_t stitch, const Vec3& force, std::span<const double> x) const;
+  void spread();
+  double share_of(std::size_t stitch, std::span<const double> x) const;
   void measure(std::span<const double> x, std::span<const double> on_x);
 
   const model::Model& model_;
@@ -100,9 +106,10 @@ class Seams final : public Term {
   std::vector<std::vector<Index>> around_;  // per stitch: nodes of the elements at its node
   std::vector<double> share_;               // per stitch, of its strength
   std::vector<Vec3> carried_;               // N, per stitch: on its node by the closed seam
+  std::vector<Vec3> traction_;              // N/m, per stitch: the mean of that over the elements beside it
   std::vector<model::Follower> joined_;     // those of closed stitches
   bool breaks_ = false;
-  double time_before_ = 0;
+  double time_before_ = 0, committed_share_ = 0;
 };
 
 }  // namespace fabricsh::mechanics

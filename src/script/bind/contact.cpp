@@ -1,4 +1,6 @@
 // fabric.rigid.*, model:contact, and reading both from a run.
+#include <array>
+#include <functional>
 #include <numbers>
 
 #include "model/model.hpp"
@@ -186,6 +188,42 @@ int gap(Call& call) {
   return 2;
 }
 
+void push_numbers(lua_State* L, std::size_t count, const char* name,
+                  const std::function<double(std::size_t)>& value) {
+  lua_createtable(L, static_cast<int>(count), 0);
+  for (std::size_t i = 0; i < count; ++i) {
+    lua_pushnumber(L, value(i));
+    lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
+  }
+  lua_setfield(L, -2, name);
+}
+
+void push_places(lua_State* L, const std::vector<Vec3>& places) {
+  static constexpr std::array names = {"x", "y", "z"};
+  for (int c = 0; c < 3; ++c)
+    push_numbers(L, places.size(), names.at(static_cast<std::size_t>(c)),
+                 [&places, c](std::size_t i) { return places[i][c]; });
+}
+
+int on_body(Call& call) {
+  const auto skin = run::on_skin(*call.self<DeckRun>()->analysis, *call.object<const Rigid>("body"));
+  lua_State* L = call.L();
+  lua_newtable(L);
+  push_places(L, skin.at);
+  push_numbers(L, skin.area.size(), "pressure", [&skin](std::size_t i) { return skin.pressure[i]; });
+  push_numbers(L, skin.area.size(), "area", [&skin](std::size_t i) { return skin.area[i]; });
+  lua_newtable(L);
+  push_places(L, skin.place);
+  lua_createtable(L, static_cast<int>(skin.node.size()), 0);
+  for (std::size_t i = 0; i < skin.node.size(); ++i) {
+    lua_pushinteger(L, skin.node[i] + 1);
+    lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
+  }
+  lua_setfield(L, -2, "node");
+  lua_setfield(L, -2, "touch");
+  return 1;
+}
+
 // --- rows
 
 Argument place_row(const char* name, const char* sentence) {
@@ -307,6 +345,23 @@ std::vector<Entry> run_rows() {
        "by differences of its histories.",
        falls + "local x, y, z = a:solve():body(floor)\nassert(z == -0.001)",
        body},
+      {"analysis:on_body",
+       Style::positional,
+       {object_("body", "body", "of facets (surface, motion, limb, torso), that touches cloth in the model")},
+       "What the cloth does to a rigid surface: of each vertex x, y, z (m, where it is), area (m2, a third "
+       "of "
+       "the facets around it, as they are) and pressure (Pa, without friction); and touch, whose lists node, "
+       "x, y, z are the nodes of the cloth that touch the surface, and where on it, m, in its shape at time "
+       "0.",
+       sample_model() +
+           "local face = fabric.mesh.rectangle{ width=0.4, height=0.4, nx=8, ny=8, origin={-0.1, -0.1, 0} }\n"
+           "local slab = fabric.rigid.surface{ mesh=face:map(function(x, y) return x, y, -0.0002 end) }\n"
+           "m:contact{ between={slab, 'all'} }:gravity{0, 0, -9.81}\n"
+           "local a = fabric.dynamic{ model=m, duration=0.05, damping={ mass=300 } }:solve()\n"
+           "local on, weight = a:on_body(slab), 0\n"
+           "for i, p in ipairs(on.pressure) do weight = weight + p*on.area[i] end\n"
+           "assert(weight > 0 and #on.touch.node > 0)",
+       on_body},
       {"analysis:gap",
        Style::positional,
        {},

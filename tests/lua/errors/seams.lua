@@ -30,7 +30,8 @@ wrong("model:seam", "fabric.static{ model=held:seam{ 'left', 'bottom', over=1 },
 wrong("model:seam", "fabric.static{ model=held:seam{ 'left', 'right' }, duration=1 }",
   "deck.lua:1: static: seam of 'left' and 'right': node 1 is 0.0254 m from where it belongs on the other edge: expected edges that lie on each other, or a time in which they are drawn together (field 'over', s)")
 wrong("model:seam", "fabric.static{ model=held:seam{ 'left', 'right', over=1, reverse=true }, duration=1 }",
-  "deck.lua:1: static: seam of 'left' and 'right': it is sewn the wrong way round, the lines between the ends cross: they are 0.0803219 m apart, and 0.0254 m with reverse=false")
+  "deck.lua:1: static: seam of 'left' and 'right': it is sewn the wrong way round, the lines between the ends cross: they are 0.0803219 m apart, and 0.0254 m with reverse=false\n"
+  .. "         1 o-----------o 7    'left'\n            \\         /\n              \\     /\n                 X\n              /     \\\n            /         \\\n         2 o-----------o 8    'right'")
 wrong("model:seam", "fabric.static{ model=held:seam{ 'left', 'all', over=1 }, duration=1 }",
   "deck.lua:1: static: seam of 'left' and 'all': set 'all' is a ring and the other is not: expected two lines or two rings")
 wrong("model:seam", "fabric.static{ model=held:seam{ 'left', 'right', over=1 }:tie('equal', 'top', 'y'), duration=1 }",

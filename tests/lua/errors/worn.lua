@@ -59,3 +59,52 @@ wrong("fabric.lab.dress", "fabric.lab.dress{ analysis=run, at=0.5, window=0.6 }"
   "deck.lua:1: dress: field 'window': expected less than at= (0.5 s), got 0.6 s")
 wrong("fabric.lab.dress", "fabric.lab.dress{ analysis=run, at=0.5 }",
   "deck.lua:1: dress: the model has no contact: expected m:contact{ between={body, \"all\"} }")
+
+-- fabric.lab.wear
+local wear_body = "body=fabric.rigid.sphere{ radius=1, centre={0, 0, 0} }"
+local function wear(rest, message) wrong("fabric.lab.wear", "fabric.lab.wear{ " .. rest .. " }", "deck.lua:1: wear: " .. message) end
+wear("wrong=1", "unknown field 'wrong' (known: analysis body mesh times regions window samples patch state out)")
+wear("analysis=5", "field 'analysis': expected an analysis, got 5")
+wear("analysis=run", "field 'body': expected a body, got nil (missing, or a misspelt variable)")
+wear("analysis=run, body=5", "field 'body': expected a body, got 5")
+wear("analysis=run, " .. wear_body .. ", mesh=5", "field 'mesh': expected a mesh, got 5")
+wear("analysis=run, " .. wear_body .. ", mesh=mesh, times=5", "field 'times': expected a table of numbers in s, got 5")
+wear("analysis=run, " .. wear_body .. ", mesh=mesh, times={0.1, 0.2}, regions=5", "field 'regions': expected a table, got 5")
+wear("analysis=run, " .. wear_body .. ", mesh=mesh, times={0.1, 0.2}, window='x'", "field 'window': expected a positive number in s, got 'x'")
+wear("analysis=run, " .. wear_body .. ", mesh=mesh, times={0.1, 0.2}, window=-1", "field 'window': expected a positive number in s, got -1")
+wear("analysis=run, " .. wear_body .. ", mesh=mesh, times={0.1, 0.2}, samples=1.5", "field 'samples': expected an integer of at least 1, got 1.5")
+wear("analysis=run, " .. wear_body .. ", mesh=mesh, times={0.1, 0.2}, samples=0", "field 'samples': expected an integer of at least 1, got 0")
+wear("analysis=run, " .. wear_body .. ", mesh=mesh, times={0.1, 0.2}, out=5", "field 'out': expected a string, got 5")
+wear("analysis=run, " .. wear_body .. ", mesh=mesh, times={0.1}", "field 'times': expected where it begins and ends, two or more times, got 1")
+wear("analysis=run, " .. wear_body .. ", mesh=mesh, times={0.1, 2}", "field 'times': expected at most the duration of the run, 1 s, got 2 s")
+
+-- analysis:on_body
+wrong("analysis:on_body", "run:on_body()",
+  "deck.lua:1: on_body: argument 'body': expected a body, got nil (missing, or a misspelt variable)")
+wrong("analysis:on_body", "run:on_body(5)",
+  "deck.lua:1: on_body: argument 'body': expected a body, got 5")
+
+-- fabric.lab.seam_strength
+local function strength(rest, message) wrong("fabric.lab.seam_strength", "fabric.lab.seam_strength{ " .. rest .. " }", "deck.lua:1: seam_strength: " .. message) end
+strength("crad=card", "unknown field 'crad', did you mean 'card'?")
+strength("card=5", "field 'card': expected a card, got 5")
+strength("card=card, energy=1", "field 'strength': expected a positive number in N/m, got nil (missing, or a misspelt variable)")
+strength("card=card, strength='1', energy=1", "field 'strength': expected a positive number in N/m, got '1'")
+strength("card=card, strength=-1, energy=1", "field 'strength': expected a positive number in N/m, got -1")
+strength("card=card, strength=1, energy=1, method='grub'", "field 'method': expected 'strip' or 'grab', got 'grub', did you mean 'grab'?")
+strength("card=card, strength=1, energy=1, rows=1.5", "field 'rows': expected an integer of at least 10, got 1.5")
+strength("card=card, strength=1, energy=1, out=5", "field 'out': expected a string, got 5")
+strength("card=card, strength=1, energy=1, prepare=5", "field 'prepare': expected a function, got 5")
+strength("card=card, strength=1, energy=1, method='grab', jaw=0.2", "field 'jaw': expected jaws narrower than the specimen of 0.1 m, got 0.2 m")
+
+-- fabric.lab.seam_slippage
+local function slippage(rest, message) wrong("fabric.lab.seam_slippage", "fabric.lab.seam_slippage{ " .. rest .. " }", "deck.lua:1: seam_slippage: " .. message) end
+slippage("crad=card", "unknown field 'crad', did you mean 'card'?")
+slippage("card=5", "field 'card': expected a card, got 5")
+slippage("card=card", "field 'stiffness': expected a positive number in N/m^2, got nil (missing, or a misspelt variable)")
+slippage("card=card, stiffness='1'", "field 'stiffness': expected a positive number in N/m^2, got '1'")
+slippage("card=card, stiffness=-1", "field 'stiffness': expected a positive number in N/m^2, got -1")
+slippage("card=card, stiffness=1, yarn='wrap'", "field 'yarn': expected 'warp' or 'weft', got 'wrap', did you mean 'warp'?")
+slippage("card=card, stiffness=1, rows=1.5", "field 'rows': expected an integer of at least 10, got 1.5")
+slippage("card=card, stiffness=1, prepare=5", "field 'prepare': expected a function, got 5")
+slippage("card=card, stiffness=1, jaw=0.2", "field 'jaw': expected jaws narrower than the specimen of 0.1 m, got 0.2 m")

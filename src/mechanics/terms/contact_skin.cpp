@@ -1,0 +1,90 @@
+// What cloth does to the facets of a rigid surface.
+#include <algorithm>
+#include <limits>
+#include <map>
+
+#include "contact/touch.hpp"
+#include "mechanics/terms/contact.hpp"
+
+namespace fabricsh::mechanics {
+
+namespace {
+
+// A third of each facet for each of its corners, as a vector along the facet's normal, m2.
+std::vector<Vec3> areas(const std::vector<contact::Triangle>& triangles, std::span<const Vec3> at) {
+  std::vector<Vec3> all(at.size(), Vec3::Zero());
+  for (const auto& t : triangles) {
+    const auto corner = [&](int c) { return at[static_cast<std::size_t>(t[static_cast<std::size_t>(c)])]; };
+    const Vec3 third = (corner(1) - corner(0)).cross(corner(2) - corner(0)) / 6;
+    for (const auto c : t) all[static_cast<std::size_t>(c)] += third;
+  }
+  return all;
+}
+
+}  // namespace
+
+// m: how near a node has to be to body i to be pressed by it; below 0 where the two do not meet.
+double Contacts::touches_within(Index node, std::size_t i) const {
+  double most = -1;
+  const auto& surfaces = scene_.surfaces();
+  const int of_body = bodies_.surface(i);
+  for (std::size_t s = 0; s < surfaces.size(); ++s) {
+    if (surfaces[s].shape != contact::Shape::cloth ||
+        !std::binary_search(surfaces[s].points.begin(), surfaces[s].points.end(), node))
+      continue;
+    const auto* meets = scene_.between(static_cast<std::int32_t>(s), of_body);
+    if (meets != nullptr)
+      most = std::max(most, meets->law.gap() + surfaces[static_cast<std::size_t>(of_body)].radius);
+  }
+  return most;
+}
+
+Contacts::OnSkin Contacts::on_skin(std::size_t i) const {
+  const Reading& now = read();
+  const model::Rigid& body = bodies_.body(i);
+  const auto [first, last] = bodies_.vertices(i);
+  const auto begin = static_cast<std::int32_t>(nodes_ + first),
+             end = static_cast<std::int32_t>(nodes_ + last);
+  OnSkin out;
+  out.at.assign(now.x.begin() + begin, now.x.begin() + end);
+  const std::vector<Vec3> across = areas(body.facets()->triangles, out.at);
+  for (std::size_t v = 0; v < across.size(); ++v) {
+    const double area = across[v].norm();
+    const Vec3& force = now.force[nodes_ + first + v];
+    out.area.push_back(area);
+    out.pressure.push_back(area > 0 ? -force.dot(across[v]) / (area * area) : 0);
+  }
+  // The nearest facet of the body to each node that is near to any.
+  struct Nearest {
+    double distance = std::numeric_limits<double>::infinity();
+    std::array<std::int32_t, 3> corner{};
+    std::array<double, 3> weight{};
+  };
+  std::map<std::int32_t, Nearest> nearest;
+  contact_->couples(now.x, [&](const std::array<std::int32_t, 4>& p) {
+    const bool facet = p[0] >= 0 && p[0] < static_cast<std::int32_t>(nodes_) &&
+                       std::all_of(p.begin() + 1, p.end(), [&](auto c) { return c >= begin && c < end; });
+    if (!facet) return;
+    const auto touch = contact::point_triangle(
+                           {now.x[static_cast<std::size_t>(p[0])], now.x[static_cast<std::size_t>(p[1])],
+                            now.x[static_cast<std::size_t>(p[2])], now.x[static_cast<std::size_t>(p[3])]})
+                           .touch;
+    Nearest& best = nearest[p[0]];
+    if (touch.distance < best.distance)
+      best = {touch.distance,
+              {p[1] - begin, p[2] - begin, p[3] - begin},
+              {-touch.weight[1], -touch.weight[2], -touch.weight[3]}};
+  });
+  const std::vector<Vec3>& reference = body.facets()->vertices;
+  for (const auto& [node, best] : nearest) {
+    if (!(best.distance < touches_within(node, i))) continue;
+    Vec3 place = Vec3::Zero();
+    for (std::size_t c = 0; c < 3; ++c)
+      place += best.weight[c] * reference[static_cast<std::size_t>(best.corner[c])];
+    out.node.push_back(node);
+    out.place.push_back(place);
+  }
+  return out;
+}
+
+}  // namespace fabricsh::mechanics
