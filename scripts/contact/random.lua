@@ -6,11 +6,12 @@
 --   fabricsh scripts/contact/random.lua                  30 scenes
 --   fabricsh scripts/contact/random.lua 1000 501         1000, from seed 501 on (scripts/long/contact/random.lua: 10,000)
 --   fabricsh scripts/contact/random.lua 1 77             one of them again
+--   fabricsh scripts/contact/random.lua 100 1 implicit   100 with implicit steps, 50 for the way of each scene
 -- warns: is turned over: it is more than 90 degrees
 -- warns: turned inside out
 local fabric = require "fabric"
 local brute = require "fabric.lab.brute"
-local count, first = tonumber(arg[1] or 30), tonumber(arg[2] or 1)
+local count, first, scheme = tonumber(arg[1] or 30), tonumber(arg[2] or 1), arg[3] or "explicit"
 if fabric.checking() then count = 1 end
 
 local function between(low, high) return low + (high - low) * math.random() end
@@ -76,8 +77,10 @@ local function throw(seed)
     m:velocity(body.name .. ".all", function(x, y) return { x = sway, y = flutter * math.sin(wave * x), z = -speed + flutter * math.cos(wave * y) } end)
   end
   -- A run looks at its ledger by shares of its duration, so that is what is to be run.
-  local duration = math.min(3 * (z + 2 * cell) / fastest, 160 * fabric.dynamic { model = m, duration = 1 }.step_size)
-  return fabric.dynamic { model = m, duration = duration }, brute.watch(m.mesh, balls, planes), duration
+  local duration = 3 * (z + 2 * cell) / fastest
+  if scheme == "explicit" then duration = math.min(duration, 160 * fabric.dynamic { model = m, duration = 1 }.step_size) end
+  local run = fabric.dynamic { model = m, duration = duration, scheme = scheme, step = scheme == "implicit" and duration / 50 or nil }
+  return run, brute.watch(m.mesh, balls, planes), duration
 end
 
 local sum = { looks = 0, steps = 0, passed = 0, stopped = 0, crashed = 0, touched = 0, guarded = 0, thick = 0 }

@@ -246,6 +246,36 @@ for _, triangles in ipairs { false, true } do
   checks("the speed that is said is stopped", lands(said, triangles) and 1 or 0, 1, exact)
 end
 
+-- A stiff sheet lies on four needles with round tips, or on two wires, of 0.6 and of 0.04 mm: each carries its share of the weight, in all schemes.
+for _, case in ipairs { { 0.3e-3, false }, { 0.02e-3, true } } do
+  local r, wires = case[1], case[2]
+  for _, how in ipairs { "static", "relaxation", "implicit", "explicit" } do
+    local L, t, rho, off = 0.04, 0.5e-3, 400, 0.0093
+    local mesh = fabric.mesh.rectangle { width = L, height = L, nx = 8, ny = 8, triangles = how == "implicit", origin = { -L / 2, -L / 2, t / 2 } }
+    mesh:set("middle", function(x, y) return math.abs(x) < 1e-9 and math.abs(y) < 1e-9 end)
+    mesh:set("side", function(x, y) return math.abs(x - L / 2) < 1e-9 and math.abs(y) < 1e-9 end)
+    local card = fabric.svk { young = 5e6, poisson = 0, density = rho, thickness = t, name = "sheet", bending = { warp = 3e-4, weft = 3e-4, twist = 1.5e-4 } }
+    local m = fabric.model { mesh = mesh, card = card, warp = 0 }
+    m:fix("middle", "x y"):fix("side", "y"):gravity { 0, 0, -g }
+    local carriers, top = {}, 1e-7
+    for _, x in ipairs { -off, off } do
+      for _, y in ipairs(wires and { 0 } or { -off, off }) do
+        local one = fabric.rigid.cylinder { radius = r, from = { x, wires and -L or y, top - r }, to = { x, wires and L or y, wires and top - r or -0.02 } }
+        m:contact { between = { one, "all" } }
+        carriers[#carriers + 1] = one
+      end
+    end
+    local method = how == "relaxation" and how or nil
+    local run = (how == "static" or method) and fabric.static { model = m, duration = 1, step = 0.5, method = method } or
+      fabric.dynamic { model = m, duration = 0.1, scheme = how, step = how == "implicit" and 1e-3 or nil, damping = { mass = 150 } }
+    run:solve()
+    for i, one in ipairs(carriers) do
+      local share = select(3, run:reaction(one)) / (rho * t * L * L * g)
+      checks(("%s of %g m, %s: share of the weight of %d"):format(wires and "wire" or "needle", r, how, i), share * #carriers, 1, { relative = (method or how == "static") and 1e-5 or 4e-3 })
+    end
+  end
+end
+
 -- What slides, and bodies that meet, go on with the same bits from a snapshot.
 for _, how in ipairs { { "explicit" }, { "implicit", 2e-6 } } do
   local t = 0.5e-3
