@@ -3,10 +3,7 @@ local fabric = require "fabric"
 local lab = fabric.lab
 local draw = require "fabric.lab.random" (11)
 
-local function fails(words, f, ...)
-  local ok, message = pcall(f, ...)
-  assert(not ok and tostring(message):find(words, 1, true), tostring(message))
-end
+local fails = dofile((arg[0]:gsub("[^/]*$", "common/check.lua"))).fails
 
 -- Grips' force of cloth with N = 30 g + 200 g^3 (N/m) whose free edges carry nothing over a width e: the rule of the zones, written anew.
 local function N(g) return 30 * g + 200 * g ^ 3 end

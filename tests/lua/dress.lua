@@ -1,10 +1,7 @@
 -- A piece wrapped around an arm is sewn and comes to rest: the rule of rest, the same bits on two threads and after a restart, and what starts through the body.
 local fabric = require "fabric"
 local mm = fabric.units.mm
-local function fails(words, f, ...)
-  local ok, why = pcall(f, ...)
-  assert(not ok and tostring(why):find(words, 1, true), 'expected "' .. words .. '", got ' .. tostring(why))
-end
+local fails = dofile((arg[0]:gsub("[^/]*$", "common/check.lua"))).fails
 local card = fabric.card("blend", { bending = "estimated" })
 local long, open = 80 * mm, 8 * mm -- of the sleeve; between its edges at first
 local function sleeve(t)

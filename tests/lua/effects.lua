@@ -8,10 +8,7 @@ local draw = require "fabric.lab.random" (17)
 local function close(got, want, relative, what)
   assert(math.abs(got - want) <= relative * math.abs(want), ("%s: %g, want %g"):format(what or "value", got, want))
 end
-local function fails(words, f, ...)
-  local ok, message = pcall(f, ...)
-  assert(not ok and tostring(message):find(words, 1, true), tostring(message))
-end
+local fails = dofile((arg[0]:gsub("[^/]*$", "common/check.lua"))).fails
 
 local x = {}
 for k = 1, 10 do x[k] = k / 10 end

@@ -3,10 +3,7 @@ local fabric = require "fabric"
 local lab = fabric.lab
 
 local function near(got, want, absolute, what) assert(math.abs(got - want) <= absolute, ("%s: %g, want %g +- %g"):format(what, got, want, absolute)) end
-local function fails(words, f, ...)
-  local ok, message = pcall(f, ...)
-  assert(not ok and tostring(message):find(words, 1, true), tostring(message))
-end
+local fails = dofile((arg[0]:gsub("[^/]*$", "common/check.lua"))).fails
 local function allowed(e, deviation) return 4 * deviation / math.sqrt(e.independent) end -- four standard errors
 
 -- A normal density of two parameters of sizes 1 and 1000 that hang together by 0.95

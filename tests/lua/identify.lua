@@ -2,10 +2,7 @@
 local fabric = require "fabric"
 local lab = fabric.lab
 
-local function fails(words, f, ...)
-  local ok, message = pcall(f, ...)
-  assert(not ok and tostring(message):find(words, 1, true), tostring(message))
-end
+local fails = dofile((arg[0]:gsub("[^/]*$", "common/check.lua"))).fails
 
 local calls, stop_at = 0, math.huge
 local function decay(p)

@@ -12,10 +12,7 @@ local function strip(tearable)
   if tearable ~= false then m:tearable(tearable or "all") end
   return m, mesh
 end
-local function fails(words, f, ...)
-  local ok, why = pcall(f, ...)
-  assert(not ok and tostring(why):find(words, 1, true), 'expected "' .. words .. '", got ' .. tostring(why))
-end
+local fails = dofile((arg[0]:gsub("[^/]*$", "common/check.lua"))).fails
 
 -- The further nodes follow those of the mesh, whose numbers stay; without a cut the answer is that of the plain strip.
 local m, mesh = strip()

@@ -8,10 +8,7 @@ fabric.warn = function(words) said[#said + 1] = words end
 local function close(got, want, relative, what)
   assert(math.abs(got - want) <= relative * math.abs(want), ("%s: %g, want %g"):format(what or "value", got, want))
 end
-local function fails(words, f, ...)
-  local ok, message = pcall(f, ...)
-  assert(not ok and tostring(message):find(words, 1, true), tostring(message))
-end
+local fails = dofile((arg[0]:gsub("[^/]*$", "common/check.lua"))).fails
 local function read(text, more)
   local path = os.tmpname() .. ".csv"
   local f <close> = assert(io.open(path, "w"))

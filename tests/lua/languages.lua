@@ -13,10 +13,7 @@ end
 local function close(got, want, relative, what)
   assert(math.abs(got - want) <= relative * math.abs(want), ("%s: %g, want %g"):format(what, got, want))
 end
-local function fails(words, f, ...)
-  local ok, message = pcall(f, ...)
-  assert(not ok and tostring(message):find(words, 1, true), tostring(message))
-end
+local fails = dofile((arg[0]:gsub("[^/]*$", "common/check.lua"))).fails
 
 -- Strips of 0.2 x 0.05 m, 1 mm thick, S = 8 MPa E + 400 MPa E^2 along the warp, half of it along the weft; shear by a bias pull of S12 = 0.5 MPa E12.
 local length, width, thickness = 0.2, 0.05, 1e-3

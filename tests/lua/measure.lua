@@ -10,10 +10,7 @@ local function file(text)
   return path
 end
 
-local function fails(words, f, ...)
-  local ok, message = pcall(f, ...)
-  assert(not ok and tostring(message):find(words, 1, true), tostring(message))
-end
+local fails = dofile((arg[0]:gsub("[^/]*$", "common/check.lua"))).fails
 
 local function close(got, want, relative) assert(math.abs(got - want) <= relative * math.abs(want), got .. " for " .. want) end
 

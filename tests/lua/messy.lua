@@ -3,10 +3,7 @@ local fabric = require "fabric"
 local lab = fabric.lab
 local draw = require "fabric.lab.random" (3)
 
-local function fails(words, f, ...)
-  local ok, message = pcall(f, ...)
-  assert(not ok and tostring(message):find(words, 1, true), tostring(message))
-end
+local fails = dofile((arg[0]:gsub("[^/]*$", "common/check.lua"))).fails
 local function close(got, want, relative) assert(math.abs(got / want - 1) < relative, ("%g, want %g"):format(got, want)) end
 
 -- Rows {displacement, S} of a cloth S = 8 MPa E + 400 MPa E^2, unloading at 900 MPa.

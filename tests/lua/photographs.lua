@@ -7,10 +7,7 @@ assert(os.execute("mkdir '" .. here .. "'"))
 local function close(got, want, absolute, what)
   assert(math.abs(got - want) <= absolute, ("%s: %g, want %g within %g"):format(what or "value", got, want, absolute))
 end
-local function fails(words, f, ...)
-  local ok, message = pcall(f, ...)
-  assert(not ok and tostring(message):find(words, 1, true), tostring(message))
-end
+local fails = dofile((arg[0]:gsub("[^/]*$", "common/check.lua"))).fails
 local function file(name) return here .. "/" .. name .. ".png" end
 
 -- Four dots in a region, where the whole picture holds six: they are found at the same places, and the rest is not looked at.

@@ -3,10 +3,7 @@ local fabric = require "fabric"
 local lab = fabric.lab
 local draw = require "fabric.lab.random" (7)
 
-local function fails(words, f, ...)
-  local ok, message = pcall(f, ...)
-  assert(not ok and tostring(message):find(words, 1, true), tostring(message))
-end
+local fails = dofile((arg[0]:gsub("[^/]*$", "common/check.lua"))).fails
 
 -- Pulls 8 E + 400 E^2, specimens off by 4 %, noise of 0.2 % of the peak.
 local scatter, noise = 0.04, 0.03

@@ -7,10 +7,7 @@ fabric.warn = function(words) said[#said + 1] = words end
 local function close(got, want, what)
   if not (type(got) == "number" and math.abs(got - want) <= 1e-12 * math.abs(want)) then error(("%s: %s, want %g"):format(what or "value", tostring(got), want), 2) end
 end
-local function fails(words, f, ...)
-  local ok, message = pcall(f, ...)
-  if ok or not tostring(message):find(words, 1, true) then error("want " .. words .. ", got " .. tostring(message), 2) end
-end
+local fails = dofile((arg[0]:gsub("[^/]*$", "common/check.lua"))).fails
 local function with_file(text, f, more)
   local path = os.tmpname() .. ".csv"
   fabric.write(path, text)

@@ -4,9 +4,7 @@ local fails = function(words, f, ...)
   local ok, why = pcall(f, ...)
   assert(not ok and tostring(why):find(words, 1, true), 'expected "' .. words .. '", got ' .. tostring(why))
 end
-local function near(got, want, relative, what)
-  assert(math.abs(got - want) <= relative * math.abs(want), ("%s: got %.9g, want %.9g within %g"):format(what, got, want, relative))
-end
+local near = dofile((arg[0]:gsub("[^/]*$", "common/check.lua"))).near
 local function volume(mesh)
   local sum = 0
   for _, e in ipairs(mesh.elements) do

@@ -7,9 +7,7 @@ local fails = function(words, f, ...)
   local ok, why = pcall(f, ...)
   assert(not ok and tostring(why):find(words, 1, true), 'expected "' .. words .. '", got ' .. tostring(why))
 end
-local function near(got, want, relative, what)
-  assert(math.abs(got - want) <= relative * math.abs(want), ("%s: got %.9g, want %.9g within %g"):format(what, got, want, relative))
-end
+local near = dofile((arg[0]:gsub("[^/]*$", "common/check.lua"))).near
 -- Two pieces, the second beginning `gap` above the first, with n cells along its edge where the first has six.
 local function pieces(of, n, gap, height)
   local low = fabric.mesh.rectangle { width = 30 * mm, height = 30 * mm, nx = 6, ny = 6 }

@@ -6,10 +6,7 @@ local draw = require "fabric.lab.random" (31)
 local function close(got, want, relative, what)
   assert(math.abs(got - want) <= relative * math.abs(want), ("%s: %g, want %g"):format(what or "value", got, want))
 end
-local function fails(words, f, ...)
-  local ok, message = pcall(f, ...)
-  assert(not ok and tostring(message):find(words, 1, true), tostring(message))
-end
+local fails = dofile((arg[0]:gsub("[^/]*$", "common/check.lua"))).fails
 
 local modulus, time = 6 * MPa, 40
 local elastic = fabric.card "blend"

@@ -1,4 +1,7 @@
--- A whole model as an Abaqus deck; with an *ELASTIC material it also runs in CalculiX.
+-- A whole model as an Abaqus deck; with an *ELASTIC material it also runs in CalculiX. Cloth by *FABRIC, which Abaqus has for membranes in explicit
+-- dynamics only, becomes membrane elements without rotations; other materials become shells in a static step.
+
+-- A history as a table of time and value; ft and scale turn s and the value into the deck's units.
 local function amplitude(out, name, corners, ft, scale)
   out[#out + 1] = "*AMPLITUDE, NAME=" .. name
   for _, c in ipairs(corners) do out[#out + 1] = ("%.10g, %.10g"):format(c[1] * ft, c[2] * scale) end
@@ -7,6 +10,8 @@ end
 -- The name of a set as the mesh writes it: one that is no plain word stands in quotes.
 local function called(name) return name:find "^%a[%w_.-]*$" and name or '"' .. name .. '"' end
 
+-- m: the model as export/gather.lua collects it; material: the lines of the material; target: the row of export/targets.lua; u: factors from SI to
+-- the deck's units. Returns the text of the deck.
 return function(m, material, target, u)
   local membrane = target.name == "FABRIC"
   local out = { (m.mesh:deck_lines("inp", u.length, membrane, "cloth"):gsub("\n$", "")) }
@@ -51,10 +56,10 @@ return function(m, material, target, u)
     out[#out + 1] = "*DLOAD"
     out[#out + 1] = ("cloth, GRAV, %.10g, %.10g, %.10g, %.10g"):format(size * u.acceleration, g[1] / size, g[2] / size, g[3] / size)
   end
-  local warned = {}
+  local printed = {} -- sets whose reactions are asked for
   for _, one in ipairs(m.moved) do
-    if not warned[one.set] and not membrane then
-      warned[one.set] = true
+    if not printed[one.set] and not membrane then
+      printed[one.set] = true
       out[#out + 1] = ("*NODE PRINT, NSET=%s, TOTALS=YES"):format(called(one.set))
       out[#out + 1] = "RF"
     end

@@ -65,8 +65,8 @@ local function cuts(X, Y, Z, p, q, a, b, c)
   return first >= 0 and second >= 0 and first + second <= 1 and t >= 0 and t <= 1
 end
 
--- How far apart an edge and a triangle are at least: the widest gap between their boxes; where those meet, between their shadows along a
--- few directions.
+-- A lower bound of the distance of an edge and a triangle: the widest gap between their boxes along the axes; where those overlap, between their
+-- projections onto a few directions (a separating axis).
 local function apart(X, Y, Z, p, q, a, b, c)
   local x1, x2, y1, y2, z1, z2 = X[p], X[q], Y[p], Y[q], Z[p], Z[q]
   if x1 > x2 then x1, x2 = x2, x1 end
@@ -89,8 +89,8 @@ local function apart(X, Y, Z, p, q, a, b, c)
   local ux, uy, uz, vx, vy, vz = X[b] - X[a], Y[b] - Y[a], Z[b] - Z[a], X[c] - X[a], Y[c] - Y[a], Z[c] - Z[a]
   along(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx)
   local lx, ly, lz = X[q] - X[p], Y[q] - Y[p], Z[q] - Z[p]
-  local share = (mx * lx + my * ly + mz * lz) / (lx * lx + ly * ly + lz * lz)
-  along(mx - share * lx, my - share * ly, mz - share * lz)
+  local part = (mx * lx + my * ly + mz * lz) / (lx * lx + ly * ly + lz * lz)
+  along(mx - part * lx, my - part * ly, mz - part * lz)
   return best
 end
 
@@ -118,9 +118,11 @@ function brute.watch(mesh, balls, planes)
   local triangles = brute.triangles(mesh)
   local edges = edges_of(triangles)
   local X, Y, Z, moved, quantum = {}, {}, {}, 0, nil
-  local due = {} -- by the motion at which it is due, in quanta: numbers of pairs
+  -- Pairs are numbered (edge - 1) * n_triangles + triangle. due[k]: the pairs to be looked at when the nodes have moved by k quanta in all.
+  local due = {}
   local n_edges, n_triangles = #edges, #triangles
 
+  -- Reads the positions and adds the largest motion of a node, twice since both of a pair may move. True the first time.
   local function read(run)
     local now, most = run:field "position", 0
     local first = X[1] == nil
@@ -135,8 +137,8 @@ function brute.watch(mesh, balls, planes)
     return first
   end
 
-  local function put(pair, distance_)
-    local key = floor((moved + distance_) / quantum)
+  local function look_again_after(pair, motion)
+    local key = floor((moved + motion) / quantum)
     local list = due[key]
     if not list then
       list = {}
@@ -154,7 +156,7 @@ function brute.watch(mesh, balls, planes)
         local t = triangles[k]
         local a, b, c = t[1], t[2], t[3]
         if p ~= a and p ~= b and p ~= c and q ~= a and q ~= b and q ~= c then
-          put((i - 1) * n_triangles + k, apart(X, Y, Z, p, q, a, b, c))
+          look_again_after((i - 1) * n_triangles + k, apart(X, Y, Z, p, q, a, b, c))
         end
       end
     end
@@ -173,7 +175,7 @@ function brute.watch(mesh, balls, planes)
         if not (s > 0) and cuts(X, Y, Z, e[1], e[2], t[1], t[2], t[3]) then
           found[#found + 1] = string.format("the edge of nodes %d, %d goes through the triangle of nodes %d, %d, %d", e[1], e[2], t[1], t[2], t[3])
         end
-        put(pair, s)
+        look_again_after(pair, s)
       end
     end
     next_key = last
