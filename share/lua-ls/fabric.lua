@@ -167,6 +167,11 @@ function analysis:mean(name, set) end
 ---@return table<string, any>
 function analysis:node(number) end
 
+---What the cloth does to a rigid surface: of each vertex x, y, z (m, where it is), area (m2, a third of the facets around it, as they are) and pressure (Pa, without friction); and touch, whose lists node, x, y, z are the nodes of the cloth that touch the surface, and where on it, m, in its shape at time 0.
+---@param body body of facets (surface, motion, limb, torso), that touches cloth in the model
+---@return any
+function analysis:on_body(body) end
+
 ---Runs until a value reaches a target and ends a step exactly there; an error if the run ends before. Returns the analysis; solve() continues it.
 ---@param value string|function function(a) that returns a number, or a field's name for its mean
 ---@param target number value to reach
@@ -1344,6 +1349,47 @@ function fabric.lab.reduce(fields) end
 ---@return table<string, any>
 function fabric.lab.rupture(fields) end
 
+---@class fabric_lab_seam_slippage_fields
+---@field card card the fabric
+---@field yarn? "warp"|"weft" that is pulled, across the seam (default "warp")
+---@field h? number m: size of the elements (default 0.005)
+---@field stiffness number N/m^2: of the seam: force per metre of it and metre of opening
+---@field opening? number m: ISO 13936-1: at which the force is wanted (default 0.006)
+---@field load? number N: ISO 13936-2: at which the opening is wanted (default 120)
+---@field width? number m: of the specimen (default 0.1)
+---@field length? number m: between the jaws (default 0.1)
+---@field jaw? number m: width and depth of the jaws (default 0.025)
+---@field rows? integer of the curves, default 40
+---@field prepare? function function(analysis), called before each of the two runs
+
+---How far a seam gapes, as in ISO 13936 [iso_13936_1; iso_13936_2]: a specimen with a seam and one without are pulled by jaws in their middle, in static steps. Returns force (N, at which the one with the seam is longer by `opening`; nil: not reached), opening (m, by which it is longer at `load`), sewn and plain (the curves, lists of displacement and force), and analysis.
+---@param fields fabric_lab_seam_slippage_fields
+---@return table<string, any>
+function fabric.lab.seam_slippage(fields) end
+
+---@class fabric_lab_seam_strength_fields
+---@field card card the fabric
+---@field yarn? "warp"|"weft" that is pulled, across the seam (default "warp")
+---@field h? number m: size of the elements (default 0.005)
+---@field strength number N/m: of the seam
+---@field energy number J/m: that bursting takes, per metre of seam
+---@field stiffness? number N/m^2: of the seam, where it gives way
+---@field method? "strip"|"grab" ISO 13935-1 or -2 (default "strip")
+---@field width? number m: of the specimen; default 50 mm, grab 100 mm
+---@field length? number m: between the jaws; default 200 mm, grab 100 mm
+---@field jaw? number m: grab: width and depth of the jaws, default 25 mm
+---@field ledger_limit? number as for fabric.dynamic (default 0.05)
+---@field speed? number m/s: of the grips apart; default: kinetic energy stays a small share of the work
+---@field damping? number 1/s: of the masses
+---@field rows? integer of the curve, at equal times
+---@field out? string folder for curve.csv and the VTK series
+---@field prepare? function function(analysis), called before the run: for hooks, records and checkpoints of your own
+
+---A specimen with a seam across it is pulled until the seam bursts, as in ISO 13935 [iso_13935_1; iso_13935_2]. Returns peak (N, the largest force), elongation (m) there, strength (N/m, over the width of the specimen, or of the jaws), tension (N/m, the largest in the cloth along the pull) and cloth, its share of the strength that the card has in rupture (above 1 the cloth would tear first, which a warning says), curve (a list of time, displacement, force: N, closed: stitches, and the energies of analysis.energy), energy (J), fracture (J), kinetic (kinetic energy over work at the peak), series (VTK), analysis and model.
+---@param fields fabric_lab_seam_strength_fields
+---@return table<string, any>
+function fabric.lab.seam_strength(fields) end
+
 ---@class fabric_lab_shear_fields
 ---@field card card the fabric
 ---@field E12? number largest shear strain (tensor); default: up to where the card was tested
@@ -1619,6 +1665,23 @@ function fabric.lab.unloading(fields) end
 ---@param fields fabric_lab_viscous_fields
 ---@return table<string, any>
 function fabric.lab.viscous(fields) end
+
+---@class fabric_lab_wear_fields
+---@field analysis analysis a run of cloth on a body, as fabric.lab.dress leaves it
+---@field body body of facets (fabric.rigid.limb, torso, surface, motion)
+---@field mesh mesh of its facets at time 0, whose sets name its regions
+---@field times number[] s: {begins, ends of the cycles of motion}
+---@field regions? table names of sets of the mesh; default: all of its sets
+---@field window? number s: over which pressures are means; default: a fortieth of a cycle
+---@field samples? integer readings in a window (default 8)
+---@field patch? number m: radius of the discs of skin over which peaks are means (default 0.02)
+---@field state? table an empty table to gather in, for `keep` of a:checkpoint, so that a restart goes on with it
+---@field out? string folder for pressure.csv, worn.pvd (cloth and body, with the pressure on it) and worn.txt
+
+---What worn cloth does to the body and its wearer: runs through the times and returns regions (of each name, and of all: mean, Pa, the largest of its mean pressures over time, usual, their mean over time, peak, the largest over a disc of skin, peak_at, m, its middle on the body at time 0, touched, the largest share of its area), map (mean and largest of each vertex, Pa), rows (the mean pressures over time), cycles (of each: work, J, that moves the body, supports and loads did, and what became of it: cloth, what the law of the cloth dissipated, friction, damping, impact, fracture, stored, kinetic), slip (m, on the skin: largest and its node, mean, nodes), tension (warp, weft: value, N/m, element, time), beyond (strain over the tested strain of the card), gap, ledger, and text, all of this in words.
+---@param fields fabric_lab_wear_fields
+---@return table<string, any>
+function fabric.lab.wear(fields) end
 
 ---Cases for fabric.study{ sample= } by Latin hypercube sampling [mckay1979]: each input has one value in each of n equally probable parts of its range.
 ---@param inputs table { name={low, high} or {mean=, deviation=}, ..., n=cases, seed=1 }: uniform or normal inputs by name
