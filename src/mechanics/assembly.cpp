@@ -5,6 +5,7 @@
 #include "base/error.hpp"
 #include "geometry/node_view.hpp"
 #include "mechanics/terms/bands.hpp"
+#include "mechanics/terms/cloth.hpp"
 #include "mechanics/terms/contact.hpp"
 #include "mechanics/terms/directors.hpp"
 #include "mechanics/terms/loads.hpp"
@@ -14,66 +15,78 @@
 namespace fabricsh::mechanics {
 
 template <class T, class... Arguments>
-T* Assembly::make(Arguments&&... arguments) {
-  return &add(std::make_unique<T>(std::forward<Arguments>(arguments)...));
+T& Assembly::make(Arguments&&... arguments) {
+  return add(std::make_unique<T>(std::forward<Arguments>(arguments)...));
 }
 
 Assembly::Assembly(const model::Model& model)
     : configuration_(model.mesh().nodes.size()), dofs_(model, configuration_) {
-  cloth_ = make<Cloth>(model, configuration_, dofs_.reference_directors());
+  auto& cloth = make<Cloth>(model, configuration_, dofs_.reference_directors());
   // The second term, which sees the forces of the cloth alone.
-  if (Tears::possible(model)) tears_ = make<Tears>(model, std::as_const(configuration_), *cloth_, dofs_);
-  if (!model.seams().empty()) seams_ = make<Seams>(model, std::as_const(configuration_), *cloth_, dofs_);
-  directors_ = make<Directors>(model, std::as_const(configuration_), *cloth_, dofs_);
+  if (Tears::possible(model)) make<Tears>(model, std::as_const(configuration_), cloth, dofs_);
+  if (!model.seams().empty()) make<Seams>(model, std::as_const(configuration_), cloth, dofs_);
+  make<Directors>(model, std::as_const(configuration_), cloth, dofs_);
   if (std::any_of(model.gravity().begin(), model.gravity().end(), [](const auto& g) { return bool(g); }))
-    make<Gravity>(model, cloth_->mass(), cloth_->mass_moment());
+    make<Gravity>(model, cloth.mass(), cloth.mass_moment());
   if (!model.forces().empty() || !model.tractions().empty()) make<DeadLoads>(model);
   if (!model.pressures().empty()) make<Pressure>(model);
-  if (!model.moments().empty()) moments_ = make<Moments>(model)->moments();
+  if (!model.moments().empty()) make<Moments>(model);
   if (!model.springs().empty()) make<Springs>(model);
   if (!model.bands().empty()) make<Bands>(model);
-  if (model.interactions().any())
-    contact_ = make<Contacts>(model, std::as_const(configuration_), *cloth_, dofs_);
+  if (model.interactions().any()) make<Contacts>(model, std::as_const(configuration_), cloth, dofs_);
   force_x_.assign(3 * configuration_.nodes(), 0);
   force_d_.assign(3 * configuration_.nodes(), 0);
 }
+
+void Assembly::take_up(std::unique_ptr<Term> term) {
+  const auto list = [&](auto& facets) {
+    if (auto* const facet = dynamic_cast<std::remove_reference_t<decltype(*facets.front())>*>(term.get()))
+      facets.push_back(facet);
+  };
+  if (terms_.empty()) elements_ = dynamic_cast<ElementTerm*>(term.get());
+  list(limiters_);
+  list(movers_);
+  list(followers_);
+  list(on_motion_);
+  terms_.push_back(std::move(term));
+}
+
+const Cloth& Assembly::cloth() const { return *find<Cloth>(); }
 
 Assembly::~Assembly() = default;
 
 void Assembly::begin_iterate() {
   dofs_.begin_iterate();
-  for (auto& term : terms_) term->begin_iterate();
+  for (auto* const mover : movers_) mover->begin_iterate();
 }
 
-void Assembly::apply_increment(std::span<const double> delta, double scale, std::span<const double> targets) {
+void Assembly::apply_increment(std::span<const double> delta, double scale, std::span<const double> targets,
+                               std::optional<double> share) {
   dofs_.apply_increment(delta, scale, targets);
-  for (auto& term : terms_) term->move(scale);
-}
-
-void Assembly::advance_explicit(std::span<const double> rates, double time, std::span<const double> targets) {
-  dofs_.apply_increment(rates, time, targets);
-  for (auto& term : terms_) term->move(1);
+  for (auto* const mover : movers_) mover->move(share.value_or(scale));
 }
 
 // Supports go to their targets whatever the fraction is; if that is not safe either, the result is 0.
 double Assembly::limit(std::span<const double> delta, std::span<const double> targets) {
   constexpr int tries = 5;
-  double fraction = limit_of_terms(delta, targets);
-  if (contact_ == nullptr || !(fraction > 0)) return fraction;
-  contact_->mark(trial());
+  std::vector<StepLimiter*> limiters;
+  for (auto* const limiter : limiters_)
+    if (limiter->limits()) limiters.push_back(limiter);
+  if (limiters.empty()) return 1;
+  const auto least = [&](double (StepLimiter::*share)(const Trial&)) {
+    double smallest = 1;
+    for (auto* const limiter : limiters) smallest = std::min(smallest, (limiter->*share)(trial()));
+    return smallest;
+  };
+  for (auto* const limiter : limiters) limiter->mark(trial());
   apply_increment(delta, 1, targets);
   // A step across many elements would have to be checked against everything; only its beginning is checked.
-  const double near = contact_->near_share(trial());
-  if (near < 1) {
-    fraction = std::min(fraction, near);
-    apply_increment(delta, fraction, targets);
-    fraction *= contact_->safe_share(trial());
-  } else {
-    fraction = std::min(fraction, contact_->safe_share(trial()));
-  }
+  double fraction = least(&StepLimiter::near_share);
+  if (fraction < 1) apply_increment(delta, fraction, targets);
+  fraction *= least(&StepLimiter::safe_share);
   for (int i = 0; fraction < 1 && fraction > 0; ++i) {
     apply_increment(delta, fraction, targets);
-    const double again = contact_->safe_share(trial());
+    const double again = least(&StepLimiter::safe_share);
     if (again >= 1) return fraction;
     fraction = i == tries ? 0 : fraction * again;
   }
@@ -81,46 +94,97 @@ double Assembly::limit(std::span<const double> delta, std::span<const double> ta
   // The forces of the whole step say why there is none, for a run that ends here.
   apply_increment(delta, 1, targets);
   Forces sums = this->sums();
-  take(contact_->add_forces({}, trial(), sums));
+  Outcome worst;
+  for (const auto& term : terms_) {
+    if (dynamic_cast<StepLimiter*>(term.get()) == nullptr) continue;
+    Outcome one = term->add_forces({}, trial(), sums);
+    if (one.answer > worst.answer) worst = std::move(one);
+  }
+  take(std::move(worst));
   return 0;
 }
 
 bool Assembly::at_target() const {
-  return std::all_of(terms_.begin(), terms_.end(), [](const auto& term) { return term->at_target(); });
+  return std::all_of(movers_.begin(), movers_.end(), [](const auto* mover) { return mover->at_target(); });
 }
 
-// The forces w on free bodies are unknowns beside those of the matrix: K delta = r - B w, w = R + C delta + D
-// w. With Z = K^-1 B this is a small system for w, six equations for each body.
+namespace {
+
+// The equations of all terms' own unknowns w beside those of the matrix: K delta = r - B w, and for each term
+// w = residual + answer(delta) + response w of its own. With Z = K^-1 B this is a small system for w.
+class OwnSystem {
+ public:
+  explicit OwnSystem(const std::vector<OwnUnknowns*>& terms) : terms_(terms) {
+    first_.push_back(0);
+    for (const auto* term : terms_) first_.push_back(first_.back() + term->own_unknowns());
+  }
+  std::size_t size() const { return first_.back(); }
+  Eigen::VectorXd residual() const {
+    return stacked([](const OwnUnknowns& term) { return term.own_residual(); });
+  }
+  Eigen::VectorXd answer(std::span<const double> move) const {
+    return stacked([&](const OwnUnknowns& term) { return term.own_answer(move); });
+  }
+  // The identity less the responses.
+  Eigen::MatrixXd matrix() const {
+    const auto m = static_cast<Index>(size());
+    Eigen::MatrixXd A = Eigen::MatrixXd::Identity(m, m);
+    for (std::size_t t = 0; t < terms_.size(); ++t)
+      if (own(t) > 0) A.block(from(t), from(t), own(t), own(t)) -= terms_[t]->own_response();
+    return A;
+  }
+  bool push(std::size_t j, std::span<double> on_x) const {
+    std::size_t t = 0;
+    while (j >= first_[t + 1]) ++t;
+    return terms_[t]->own_push(j - first_[t], on_x);
+  }
+  void direct(const Eigen::VectorXd& w) const {
+    for (std::size_t t = 0; t < terms_.size(); ++t)
+      if (own(t) > 0) terms_[t]->direct({w.data() + from(t), static_cast<std::size_t>(own(t))});
+  }
+
+ private:
+  Index from(std::size_t t) const { return static_cast<Index>(first_[t]); }
+  Index own(std::size_t t) const { return from(t + 1) - from(t); }
+  template <class Of>
+  Eigen::VectorXd stacked(Of of) const {
+    Eigen::VectorXd all(static_cast<Index>(size()));
+    for (std::size_t t = 0; t < terms_.size(); ++t)
+      if (own(t) > 0) all.segment(from(t), own(t)) = of(*terms_[t]);
+    return all;
+  }
+  const std::vector<OwnUnknowns*>& terms_;
+  std::vector<std::size_t> first_;  // unknown of each term
+};
+
+}  // namespace
+
 bool Assembly::finish_direction(const Solve& solve, double weight, std::span<double> delta) {
-  const std::size_t m = contact_ == nullptr ? 0 : contact_->body_unknowns();
+  const OwnSystem own(movers_);
+  const std::size_t m = own.size();
   if (m == 0) return true;
-  const std::vector<double> zero(3 * reference().size(), 0), still(dofs_.targets(trial_time_).size(), 0);
+  const std::vector<double> zero(force_x_.size(), 0), still(dofs_.targets(trial_time_).size(), 0);
   const auto answer = [&](std::span<const double> move) {
     NodalRates nodal;
     dofs_.spread_rates(move, still, nodal);
-    return contact_->body_answer(nodal.x);
+    return own.answer(nodal.x);
   };
   std::vector<std::vector<double>> Z(m, std::vector<double>(delta.size()));
-  Eigen::MatrixXd A = Eigen::MatrixXd::Identity(static_cast<Index>(m), static_cast<Index>(m));
-  A -= contact_->body_response();
-  std::vector<double> push(3 * reference().size()), r(delta.size());
+  Eigen::MatrixXd A = own.matrix();
+  std::vector<double> push(force_x_.size()), r(delta.size());
   for (std::size_t j = 0; j < m; ++j) {
-    if (!contact_->body_push(j, push)) continue;
+    if (!own.push(j, push)) continue;
     dofs_.residual(push, zero, zero, {}, nullptr, r);
     for (double& x : r) x *= weight;
     if (!r.empty() && !solve(r, Z[j])) return false;
     A.col(static_cast<Index>(j)) += answer(Z[j]);
   }
-  const Eigen::VectorXd w = A.partialPivLu().solve(contact_->body_residual() + answer(delta));
+  const Eigen::VectorXd w = A.partialPivLu().solve(own.residual() + answer(delta));
   if (!w.allFinite()) return false;
   for (std::size_t j = 0; j < m; ++j)
     for (std::size_t i = 0; i < delta.size(); ++i) delta[i] -= w[static_cast<Index>(j)] * Z[j][i];
-  contact_->direct_bodies({w.data(), m});
+  own.direct(w);
   return true;
-}
-
-double Assembly::largest_body_residual() const {
-  return contact_ == nullptr ? 0 : contact_->largest_body_residual();
 }
 
 void Assembly::commit(double time) {
@@ -140,42 +204,22 @@ void Assembly::set_time(double time) {
   for (auto& term : terms_) term->set_time(time);
 }
 
-// Adds the forces of all terms but the cloth; returns the worst of all outcomes.
-Outcome Assembly::with_rest(Outcome worst, const law::Step& step, Forces& forces) {
-  for (std::size_t i = 1; i < terms_.size(); ++i) {
-    Outcome one = terms_[i]->add_forces(step, trial(), forces);
-    if (one.answer > worst.answer) worst = std::move(one);
-  }
-  return worst;
-}
-
 bool Assembly::take(Outcome outcome) {
   outcome_ = std::move(outcome);
   return outcome_.ok();
 }
 
-bool Assembly::forces(const law::Step& step) {
+// Adds the forces of the terms from `first` on; returns the worst of all outcomes.
+Outcome Assembly::add_forces(std::size_t first, Outcome worst, const law::Step& step) {
   Forces sums = this->sums();
-  return take(with_rest(cloth_->add_forces(step, trial(), sums), step, sums));
+  for (std::size_t i = first; i < terms_.size(); ++i) {
+    Outcome one = terms_[i]->add_forces(step, trial(), sums);
+    if (one.answer > worst.answer) worst = std::move(one);
+  }
+  return worst;
 }
 
-bool Assembly::limits() const {
-  return std::any_of(terms_.begin(), terms_.end(), [](const auto& t) { return t->limits(); });
-}
-
-// If a term limits steps, the trial configuration is reset to the iterate.
-double Assembly::limit_of_terms(std::span<const double> delta, std::span<const double> targets) {
-  if (!limits()) return 1;
-  dofs_.apply_increment(delta, 1, targets);
-  const auto end = std::as_const(configuration_).x();
-  std::vector<double> way(end.begin(), end.end());
-  dofs_.return_to_iterate();
-  const auto from = std::as_const(configuration_).x();
-  for (std::size_t i = 0; i < way.size(); ++i) way[i] -= from[i];
-  double fraction = 1;
-  for (const auto& term : terms_) fraction = std::min(fraction, term->limit(trial(), way));
-  return fraction;
-}
+bool Assembly::forces(const law::Step& step) { return take(add_forces(0, {}, step)); }
 
 void Assembly::couple(std::vector<NodePair> pairs) {
   if (stiffness_) stiffness_->couple(pairs);
@@ -185,7 +229,7 @@ void Assembly::couple(std::vector<NodePair> pairs) {
 // Makes the pattern hold the pairs that the terms couple at the trial configuration.
 void Assembly::couple() {
   if (!stiffness_) {
-    stiffness_ = std::make_unique<Stiffness>(dofs_, cloth_->batches(), cloth_->places(), upper_);
+    stiffness_ = std::make_unique<Stiffness>(dofs_, elements_->batches(), elements_->places(), upper_);
     stiffness_->couple(coupled_);
   }
   std::vector<NodePair> wanted;
@@ -210,18 +254,18 @@ bool Assembly::tangent(const law::Step& step, linear::Matrix& K, std::span<const
   K.clear();
   std::fill(product.begin(), product.end(), 0.0);
   const Stiffness::Target to{K, lead, product};
-  Outcome cloth = cloth_->scatter_tangents(step, false, *stiffness_, to,
-                                           extrapolated ? dofs_.iterate() : std::span<const double>());
+  Outcome elements = elements_->scatter_tangents(step, false, *stiffness_, to,
+                                                 extrapolated ? dofs_.iterate() : std::span<const double>());
   Forces sums = this->sums();
-  cloth_->sum_forces(sums);
-  outcome_ = with_rest(std::move(cloth), step, sums);
+  elements_->sum_forces(sums);
+  outcome_ = add_forces(1, std::move(elements), step);
   stiffness_->scatter_tied(to);
   Stiffness::Sink sink(*stiffness_, to);
   for (const auto& term : terms_) term->add_tangent(trial(), sink);
-  if (!freedoms().bodies.empty()) {
+  if (!dofs_.freedoms().bodies.empty()) {
     std::vector<double> dead;
     external(trial_time_, dead);
-    stiffness_->add_body_stiffness(configuration_, force_x_, force_d_, dead, moments_, to);
+    stiffness_->add_body_stiffness(configuration_, force_x_, force_d_, dead, moments(), to);
   }
   return outcome_.ok();
 }
@@ -231,7 +275,7 @@ bool Assembly::material_tangent(linear::Matrix& K, std::span<const double> lead,
   K.clear();
   std::fill(product.begin(), product.end(), 0.0);
   const Stiffness::Target to{K, lead, product};
-  outcome_ = cloth_->scatter_tangents({}, true, *stiffness_, to);
+  outcome_ = elements_->scatter_tangents({}, true, *stiffness_, to, {});
   stiffness_->scatter_tied(to);
   return outcome_.ok();
 }
@@ -245,51 +289,32 @@ bool Assembly::symmetric() const {
   return std::all_of(terms_.begin(), terms_.end(), [](const auto& t) { return t->symmetric(); });
 }
 
-bool Assembly::symmetric_loads() const {
-  return std::all_of(terms_.begin() + 1, terms_.end(), [](const auto& t) { return t->symmetric(); });
-}
-
 void Assembly::external(double time, std::vector<double>& out) const {
   out.assign(3 * configuration_.nodes(), 0.0);
   for (const auto& term : terms_) term->add_dead(time, out);
 }
 
-void Assembly::follower(double time, std::vector<double>& on_x) const {
-  on_x.assign(3 * configuration_.nodes(), 0);
-  std::vector<double> on_d(3 * configuration_.nodes());
-  for (const auto& term : terms_) term->add_follower(time, trial(), on_x, on_d);
+const std::vector<Vec3>* Assembly::moments() const {
+  for (const auto* const load : followers_)
+    if (load->moments() != nullptr) return load->moments();
+  return nullptr;
+}
+
+void Assembly::residual(std::span<const double> external, std::span<double> r, std::span<const double> on_d) {
+  dofs_.residual(external, force_x_, force_d_, on_d, moments(), r);
+  if (motion_ == nullptr) return;
+  for (auto* const term : on_motion_) term->resist(trial(), r);
+}
+
+std::pair<double, Index> Assembly::largest_residual(std::span<const double> r) const {
+  auto largest = dofs_.largest_residual(r);
+  for (const auto* const mover : movers_)
+    if (const double own = mover->largest_own_residual(); own > largest.first) largest = {own, -1};
+  return largest;
 }
 
 bool Assembly::constant_loads() const {
   return std::all_of(terms_.begin(), terms_.end(), [](const auto& t) { return t->constant(); });
-}
-
-bool Assembly::constant_work() const {
-  return dofs_.driven_nodes().empty() && std::all_of(terms_.begin(), terms_.end(), [](const auto& t) {
-           return t->constant() && !t->follows_positions() && !t->follows_directors();
-         });
-}
-
-void Assembly::working_forces(std::span<const double> dead, WorkingForces& out) {
-  out.on_x.assign(dead.begin(), dead.end());
-  const bool on_directors =
-      std::any_of(terms_.begin(), terms_.end(), [](const auto& t) { return t->follows_directors(); });
-  bool turns = false;
-  for (const Index n : dofs_.driven_nodes()) turns = turns || freedoms().nodes[n].turn_axis;
-  if (turns || on_directors)
-    out.on_d.assign(3 * configuration_.nodes(), 0);
-  else
-    out.on_d.clear();
-  for (const auto& term : terms_) term->add_follower(trial_time_, trial(), out.on_x, out.on_d);
-  for (const Index n : dofs_.driven_nodes()) {
-    at(out.on_x, n) += support_force(n, dead);
-    if (freedoms().nodes[n].turn_axis) at(out.on_d, n) += at(force_d_, n);
-  }
-}
-
-Assembly::OverturnedParts Assembly::shape() const {
-  const std::vector<Index> turned = directors_->turned_over(configuration_);
-  return {cloth_->inverted_element(turned), turned.empty() ? -1 : turned.front()};
 }
 
 void Assembly::expect_energies(bool expected) {
@@ -305,14 +330,14 @@ double Assembly::step_work() const {
 std::vector<Energy> Assembly::energies() const {
   std::vector<Energy> all;
   for (const auto& term : terms_) term->add_energies(trial(), all);
-  if (joints().any() || seams_ != nullptr) all.push_back({"joints", Account::dissipated, lost_});
+  if (dofs_.joints().any() || !dofs_.seams().empty()) all.push_back({"joints", Account::dissipated, lost_});
   return all;
 }
 
-OnMass Assembly::on_mass() const {
-  OnMass sum;
-  for (const auto& term : terms_) {
-    const OnMass one = term->on_mass();
+MassFactors Assembly::on_mass() const {
+  MassFactors sum;
+  for (const auto* const term : on_motion_) {
+    const MassFactors one = term->on_mass();
     sum.acceleration += one.acceleration;
     sum.velocity += one.velocity;
   }
@@ -321,23 +346,19 @@ OnMass Assembly::on_mass() const {
 
 bool Assembly::begin_step() {
   Outcome worst;
-  for (auto& term : terms_) {
+  for (auto* const term : on_motion_) {
     Outcome one = term->begin_step(*motion_);
     if (one.answer > worst.answer) worst = std::move(one);
   }
   return take(std::move(worst));
 }
 
-void Assembly::resist(std::span<double> r) {
-  for (auto& term : terms_) term->resist(trial(), r);
-}
-
 void Assembly::add_resistance(linear::Matrix& K) {
-  for (auto& term : terms_) term->add_resistance(trial(), K);
+  for (auto* const term : on_motion_) term->add_resistance(trial(), K);
 }
 
 void Assembly::finish_step() {
-  for (auto& term : terms_) term->finish_step(*motion_);
+  for (auto* const term : on_motion_) term->finish_step(*motion_);
 }
 
 double Assembly::stable_step(bool scaled) const {
@@ -349,7 +370,7 @@ double Assembly::stable_step(bool scaled) const {
 // Where nodes of a joint that closes were apart, the forces at their mean are computed, in a step of no time.
 std::optional<Transfer> Assembly::open(std::vector<Joints::Edge> edges, double within) {
   const std::uint64_t before = configuration_.version();
-  auto transfer = dofs_.open(std::move(edges), cloth_->mass(), cloth_->rotary_inertia(false), within);
+  auto transfer = dofs_.open(std::move(edges), elements_->mass(), elements_->rotary_inertia(false), within);
   if (!transfer) return {};
   renumbered();
   if (configuration_.version() != before) balance("join");
@@ -359,7 +380,7 @@ std::optional<Transfer> Assembly::open(std::vector<Joints::Edge> edges, double w
 // Where stitches close, their threads no longer act.
 std::optional<Transfer> Assembly::sew(Sewn next, double within) {
   const std::uint64_t before = configuration_.version();
-  auto transfer = dofs_.sew(std::move(next), cloth_->mass(), cloth_->rotary_inertia(false), within);
+  auto transfer = dofs_.sew(std::move(next), elements_->mass(), elements_->rotary_inertia(false), within);
   if (!transfer) return {};
   renumbered();
   if (configuration_.version() != before) balance("seam");
@@ -375,31 +396,32 @@ void Assembly::balance(const char* call) {
 }
 
 void Assembly::renumbered() {
-  ++numbering_;
   stiffness_.reset();
   Forces sums = this->sums();
   for (auto& term : terms_) term->renumbered(sums);
 }
 
-void Assembly::keep_joints(Archive& archive) {
+bool Assembly::keep_joints(Archive& archive) {
   std::vector<Index> ends;
-  for (const auto& [a, b] : joints().opened()) ends.insert(ends.end(), {a, b});
+  for (const auto& [a, b] : dofs_.joints().opened()) ends.insert(ends.end(), {a, b});
   archive.section("joints", [&] { archive(ends, lost_); });
-  if (!archive.reading()) return;
+  if (!archive.reading()) return false;
   std::vector<Joints::Edge> edges;
   for (std::size_t i = 0; i + 1 < ends.size(); i += 2) edges.emplace_back(ends[i], ends[i + 1]);
-  if (dofs_.reopen(std::move(edges))) renumbered();
+  return dofs_.reopen(std::move(edges));
 }
 
-void Assembly::keep_seams(Archive& archive) {
+bool Assembly::keep_seams(Archive& archive) {
   Sewn sewn = dofs_.sewn();
   archive.section("sewn", [&] { archive(sewn, lost_); });
-  if (archive.reading() && dofs_.resew(std::move(sewn))) renumbered();
+  return archive.reading() && dofs_.resew(std::move(sewn));
 }
 
-void Assembly::keep(Archive& archive) {
-  if (joints().any()) keep_joints(archive);
-  if (seams_ != nullptr) keep_seams(archive);
+bool Assembly::keep(Archive& archive) {
+  const bool joined = dofs_.joints().any() && keep_joints(archive);
+  if (joined) renumbered();
+  const bool sewn = !dofs_.seams().empty() && keep_seams(archive);
+  if (sewn) renumbered();
   archive.section("configuration", [&] { configuration_.keep(archive); });
   for (auto& term : terms_) archive.section(term->name(), [&] { term->keep(archive); });
   archive.section("forces", [&] {
@@ -409,11 +431,12 @@ void Assembly::keep(Archive& archive) {
   std::vector<Index> pairs;  // the pairs of the pattern, on which the rounding of a solution depends
   for (const auto& [a, b] : coupled_) pairs.insert(pairs.end(), {a, b});
   archive.section("couplings", [&] { archive(pairs); });
-  if (!archive.reading()) return;
+  if (!archive.reading()) return false;
   committed_coupled_.clear();
   for (std::size_t i = 0; i + 1 < pairs.size(); i += 2)
     committed_coupled_.emplace_back(pairs[i], pairs[i + 1]);
   rollback();
+  return joined || sewn;
 }
 
 }  // namespace fabricsh::mechanics

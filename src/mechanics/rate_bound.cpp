@@ -72,10 +72,9 @@ class RateSink final : public TangentSink {
 }  // namespace
 
 std::vector<double> added_rates(const Assembly& assembly, bool scaled) {
-  RateSink sink(assembly.freedoms(), assembly.nodal_mass(), assembly.rotary_inertia(scaled));
-  const Term* const contact = assembly.contact();
+  RateSink sink(assembly.dofs().freedoms(), assembly.cloth().mass(), assembly.cloth().rotary_inertia(scaled));
   for (const auto& term : assembly.terms())
-    if (term.get() != &assembly.cloth() && term.get() != contact) term->add_tangent(assembly.trial(), sink);
+    if (dynamic_cast<const Contacts*>(term.get()) == nullptr) term->add_tangent(assembly.trial(), sink);
   return sink.rates();
 }
 

@@ -1,7 +1,7 @@
 // A term makes force: cloth, gravity, loads, springs, damping, inertia and contact are terms. The assembly is
 // their sum, and nothing else adds force, energy or stiffness. A term provides its forces, tangent, energies
-// by name, the pairs of nodes that it couples, its part of a checkpoint, the largest stable step, the safe
-// fraction of a step, and the fields that it shows.
+// by name, the pairs of nodes that it couples, its part of a checkpoint, the largest stable step, and the
+// fields that it shows. What few terms have beside these are facets (mechanics/facets.hpp).
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -79,7 +79,7 @@ struct Outcome {
 
 // The factors of a term that is a multiple of the mass: its forces on a node are m (acceleration * a +
 // velocity * v), where m is the mass or rotary inertia, a the acceleration and v the velocity.
-struct OnMass {
+struct MassFactors {
   double acceleration = 0;  // 1 for inertia
   double velocity = 0;      // 1/s
 };
@@ -101,21 +101,10 @@ class Term {
   virtual const char* name() const = 0;  // of its section in a checkpoint, and in messages
 
   // --- forces
-  // Adds the internal forces. The first term (`starts`) may assign instead, but must then assign all.
-  virtual Outcome add_forces(const law::Step&, const Trial&, Forces&) { return {}; }
-  virtual bool starts() const { return false; }
+  virtual Outcome add_forces(const law::Step&, const Trial&, Forces&) { return {}; }  // the internal ones
   // Adds forces that depend on time only, N, 3 per node. Constant: the same at all times.
   virtual void add_dead(double /*time*/, std::span<double> /*on_x*/) const {}
   virtual bool constant() const { return true; }
-  // Adds loads that follow the configuration, at a given time, for computing their work. They are already
-  // included in the internal forces, with the opposite sign.
-  virtual bool follows_positions() const { return false; }
-  virtual bool follows_directors() const { return false; }
-  virtual void add_follower(double /*time*/, const Trial&, std::span<double> /*on_x*/,
-                            std::span<double> /*on_d*/) const {}
-  // Moments about axes fixed in space, N m per node. Their part about the director has an effect only on a
-  // rigid set. Null: none.
-  virtual const std::vector<Vec3>* moments() const { return nullptr; }
 
   // --- tangent
   virtual void add_tangent(const Trial&, TangentSink&) const {}
@@ -126,18 +115,6 @@ class Term {
   // should therefore also name pairs that may couple soon.
   virtual void couple(const Trial&, std::vector<NodePair>&) {}
 
-  // --- forces that depend on the motion of a step (trial.motion, never null here). They are not part of the
-  // internal forces: support forces and the work of loads and supports do not include them.
-  virtual OnMass on_mass() const { return {}; }
-  // Called at the beginning of a step, when the trial configuration is the committed one.
-  virtual Outcome begin_step(const Motion&) { return {}; }
-  // Subtracts forces on the unknowns, N and N m, from the residual r; and adds their derivative to K, with
-  // the weight that the time scheme gives it.
-  virtual void resist(const Trial&, std::span<double> /*r*/) {}
-  virtual void add_resistance(const Trial&, linear::Matrix& /*K*/) {}
-  // Called before the trial state is committed: adds what the step has done to the term's accounts.
-  virtual void finish_step(const Motion&) {}
-
   // --- energies, at the trial configuration
   // Tells whether the energies will be needed after the next forces. A term may then sum them together with
   // the forces; add_energies() gives the same numbers in either case.
@@ -147,20 +124,8 @@ class Term {
   // supports.
   virtual double step_work() const { return 0; }
 
-  // --- steps
-  // Whether limit() can return less than 1.
-  virtual bool limits() const { return false; }
-  // The safe fraction, 0 to 1, of a step from the trial configuration along delta (m, 3 per node). 0: the
-  // step must be cut.
-  virtual double limit(const Trial&, std::span<const double> /*delta*/) { return 1; }
   // s, the largest stable step of central differences, with true or scaled rotary inertia.
   virtual double stable_step(bool /*scaled*/) const { return std::numeric_limits<double>::infinity(); }
-
-  // --- what the term itself moves in a step that iterates, by fractions of the solver's steps; fractions
-  // are measured from the iterate, where begin_iterate() was called
-  virtual void begin_iterate() {}
-  virtual void move(double /*scale*/) {}
-  virtual bool at_target() const { return true; }  // where the step ends
 
   // --- joints. Called after joints have opened or closed, or a state with other joints is about to be read:
   // the unknowns are numbered anew, and what a term has of single unknowns is to be made again. The forces

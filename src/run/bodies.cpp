@@ -29,9 +29,9 @@ Touching nearest_pair(const Run& run) {
 // Planes are drawn a little wider than the cloth.
 std::vector<BodyShown> shown_bodies(const Run& run) {
   std::vector<BodyShown> all;
-  const mechanics::Contacts* contact = run.assembly().contact();
+  const mechanics::Contacts* contact = run.assembly().find<mechanics::Contacts>();
   if (contact == nullptr) return all;
-  const double across = box_of(run.assembly().reference()).size().norm();
+  const double across = box_of(run.assembly().dofs().reference()).size().norm();
   const auto& bodies = contact->bodies();
   for (std::size_t i = 0; i < bodies.count(); ++i) {
     const model::Facets facets = model::shown(bodies.body(i), 1.2 * across);

@@ -62,13 +62,13 @@ Dynamic::Dynamic(std::shared_ptr<model::Model> model, const DynamicOptions& opti
   check_options(options_);
   scaled_ = options_.scaled.value_or(options_.scheme == Scheme::explicit_steps);
   using namespace mechanics;
-  inertia_ =
-      &assembly_->add(std::make_unique<Inertia>(assembly_->nodal_mass(), assembly_->rotary_inertia(scaled_)));
+  inertia_ = &assembly_->add(
+      std::make_unique<Inertia>(assembly_->cloth().mass(), assembly_->cloth().rotary_inertia(scaled_)));
   if (options_.mass_damping > 0) assembly_->add(std::make_unique<MassDamping>(options_.mass_damping));
   if (options_.stiffness_damping > 0)
     assembly_->add(std::make_unique<StiffnessDamping>(*assembly_, options_.stiffness_damping));
   stable_ = assembly_->stable_step(scaled_);
-  smallest_ = assembly_->smallest_size();
+  smallest_ = assembly_->cloth().smallest_size();
 }
 
 std::string Dynamic::method() const {
@@ -102,10 +102,10 @@ void Dynamic::keep_settings(Archive& archive) {
 }
 
 void Dynamic::begin() {
-  const auto targets = assembly_->targets(0);
+  const auto targets = assembly_->dofs().targets(0);
   if (std::any_of(targets.begin(), targets.end(), [](double t) { return t != 0; }))
     warn("jump", "dynamic: a motion is not zero at time 0; the sheet starts with its nodes there");
-  const std::vector<double> still(assembly_->unknowns(), 0);
+  const std::vector<double> still(assembly_->dofs().unknowns(), 0);
   assembly_->begin_iterate();
   assembly_->apply_increment(still, 1, targets);
   assembly_->set_time(0);
@@ -122,7 +122,7 @@ void Dynamic::begin() {
 }
 
 mechanics::NodalRates Dynamic::initial_rates() const {
-  const auto& X = assembly_->reference();
+  const auto& X = assembly_->dofs().reference();
   mechanics::NodalRates rates{std::vector<double>(3 * X.size(), 0), std::vector<double>(3 * X.size(), 0)};
   const auto d = std::as_const(*assembly_).state().d();
   for (const auto& given : model_->velocities())
@@ -141,9 +141,9 @@ mechanics::NodalRates Dynamic::initial_rates() const {
 // The nodes with an initial velocity along a held or driven degree of freedom; `axes` marks the directions.
 std::vector<bool> Dynamic::dropped_nodes(const mechanics::NodalRates& rates,
                                          std::array<bool, 3>& axes) const {
-  std::vector<bool> dropped(assembly_->reference().size(), false);
+  std::vector<bool> dropped(assembly_->dofs().reference().size(), false);
   for (std::size_t n = 0; n < dropped.size(); ++n) {
-    const auto& freedoms = assembly_->freedoms().nodes[n];
+    const auto& freedoms = assembly_->dofs().freedoms().nodes[n];
     const Vec3 v = freedoms.frame * at(rates.x, static_cast<std::ptrdiff_t>(n));
     for (std::size_t i = 0; i < 3; ++i) {
       const auto equation = freedoms.equation[i];
@@ -181,7 +181,7 @@ void Dynamic::report_dropped_rates(const mechanics::NodalRates& rates) {
 void Dynamic::watch_jump(const std::vector<double>& from, const std::vector<double>& to, double time,
                          double most) {
   if (now_.reported_jump) return;
-  const auto& motions = assembly_->freedoms().motions;
+  const auto& motions = assembly_->dofs().freedoms().motions;
   for (std::size_t i = 0; i < motions.size(); ++i) {
     const double moved = std::abs(to[i] - from[i]);
     if (motions[i].component > 2 || !(moved > most)) continue;
@@ -197,25 +197,25 @@ std::vector<double> Dynamic::driven_rates() const {
   // Not beyond the end of the run, where a history of the deck may not be defined.
   const double width = std::min(kRateStep, 1e-3 * now_.step);
   const double from = std::max(0.0, time() - width), to = time() >= duration_ ? time() : time() + width;
-  auto later = assembly_->targets(to);
-  const auto before = assembly_->targets(from);
+  auto later = assembly_->dofs().targets(to);
+  const auto before = assembly_->dofs().targets(from);
   for (std::size_t i = 0; i < later.size(); ++i) later[i] = (later[i] - before[i]) / (to - from);
   return later;
 }
 
 double Dynamic::driven_kinetic() const {
-  const auto& motions = assembly_->freedoms().motions;
+  const auto& motions = assembly_->dofs().freedoms().motions;
   if (motions.empty()) return 0;
   const auto rates = driven_rates();
   double sum = 0;
   for (std::size_t i = 0; i < motions.size(); ++i)
-    if (motions[i].component < 3) sum += assembly_->nodal_mass()[motions[i].node] * rates[i] * rates[i] / 2;
+    if (motions[i].component < 3) sum += assembly_->cloth().mass()[motions[i].node] * rates[i] * rates[i] / 2;
   return sum;
 }
 
 Vec3 Dynamic::inertia(mesh::Index node) const {
   Vec3 force = Vec3::Zero();
-  const auto& freedoms = assembly_->freedoms();
+  const auto& freedoms = assembly_->dofs().freedoms();
   const auto on = assembly_->on_mass();
   for (int c = 0; c < 3; ++c) {
     const auto equation = freedoms.nodes[node].equation[c];
@@ -226,8 +226,8 @@ Vec3 Dynamic::inertia(mesh::Index node) const {
     const double before = m.of(history.value(t - h)), now = m.of(history.value(t)),
                  after = m.of(history.value(t + h));
     const double a = (before - 2 * now + after) / (h * h), v = (after - before) / (2 * h);
-    force += assembly_->nodal_mass()[node] * (on.acceleration * a + on.velocity * v) *
-             assembly_->freedoms().nodes[node].frame.row(m.component).transpose();
+    force += assembly_->cloth().mass()[node] * (on.acceleration * a + on.velocity * v) *
+             assembly_->dofs().freedoms().nodes[node].frame.row(m.component).transpose();
   }
   return force;
 }
@@ -239,9 +239,9 @@ double Dynamic::driven_work() const { return driven_kinetic() - now_.driven_kine
 mesh::Index Dynamic::suspect() const {
   mesh::Index maker = 0, densest = 0;
   double most = 0, density = -1;
-  for (mesh::Index e = 0; e < assembly_->elements(); ++e) {
+  for (mesh::Index e = 0; e < assembly_->cloth().elements(); ++e) {
     double created = 0, stored = 0, volume = 0;
-    assembly_->visit(e, [&](double w, const law::Law& law, const double* E, const double* state) {
+    assembly_->cloth().visit(e, [&](double w, const law::Law& law, const double* E, const double* state) {
       const auto energy = law::energy(law, E, state);
       created += w * energy.created;
       stored += w * (energy.stored + energy.dissipated());
@@ -282,10 +282,10 @@ bool Dynamic::looks_after(std::int64_t steps, double time) const {
 // size; correcting such an error within one step gives a node a speed, and over many steps these speeds add
 // up. The bound is the energy of the whole mass at 1e5 times that speed, some um/s, as in cloth at rest.
 double energy_of_rounding(const mechanics::Assembly& assembly, double step) {
-  const auto& masses = assembly.nodal_mass();
+  const auto& masses = assembly.cloth().mass();
   const double mass = std::accumulate(masses.begin(), masses.end(), 0.0);
   const double speed =
-      1e5 * std::numeric_limits<double>::epsilon() * box_of(assembly.reference()).size().norm() / step;
+      1e5 * std::numeric_limits<double>::epsilon() * box_of(assembly.dofs().reference()).size().norm() / step;
   return mass * speed * speed / 2;
 }
 
@@ -323,9 +323,9 @@ void Dynamic::check() {
   const double made = imbalance(e, scale) + e.created;
   // If supports begin to move with a jump in velocity, the trapezoidal rule gives their work badly at
   // first; so it does where a moved body comes to touch.
-  const mechanics::Contacts* contact = std::as_const(*assembly_).contact();
+  const mechanics::Contacts* contact = assembly_->find<mechanics::Contacts>();
   const bool moved = contact != nullptr && contact->bodies().any_driven();
-  const bool driven = !assembly_->freedoms().motions.empty() || moved;
+  const bool driven = !assembly_->dofs().freedoms().motions.empty() || moved;
   if (moved && now_.touched < 0 && contact->touching() > 0) now_.touched = now_.steps;
   const std::int64_t since = std::max<std::int64_t>(0, now_.touched);
   const bool is_young = now_.steps < since + kYoung && (!is_implicit || driven);
@@ -370,8 +370,9 @@ void Dynamic::check() {
 
 double Dynamic::scaled_kinetic() const {
   if (!scaled_) return 0;
-  const auto &scaled = assembly_->rotary_inertia(true), &own = assembly_->rotary_inertia(false);
-  const auto& nodes = assembly_->freedoms().nodes;
+  const auto &scaled = assembly_->cloth().rotary_inertia(true),
+             &own = assembly_->cloth().rotary_inertia(false);
+  const auto& nodes = assembly_->dofs().freedoms().nodes;
   const auto& w = rates().d;
   double sum = 0;
   for (std::size_t n = 0; n < nodes.size(); ++n)

@@ -32,11 +32,12 @@ Explicit::Explicit(std::shared_ptr<model::Model> model, const DynamicOptions& op
                    std::shared_ptr<Notices> notices)
     : Dynamic(std::move(model), options, std::move(notices)),
       motion_(assembly_->lumped_mass(scaled_), options_.gamma, [this] { return driven_rates(); }),
-      problem_(*assembly_, motion_, unpolled_) {
+      problem_(*assembly_, motion_, unpolled_),
+      contact_(assembly_->find<mechanics::Contacts>()) {
   const double undamped = stable_;
   bound_step();
-  assembly_->update_in_place();
-  if (assembly_->contact() != nullptr) assembly_->contact()->go_explicit();
+  assembly_->find<mechanics::Cloth>()->update_in_place();
+  if (contact_ != nullptr) contact_->go_explicit();
   report_contacts();
   check_stable_step(undamped);
   choose_step();
@@ -49,7 +50,8 @@ Explicit::Explicit(std::shared_ptr<model::Model> model, const DynamicOptions& op
 void Explicit::list_unknowns() {
   turns_.clear();
   turns_.reserve(motion_.residual().size());
-  for (mechanics::Index i = 0; i < assembly_->unknowns(); ++i) turns_.push_back(assembly_->turns(i) ? 1 : 0);
+  for (mechanics::Index i = 0; i < assembly_->dofs().unknowns(); ++i)
+    turns_.push_back(assembly_->dofs().turns(i) ? 1 : 0);
   added_inertia_ = added_inertia();
 }
 
@@ -116,17 +118,16 @@ void Explicit::check_stable_step(double undamped) const {
 }
 
 double Explicit::usual_step() const {
-  const mechanics::Contacts* contact = std::as_const(*assembly_).contact();
-  if (contact == nullptr) return std::min(kUsual * nominal_, kOfBound * bound_);
-  const double of_cloth = kOfBound * bound_ * contact->share_of_cloth() / kUsual;
-  return std::min({kUsual * nominal_, contact->largest_step(scaled_), of_cloth});
+  if (contact_ == nullptr) return std::min(kUsual * nominal_, kOfBound * bound_);
+  const double of_cloth = kOfBound * bound_ * contact_->share_of_cloth() / kUsual;
+  return std::min({kUsual * nominal_, contact_->largest_step(scaled_), of_cloth});
 }
 
 void Explicit::choose_step() {
   const double usual = usual_step();
   now_.step = options_.step.value_or(usual);
   if (options_.force || now_.step <= usual * (1 + 1e-12)) return;
-  if (assembly_->contact() != nullptr)
+  if (contact_ != nullptr)
     throw Error("dynamic: field 'step': expected at most " + number(usual) +
                 " s, the largest step that contact allows (0.6 of the stable step of mesh and card, " +
                 number(stable_) + " s, and less where contact is stiff), got " + number(now_.step) +
@@ -165,12 +166,12 @@ void Explicit::begin() {
 }
 
 void Explicit::set_motion(const mechanics::NodalRates& rates) {
-  motion_.start(assembly_->collect_rates(rates));
+  motion_.start(assembly_->dofs().collect_rates(rates));
 }
 
 // With contact a step may have to be repeated with half the size, together with its whole block.
 double Explicit::try_step(double limit, StepReport& report) {
-  const bool touches = assembly_->contact() != nullptr;
+  const bool touches = contact_ != nullptr;
   if (touches) open_block();
   for (;;) {
     if (now_.steps % kStretchEvery == 0) split();
@@ -186,8 +187,7 @@ double Explicit::try_step(double limit, StepReport& report) {
 std::optional<double> Explicit::try_shorter(double size, StepReport& report) {
   const double now = committed_time();
   while (!attempt(size, report)) {
-    const bool touches = assembly_->contact() != nullptr;
-    if (touches && end_ == End::forces && assembly_->contact()->blocked()) return {};
+    if (contact_ != nullptr && end_ == End::forces && contact_->blocked()) return {};
     const bool shorter =
         end_ == End::limited || (end_ == End::forces && assembly_->outcome().answer == Answer::cut);
     if (!shorter || ++report.cuts > options_.max_cuts) give_up(report);
@@ -213,9 +213,8 @@ void Explicit::open_block() {
 // Whether the step just tried is acceptable: its motion cannot have passed through a surface, and it is
 // stable for the stiffness of contact at its end.
 bool Explicit::step_acceptable(double dt) {
-  mechanics::Contacts& contact = *assembly_->contact();
-  if (contact.may_have_passed() || contact.turns_too_far()) return false;
-  return !contact.guarded() || (block_.halved > 0 && dt <= contact.largest_contact_step());
+  if (contact_->may_have_passed() || contact_->turns_too_far()) return false;
+  return !contact_->guarded() || (block_.halved > 0 && dt <= contact_->largest_contact_step());
 }
 
 void Explicit::redo(const StepReport& report) {
@@ -233,15 +232,14 @@ void Explicit::redo(const StepReport& report) {
 }
 
 void Explicit::report_guard() {
-  const mechanics::Contacts& contact = *std::as_const(*assembly_).contact();
   ++block_.steps;
-  if (!contact.guarded()) return;
+  if (!contact_->guarded()) return;
   block_.guarded = true;
   if (block_.reported) return;
   block_.reported = true;
-  const auto nearest = contact.nearest();
+  const auto nearest = contact_->nearest();
   warn("guard",
-       "dynamic: at time " + number(time()) + " s " + contact.words(nearest.point) +
+       "dynamic: at time " + number(time()) + " s " + contact_->words(nearest.point) +
            " are pressed into the last quarter above the smallest distance that contact allows (" +
            number(nearest.gap) +
            " m above it): a barrier keeps them apart (its energy: a.energy.guard) and the step is halved "
@@ -250,7 +248,7 @@ void Explicit::report_guard() {
 
 void Explicit::split() {
   if (now_.steps % kLoadsEvery == 0) added_ = mechanics::added_rates(*assembly_, scaled_);
-  const double stretched = nominal_ / std::max(1.0, assembly_->largest_stretch());
+  const double stretched = nominal_ / std::max(1.0, assembly_->cloth().largest_stretch());
   const double wanted = options_.step.value_or(usual_step());
   // A step that was accepted above the bound keeps its distance to it.
   const double above = is_of_waves() && wanted > bound_ ? nominal_ / bound_ : 1;
@@ -282,8 +280,7 @@ bool Explicit::attempt(double size, StepReport& report) {
   if (problem_.begin_step() != Answer::ok) return ends(End::forces);
   problem_.accept();
   watch_jump(problem_.driven(), problem_.targets(), size, kJump * smallest_);
-  if (assembly_->limits() && assembly_->limit_of_terms(motion_.increments(), problem_.targets()) < 1)
-    return ends(End::limited);
+  if (assembly_->limit(motion_.increments(), problem_.targets()) < 1) return ends(End::limited);
   problem_.advance_explicit(motion_.along(), motion_.reach());
   trial_time_ = size;
   assembly_->expect_energies(looks_after(now_.steps + 1, size));
@@ -303,7 +300,7 @@ void Explicit::commit(StepReport& report) {
   if (damps()) now_.loss += motion_.loss();
   if (!assembly_->constant_loads()) dead_ = problem_.external();
   work_.add(*assembly_, dead_);
-  if (assembly_->contact() != nullptr) report_guard();
+  if (contact_ != nullptr) report_guard();
   problem_.commit(report.time);
   motion_.commit();
   motion_.show_trial(false);
@@ -323,7 +320,7 @@ double Explicit::hidden_energy() const {
 
 const mechanics::NodalRates& Explicit::rates() const {
   const auto version = std::as_const(*assembly_).state().version();
-  if (rates_version_ != version) assembly_->spread_rates(motion_.velocities(), driven_rates(), rates_);
+  if (rates_version_ != version) assembly_->dofs().spread_rates(motion_.velocities(), driven_rates(), rates_);
   rates_version_ = version;
   return rates_;
 }
@@ -338,8 +335,9 @@ double Explicit::scaled_kinetic() const {
 std::vector<CentralDifferences::Weight> Explicit::added_inertia() const {
   std::vector<CentralDifferences::Weight> added;
   if (!scaled_) return added;
-  const auto &scaled = assembly_->rotary_inertia(true), &own = assembly_->rotary_inertia(false);
-  const auto& nodes = std::as_const(*assembly_).dofs().freedoms().nodes;
+  const auto &scaled = assembly_->cloth().rotary_inertia(true),
+             &own = assembly_->cloth().rotary_inertia(false);
+  const auto& nodes = assembly_->dofs().freedoms().nodes;
   for (std::size_t n = 0; n < nodes.size(); ++n)
     for (int c = 3; c < 5; ++c)
       if (!nodes[n].turn_axis && nodes[n].equation[c] >= 0)
@@ -362,7 +360,7 @@ void Explicit::give_up(const StepReport& report) {
   else
     text += ".\nTry: " + found.advice + ".";
   std::string why = text.substr(std::string("dynamic: ").size());
-  why += "\nstretch    the sheet is stretched to " + number(assembly_->largest_stretch()) +
+  why += "\nstretch    the sheet is stretched to " + number(assembly_->cloth().largest_stretch()) +
          " times its length at most, the step in use is " + number(now_.step / stable_) +
          " of the stable one";
   if (found.element >= 0) why += "\nelement    " + shape_text(found.element);
@@ -376,14 +374,13 @@ void Explicit::give_up(const StepReport& report) {
 // is stopped with its inverse. What came has lost speed since: the speed that bodies and nodes still have is
 // the least that it was.
 std::string Explicit::against_passing() const {
-  const auto& contact = *std::as_const(*assembly_).contact();
-  const auto stopped = contact.speed_stopped();
+  const auto stopped = contact_->speed_stopped();
   if (!std::isfinite(stopped.flat)) return "bodies that meet each other with less speed";
   std::string text = "more thickness= or stiffness= of m:contact (as it is, it stops cloth that comes with " +
                      number(stopped.anywhere) + " m/s anywhere, with " + number(stopped.flat) +
                      " m/s where it meets something flat)";
   const mesh::Index node = fastest_node();
-  const double speed = std::max(contact.fastest_body(), node >= 0 ? velocity(node).norm() : 0);
+  const double speed = std::max(contact_->fastest_body(), node >= 0 ? velocity(node).norm() : 0);
   if (stopped.given || !(speed > stopped.flat)) return text;
   const double finer = std::ceil(speed / stopped.flat);
   return "elements that are " + number(finer) + " times as short, " +
@@ -425,7 +422,7 @@ Explicit::Culprit Explicit::culprit(double step) const {
 // "element 12 (a triangle, 0.02 m long and 0.001 m high)"
 std::string Explicit::shape_text(mesh::Index element) const {
   const auto& e = model_->mesh().elements[static_cast<std::size_t>(element)];
-  const auto& X = assembly_->reference();
+  const auto& X = assembly_->dofs().reference();
   const int n = mechanics::corners(e);
   double longest = 0;
   for (int a = 0; a < n; ++a) longest = std::max(longest, (X[e[(a + 1) % n]] - X[e[a]]).norm());
@@ -434,10 +431,10 @@ std::string Explicit::shape_text(mesh::Index element) const {
 }
 
 mesh::Index Explicit::fastest_element() const {
-  const auto& X = assembly_->reference();
+  const auto& X = assembly_->dofs().reference();
   mesh::Index fastest = -1;
   double most = 0;
-  for (mesh::Index i = 0; i < assembly_->elements(); ++i) {
+  for (mesh::Index i = 0; i < assembly_->cloth().elements(); ++i) {
     const auto& e = model_->mesh().elements[static_cast<std::size_t>(i)];
     for (int a = 0, n = mechanics::corners(e); a < n; ++a) {
       const auto from = e[a], to = e[(a + 1) % n];
@@ -451,7 +448,7 @@ mesh::Index Explicit::fastest_element() const {
 }
 
 bool Explicit::stuck() const {
-  return assembly_->contact() != nullptr && block_.halved >= kHalvings && end_ != End::ran_away;
+  return contact_ != nullptr && block_.halved >= kHalvings && end_ != End::ran_away;
 }
 
 std::string Explicit::reason() const {
@@ -467,7 +464,7 @@ std::string Explicit::reason() const {
 mesh::Index Explicit::fastest_node() const {
   mesh::Index fastest = -1;
   double most = 0;
-  for (mesh::Index n = 0; n < static_cast<mesh::Index>(assembly_->reference().size()); ++n)
+  for (mesh::Index n = 0; n < static_cast<mesh::Index>(assembly_->dofs().reference().size()); ++n)
     if (const double v = velocity(n).norm(); v > most) {
       most = v;
       fastest = n;
@@ -478,7 +475,7 @@ mesh::Index Explicit::fastest_node() const {
 void Explicit::memory(Archive& archive) {
   archive(now_, motion_, added_, conserved_);
   problem_.keep(archive);
-  if (assembly_->contact() != nullptr) archive(block_, hooked_);
+  if (contact_ != nullptr) archive(block_, hooked_);
   if (!archive.reading()) return;
   dirty_ = false;
   motion_.show_trial(false);

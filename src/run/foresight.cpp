@@ -1,5 +1,3 @@
-#include "run/foresight.hpp"
-
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -8,6 +6,7 @@
 
 #include "base/number.hpp"
 #include "law/check_parts.hpp"
+#include "run/diagnosis.hpp"
 #include "run/place_text.hpp"
 
 namespace fabricsh::run {
@@ -143,7 +142,7 @@ void look_for_idle(const std::string& what, const mesh::NodeSet& set, const mode
     if (!history || is_zero(*history, duration)) continue;
     const Vec3 e = frame.row(c).transpose();
     const auto held = static_cast<std::size_t>(std::count_if(set.begin(), set.end(), [&](mesh::Index n) {
-      return is_held(assembly.freedoms().nodes[static_cast<std::size_t>(n)], e);
+      return is_held(assembly.dofs().freedoms().nodes[static_cast<std::size_t>(n)], e);
     }));
     const bool all = held == set.size(), one = set.size() == 1;
     if (area ? !all : 2 * held <= set.size()) continue;
@@ -180,8 +179,8 @@ constexpr double kInPlane = 1e-6;  // sine of the angle between a free direction
 
 bool may_leave_surface(const mechanics::Assembly& assembly) {
   const auto d = assembly.state().d();
-  for (std::size_t n = 0; n < assembly.reference().size(); ++n) {
-    const auto& node = assembly.freedoms().nodes[n];
+  for (std::size_t n = 0; n < assembly.dofs().reference().size(); ++n) {
+    const auto& node = assembly.dofs().freedoms().nodes[n];
     const Eigen::Map<const Vec3> director(d.data() + 3 * n);
     for (int c = 0; c < 3; ++c) {
       const auto equation = node.equation[static_cast<std::size_t>(c)];
@@ -234,7 +233,7 @@ class RigidMotions {
  public:
   explicit RigidMotions(const mechanics::Assembly& assembly) : assembly_(assembly) {
     const auto x = assembly.state().x();
-    const auto count = static_cast<std::size_t>(assembly.reference().size());
+    const auto count = static_cast<std::size_t>(assembly.dofs().reference().size());
     centre_.setZero();
     for (std::size_t n = 0; n < count; ++n) centre_ += at(x, n) / static_cast<double>(count);
     for (std::size_t n = 0; n < count; ++n) length_ = std::max(length_, (at(x, n) - centre_).norm());
@@ -285,7 +284,7 @@ class RigidMotions {
     add_row(row);
   }
   void add_node(std::size_t n) {
-    const auto& node = assembly_.freedoms().nodes[n];
+    const auto& node = assembly_.dofs().freedoms().nodes[n];
     const auto stays = [&](std::size_t i) {
       return node.equation[i] < 0 && node.equation[i] != mechanics::tied;
     };
@@ -305,12 +304,14 @@ class RigidMotions {
 // Whether, and how much, the loads at a time drive the mode; sets what a small support must hold.
 void look_at_loads(const RigidMotions& motions, const mechanics::Assembly& assembly, const Mode& mode,
                    double time, Mechanism& found) {
-  std::vector<double> dead, follower;
+  std::vector<double> dead;
   assembly.external(time, dead);
-  assembly.follower(time, follower);
+  std::vector<double> follower(dead.size()), on_directors(dead.size());
+  for (const auto* const load : assembly.all<mechanics::FollowerLoad>())
+    load->add_follower(time, assembly.trial(), follower, on_directors);
   double most = 0, load = 0;
   Vec3 work = Vec3::Zero(), along = Vec3::Zero();
-  for (std::size_t n = 0; n < assembly.reference().size(); ++n) {
+  for (std::size_t n = 0; n < assembly.dofs().reference().size(); ++n) {
     const Vec3 v = motions.velocity(mode, n);
     const Vec3 f =
         Eigen::Map<const Vec3>(dead.data() + 3 * n) + Eigen::Map<const Vec3>(follower.data() + 3 * n);

@@ -26,7 +26,7 @@ NewmarkScheme scheme_of(const DynamicOptions& o) {
 
 StepControl control_of(const DynamicOptions& o, const mechanics::Assembly& assembly) {
   StepControl control{o.step.value_or(o.duration / 200), 0, o.max_cuts};
-  if (assembly.contact() != nullptr) control.expect_friction();
+  if (assembly.find<mechanics::Contacts>() != nullptr) control.expect_friction();
   return control;
 }
 
@@ -41,7 +41,7 @@ Implicit::Implicit(std::shared_ptr<model::Model> model, const DynamicOptions& op
       control_(control_of(options, *assembly_)) {
   // Damping by stiffness multiplies its matrix, and a solver of one's own may read all of it.
   if (!takes_unsymmetric() && !(options_.stiffness_damping > 0) && !options_.solver) assembly_->keep_upper();
-  if (assembly_->contact() != nullptr) assembly_->contact()->go_implicit(newmark_.weight_of_contact());
+  weigh_step_ends();
   report_contacts();
   now_.step = control_.current();
   begin_free();
@@ -50,8 +50,8 @@ Implicit::Implicit(std::shared_ptr<model::Model> model, const DynamicOptions& op
 // So that velocities and kinetic energy can be read before the first step.
 void Implicit::begin_free() {
   mechanics::NodalRates free;
-  assembly_->spread_rates(assembly_->collect_rates(initial_rates()),
-                          std::vector<double>(assembly_->freedoms().motions.size(), 0), free);
+  assembly_->dofs().spread_rates(assembly_->dofs().collect_rates(initial_rates()),
+                                 std::vector<double>(assembly_->dofs().freedoms().motions.size(), 0), free);
   newmark_.start(free);
 }
 
@@ -61,7 +61,7 @@ void Implicit::begin_free() {
 void Implicit::take(const mechanics::Transfer& change, const std::vector<double>& rates) {
   if (!started()) return begin_free();
   mechanics::NodalRates velocities = newmark_.velocities();
-  if (change.closes()) assembly_->spread_rates(rates, driven_rates(), velocities);
+  if (change.closes()) assembly_->dofs().spread_rates(rates, driven_rates(), velocities);
   problem_.set_time(committed_time());
   if (problem_.begin_step() != Answer::ok)
     throw NumericalFailure("dynamic: the fabric law failed where joints changed", committed_time());
@@ -75,8 +75,8 @@ void Implicit::take(const mechanics::Transfer& change, const std::vector<double>
 }
 
 bool Implicit::has_turning_directors() const {
-  for (mechanics::Index i = 0; i < assembly_->unknowns(); ++i)
-    if (assembly_->turns(i)) return true;
+  for (mechanics::Index i = 0; i < assembly_->dofs().unknowns(); ++i)
+    if (assembly_->dofs().turns(i)) return true;
   return false;
 }
 
@@ -95,17 +95,16 @@ void Implicit::begin() {
 void Implicit::set_motion(const mechanics::NodalRates& rates) {
   // Held and tied nodes have no velocities of their own.
   mechanics::NodalRates possible;
-  assembly_->spread_rates(assembly_->collect_rates(rates), driven_rates(), possible);
+  assembly_->dofs().spread_rates(assembly_->dofs().collect_rates(rates), driven_rates(), possible);
   problem_.start(possible);
 }
 
 double Implicit::try_step(double limit, StepReport& report) {
   double size = control_.end(committed_time(), next_landing(limit, control_.current()));
   const StepControl before = control_;
-  tries_.clear();
+  step_.tries.clear();
   while (!attempt(size, report)) {
-    const bool broken = last_.status == solver::NewtonStatus::broken;
-    if (broken || ++report.cuts > options_.max_cuts || !control_.cut(size - committed_time())) {
+    if (step_.broken() || ++report.cuts > options_.max_cuts || !control_.cut(size - committed_time())) {
       control_ = before;  // a failed step leaves no trace
       give_up(report);
     }
@@ -117,18 +116,15 @@ double Implicit::try_step(double limit, StepReport& report) {
 bool Implicit::attempt(double size, StepReport& report) {
   const double now = committed_time();
   problem_.set_time(size);
-  last_ = newton_.solve(problem_, {options_.tolerance, options_.max_iterations, options_.line_search});
-  report.iterations += last_.iterations;
-  report.residuals = last_.residuals;
-  report.negative_pivots = last_.negative_pivots;
+  const auto result =
+      newton_.solve(problem_, {options_.tolerance, options_.max_iterations, options_.line_search});
+  report.iterations += result.iterations;
+  report.residuals = result.residuals;
+  report.negative_pivots = result.negative_pivots;
   report.step = size - now;
   report.time = size;
-  const bool converged = last_.status == solver::NewtonStatus::converged;
-  newmark_.show_trial(converged);
-  if (!converged) {
-    site_ = find_residual_site(*assembly_, model_->mesh(), last_);
-    tries_.push_back({report.step, last_.status, last_.residuals, site_.reason});
-  }
+  newmark_.show_trial(result.status == solver::NewtonStatus::converged);
+  const bool converged = step_.take(result, report.step, *assembly_, model_->mesh());
   trial_time_ = converged ? size : now;
   return converged;
 }
@@ -142,13 +138,13 @@ void Implicit::commit(StepReport& report) {
   double kinetic = 0, work = 0;
   const bool settling = now_.settling > 0, damps = this->damps() && !settling;
   if (damps) {
-    const bool balances = newmark_.scheme().hht == 0 && assembly_->freedoms().bodies.empty();
+    const bool balances = newmark_.scheme().hht == 0 && assembly_->dofs().freedoms().bodies.empty();
     kinetic = newmark_.kinetic();
     work = balances ? newmark_.work_of_acceleration() : problem_.work_of_balance();
-    // The accelerations contain the forces of contact, half of whose weight counts at the step's end.
+    // The accelerations contain the forces of step ends, half of whose weight counts at the step's end.
     const double counted = balances ? 1 / (2 * newmark_.scheme().gamma) : 0;
-    if (const auto* contact = std::as_const(*assembly_).contact())
-      work += (1 - counted) * contact->work_on_cloth();
+    for (const auto* const term : assembly_->all<mechanics::AtStepEnd>())
+      work += (1 - counted) * term->work_on_cloth();
   }
   dead_ = problem_.external();
   work_.add(*assembly_, dead_);
@@ -157,7 +153,7 @@ void Implicit::commit(StepReport& report) {
   if (damps) now_.loss += work - (newmark_.kinetic() - kinetic);
   if (settling) settle();
   watch_jump(driven_before, problem_.driven(), report.time, smallest_);
-  control_.grow(last_.iterations, report.cuts > 0);
+  control_.grow(step_.last.iterations, report.cuts > 0);
   now_.step = control_.current();
   ++now_.steps;
 }
@@ -186,16 +182,18 @@ void Implicit::take_scheme() {
   newmark_.set_scheme(now_.settling > 0 ? kSettling
                       : now_.damps      ? NewmarkScheme::of_hht(kDampingAlpha)
                                         : scheme_of(options_));
-  if (assembly_->contact() != nullptr) assembly_->contact()->set_weight(newmark_.weight_of_contact());
+  weigh_step_ends();
+}
+
+void Implicit::weigh_step_ends() {
+  for (auto* const term : assembly_->all<mechanics::AtStepEnd>())
+    term->set_weight(newmark_.weight_at_step_end());
 }
 
 void Implicit::give_up(const StepReport& report) {
-  const double now = committed_time();
-  Failure failure = failure_of(*model_, *assembly_, now, tries_, site_, last_);
-  failure.dynamic = true;
-  const std::string text =
-      "dynamic: " + message(failure, last_, report.step, control_.largest(), report.cuts, options_.tolerance);
-  fail(NumericalFailure(text, now, site_.element, site_.yarn), run::report(failure));
+  step_.complete(*model_, *assembly_, committed_time());
+  step_.dynamic = true;
+  fail(step_, report, control_.largest());
 }
 
 void Implicit::memory(Archive& archive) {

@@ -1,8 +1,8 @@
 // The run by Newmark's implicit method and Newton's method.
 #pragma once
 #include "linear/libraries.hpp"
+#include "run/diagnosis.hpp"
 #include "run/dynamic.hpp"
-#include "run/failure.hpp"
 #include "run/problem.hpp"
 #include "run/step_control.hpp"
 #include "solver/newton.hpp"
@@ -30,12 +30,13 @@ class Implicit final : public Dynamic {
   const mechanics::Motion& motion() const override { return newmark_; }
   void memory(Archive& archive) override;
   std::vector<double> unknown_rates() const override {
-    return assembly_->collect_rates(newmark_.velocities());
+    return assembly_->dofs().collect_rates(newmark_.velocities());
   }
   void resize() override { problem_.resize(); }
   void take(const mechanics::Transfer& change, const std::vector<double>& rates) override;
   void begin_free();
   bool begin_to_damp() override;
+  void weigh_step_ends();
   void take_scheme();  // that of the options, the one that damps, or the one in which directors settle
   bool has_turning_directors() const;
   void settle();
@@ -44,9 +45,7 @@ class Implicit final : public Dynamic {
   EquilibriumProblem problem_;
   solver::Newton newton_;
   StepControl control_;
-  solver::NewtonResult last_;
-  ResidualSite site_;
-  std::vector<Try> tries_;  // failed attempts at the present step
+  Diagnosis step_;  // the present one
 };
 
 }  // namespace fabricsh::run

@@ -30,10 +30,10 @@ std::size_t count(const mechanics::Joints& joints) {
 Edges Run::edges_along(const Along& along, const char* call, bool sewn) const {
   const std::string of = std::string(call) + ": ";
   if (stepping_) throw Error(of + "expected between two steps, as in a hook or an event's action");
-  const auto& joints = assembly_->joints();
+  const auto& joints = assembly_->dofs().joints();
   if (sewn && !joints.any()) return {};
   if (!joints.any())
-    throw Error(of + (assembly_->seams() == nullptr
+    throw Error(of + (seams_ == nullptr
                           ? "the model has no tearable zone: expected m:tearable(set) before the run"
                           : "the model has no tearable zone, and no stitch of a seam is there: expected "
                             "m:tearable(set) before the run, or the set of a sewn edge"));
@@ -57,14 +57,14 @@ std::size_t Run::cut(const Along& along) {
     sewn.parted[i] = 1;
   }
   const Edges more = edges_along(along, "cut", !stitches.empty()),
-              &opened_before = assembly_->joints().opened();
+              &opened_before = assembly_->dofs().joints().opened();
   Edges all;
   std::set_union(opened_before.begin(), opened_before.end(), more.begin(), more.end(),
                  std::back_inserter(all));
-  const std::size_t before = count(assembly_->joints());
+  const std::size_t before = count(assembly_->dofs().joints());
   if (opened > 0) resew(std::move(sewn), 0);
   rejoin(std::move(all), 0);
-  return count(assembly_->joints()) - before + opened;
+  return count(assembly_->dofs().joints()) - before + opened;
 }
 
 std::size_t Run::join(const Along& along, std::optional<double> within) {
@@ -73,36 +73,36 @@ std::size_t Run::join(const Along& along, std::optional<double> within) {
   mechanics::Sewn sewn = assembly_->dofs().sewn();
   std::size_t closed = 0;
   for (const std::size_t i : stitches) {
-    if (sewn.parted[i] == 0 || assembly_->seams()->has_burst(i)) continue;
+    if (sewn.parted[i] == 0 || seams_->has_burst(i)) continue;
     ++closed;
     sewn.closed[i] = assembly_->dofs().seams()[assembly_->dofs().stitches()[i].seam].stiffness ? 0 : 1;
     sewn.parted[i] = 0;
   }
-  const Edges less = edges_along(along, "join", !stitches.empty()), &opened = assembly_->joints().opened();
+  const Edges less = edges_along(along, "join", !stitches.empty()),
+              &opened = assembly_->dofs().joints().opened();
   Edges all;
   std::set_difference(opened.begin(), opened.end(), less.begin(), less.end(), std::back_inserter(all));
-  const std::size_t before = count(assembly_->joints());
+  const std::size_t before = count(assembly_->dofs().joints());
   try {
     if (closed > 0) {
-      assembly_->seams()->decide_turning(sewn);
+      seams_->decide_turning(sewn);
       resew(std::move(sewn), near);
     }
     rejoin(std::move(all), near);
   } catch (const Error& error) {
     throw Error(std::string("join: ") + error.what());
   }
-  return before - count(assembly_->joints()) + closed;
+  return before - count(assembly_->dofs().joints()) + closed;
 }
 
 // Where a joint opens its forces stay, so that in steps that iterate whatever breaks with it does so in the
 // same state. Explicit steps go on and break the next ones in theirs.
 void Run::tear() {
-  mechanics::Tears* const tears = assembly_->tears();
-  if (tears == nullptr) return;
+  if (tears_ == nullptr) return;
   const double step = tear_step();
-  while (tears->worst().share >= 1) {
-    Edges all = tears->let_go(step);
-    const Edges& opened = assembly_->joints().opened();
+  while (tears_->worst().share >= 1) {
+    Edges all = tears_->let_go(step);
+    const Edges& opened = assembly_->dofs().joints().opened();
     all.insert(all.end(), opened.begin(), opened.end());
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end()), all.end());
@@ -113,9 +113,9 @@ void Run::tear() {
 
 NearestBreak nearest_break(const mechanics::Assembly& assembly) {
   NearestBreak nearest;
-  if (const auto* tears = assembly.tears(); tears != nullptr)
+  if (const auto* tears = assembly.find<mechanics::Tears>(); tears != nullptr)
     nearest = {tears->worst().share, tears->committed_share()};
-  if (const auto* seams = assembly.seams(); seams != nullptr)
+  if (const auto* seams = assembly.find<mechanics::Seams>(); seams != nullptr)
     nearest = {std::max(nearest.trial, seams->worst().share),
                std::max(nearest.committed, seams->committed_share())};
   return nearest;
@@ -126,16 +126,15 @@ void Run::refuse_runaway() {
   std::string what = "seam";
   double share = 0, strength = 0;
   Vec3 at = Vec3::Zero();
-  if (const auto* seams = std::as_const(*assembly_).seams(); seams != nullptr) {
-    const auto worst = seams->worst();
+  if (seams_ != nullptr) {
+    const auto worst = seams_->worst();
     what = "seam " + worst.seam;
     share = worst.share;
     strength = worst.strength;
     at = worst.at;
   }
-  if (const auto* tears = std::as_const(*assembly_).tears();
-      tears != nullptr && tears->worst().share > share) {
-    const auto worst = tears->worst();
+  if (tears_ != nullptr && tears_->worst().share > share) {
+    const auto worst = tears_->worst();
     what = worst.yarn;
     share = worst.share;
     strength = worst.strength;

@@ -56,7 +56,7 @@ void Newmark::update() {
     rates->x.resize(3 * nodes);
     rates->d.resize(3 * nodes);
   }
-  const mechanics::Freedoms& freedoms = assembly_.freedoms();
+  const mechanics::Freedoms& freedoms = assembly_.dofs().freedoms();
 #pragma omp parallel for schedule(static) if (nodes >= 2048)
   for (std::size_t n = 0; n < nodes; ++n) {
     if (freedoms.body(static_cast<mechanics::Index>(n)) >= 0) {
@@ -111,12 +111,12 @@ std::array<double, 6> Newmark::rate_of_momentum(const mechanics::RigidBody& body
 void Newmark::commit(double time, std::span<const double> targets) {
   before_ = trial_;
   const double h = 1e-3 * dt();
-  const auto earlier = assembly_.targets(time - h);
-  const auto& motions = assembly_.freedoms().motions;
+  const auto earlier = assembly_.dofs().targets(time - h);
+  const auto& motions = assembly_.dofs().freedoms().motions;
   for (std::size_t i = 0; i < motions.size(); ++i) {
     const auto& m = motions[i];
     if (m.component > 2) continue;
-    const Vec3 along = assembly_.freedoms().nodes[m.node].frame.row(m.component).transpose();
+    const Vec3 along = assembly_.dofs().freedoms().nodes[m.node].frame.row(m.component).transpose();
     auto v = at(before_.v.x, m.node), a = at(before_.a.x, m.node);
     v += ((targets[i] - earlier[i]) / h - v.dot(along)) * along;
     a -= a.dot(along) * along;
@@ -138,10 +138,10 @@ double Newmark::largest_inertia() const {
   return largest;
 }
 
-std::span<const double> Newmark::rates() const { return rates_ = assembly_.collect_rates(trial_.v); }
+std::span<const double> Newmark::rates() const { return rates_ = assembly_.dofs().collect_rates(trial_.v); }
 
 double Newmark::work(std::span<const double> before, std::span<const double> after) const {
-  const auto from = assembly_.collect_rates(before_.v), to = assembly_.collect_rates(trial_.v);
+  const auto from = assembly_.dofs().collect_rates(before_.v), to = assembly_.dofs().collect_rates(trial_.v);
   double sum = 0;
   for (std::size_t i = 0; i < to.size(); ++i)
     sum += (before[i] + after[i]) / 2 * (from[i] + to[i]) / 2 * dt();
@@ -150,7 +150,7 @@ double Newmark::work(std::span<const double> before, std::span<const double> aft
 
 // The component of a vector along a driven displacement.
 double Newmark::along(const mechanics::DrivenFreedom& m, std::span<const double> v) const {
-  return assembly_.freedoms().nodes[m.node].frame.row(m.component).dot(at(v, m.node));
+  return assembly_.dofs().freedoms().nodes[m.node].frame.row(m.component).dot(at(v, m.node));
 }
 
 // The force that moves the driven displacements also does work against their inertia and damping, which is
@@ -173,7 +173,7 @@ double Newmark::work_on_mass(double factor, const mechanics::NodalRates& before,
     work +=
         factor * rotary[k] * (parallel_transport(at(before.d, k), from, to) + at(after.d, k)).dot(turned) / 2;
   }
-  for (const auto& m : assembly_.freedoms().motions) {
+  for (const auto& m : assembly_.dofs().freedoms().motions) {
     if (m.component > 2) continue;
     const double moved = along(m, state.x()) - along(m, old);
     work -= factor * mass[m.node] * (along(m, before.x) + along(m, after.x)) / 2 * moved;
@@ -185,7 +185,7 @@ double Newmark::kinetic() const {
   const auto& v = velocities();
   const auto &mass = inertia_.mass(), &rotary = inertia_.rotary();
   double driven = 0;
-  for (const auto& m : assembly_.freedoms().motions)
+  for (const auto& m : assembly_.dofs().freedoms().motions)
     if (m.component < 3) driven -= mass[m.node] * along(m, v.x) * along(m, v.x) / 2;
   return driven + ordered_sum(v.x.size(), [&](std::size_t i) {
            return (mass[i / 3] * v.x[i] * v.x[i] + rotary[i / 3] * v.d[i] * v.d[i]) / 2;

@@ -53,7 +53,7 @@ class Newmark final : public mechanics::Motion {
   const NodalMotion& committed() const { return before_; }
   const NodalMotion& trial() const { return trial_; }
   // Of the forces of contact in the scheme's balance, with which they count once at the step's end.
-  double weight_of_contact() const { return 1 / (scheme_.gamma * (1 + scheme_.hht)); }
+  double weight_at_step_end() const { return 1 / (scheme_.gamma * (1 + scheme_.hht)); }
   // Whether velocities are those of a complete trial step, to be read before the commit.
   void show_trial(bool tried) { tried_ = tried; }
   const mechanics::NodalRates& velocities() const { return (tried_ ? trial_ : before_).v; }

@@ -6,7 +6,7 @@
 #include "base/error.hpp"
 #include "geometry/node_view.hpp"
 #include "linear/linear_solver.hpp"
-#include "mechanics/terms/contact.hpp"
+#include "mechanics/terms/cloth.hpp"
 
 namespace fabricsh::run {
 
@@ -17,7 +17,7 @@ EquilibriumProblem::EquilibriumProblem(mechanics::Assembly& assembly, mechanics:
       newmark_(newmark),
       poll_(poll),
       small_time_(small_time),
-      lead_(assembly.targets(0).size()) {
+      lead_(assembly.dofs().targets(0).size()) {
   assembly_.set_motion(&motion_);
   resize();
 }
@@ -25,7 +25,7 @@ EquilibriumProblem::EquilibriumProblem(mechanics::Assembly& assembly, mechanics:
 void EquilibriumProblem::resize() {
   if (iterates())
     for (auto* v : {&product_, &ahead_, &balance_})
-      v->assign(static_cast<std::size_t>(assembly_.unknowns()), 0);
+      v->assign(static_cast<std::size_t>(assembly_.dofs().unknowns()), 0);
   memory_.balance.clear();
   lumped_.clear();
 }
@@ -45,7 +45,7 @@ EquilibriumProblem::EquilibriumProblem(mechanics::Assembly& assembly, mechanics:
 void EquilibriumProblem::set_time(double time) {
   trial_time_ = time;
   motion_.set_dt(time - std::as_const(assembly_).state().time());
-  targets_ = assembly_.targets(time);
+  targets_ = assembly_.dofs().targets(time);
   if (external_.empty() || !assembly_.constant_loads()) assembly_.external(time, external_);
   assembly_.set_time(time);
 }
@@ -71,7 +71,7 @@ mechanics::NodalRates EquilibriumProblem::accelerations(std::span<const double> 
   if (!a.empty() && !(linear->factorise(M) && linear->solve(M, r, a)))
     throw NumericalFailure("dynamic: the mass of the unknowns is singular", 0);
   mechanics::NodalRates accelerations;
-  assembly_.spread_rates(a, std::vector<double>(lead_.size(), 0), accelerations);
+  assembly_.dofs().spread_rates(a, std::vector<double>(lead_.size(), 0), accelerations);
   return accelerations;
 }
 
@@ -79,25 +79,26 @@ void EquilibriumProblem::commit(double time) {
   assembly_.commit(time);
   if (newmark_ != nullptr) {
     newmark_->commit(time, targets_);
-    forget_contact();
+    forget_step_end();
   }
   memory_.driven = targets_;
   remember();
 }
 
-// A step has the forces of contact at its end alone: the next one begins without them.
-void EquilibriumProblem::forget_contact() {
-  if (contact() == nullptr || contact()->touching_now() == 0) return;
+// A step has some forces at its end alone: the next one begins without them.
+void EquilibriumProblem::forget_step_end() {
+  const auto terms = assembly_.all<mechanics::AtStepEnd>();
+  if (std::none_of(terms.begin(), terms.end(), [](const auto* term) { return term->acts(); })) return;
   const double gamma = newmark_->scheme().gamma;
   std::vector<double> without(balance_.size()), push(balance_.size());
   balance(0, 0, without);
   balance(0, 1 / gamma, push);
   for (std::size_t i = 0; i < push.size(); ++i) push[i] -= without[i];
-  if (std::as_const(assembly_).dofs().has_ties()) return newmark_->take_off(accelerations(push));
+  if (assembly_.dofs().has_ties()) return newmark_->take_off(accelerations(push));
   if (lumped_.empty()) lumped_ = assembly_.lumped_mass(false);
   for (std::size_t i = 0; i < push.size(); ++i) push[i] /= lumped_[i];
   mechanics::NodalRates accelerations;
-  assembly_.spread_rates(push, std::vector<double>(lead_.size(), 0), accelerations);
+  assembly_.dofs().spread_rates(push, std::vector<double>(lead_.size(), 0), accelerations);
   newmark_->take_off(accelerations);
 }
 
@@ -121,7 +122,7 @@ void EquilibriumProblem::remember_bodies() {
   const double alpha = newmark_->scheme().hht;
   const auto& before = memory_.balance.empty() ? balance_ : memory_.balance;
   memory_.on_bodies.clear();
-  for (const auto& body : assembly_.freedoms().bodies)
+  for (const auto& body : assembly_.dofs().freedoms().bodies)
     for (auto i = static_cast<std::size_t>(body.equation); i < static_cast<std::size_t>(body.equation) + 6;
          ++i)
       memory_.on_bodies.push_back((1 + alpha) * balance_[i] - alpha * before[i]);
@@ -151,8 +152,8 @@ Answer EquilibriumProblem::begin_step() { return made(assembly_.begin_step()); }
 
 // --- forces
 
-// f_ext - f_int - C v - inertia M a on the unknowns, with the forces of contact `contact` times.
-void EquilibriumProblem::balance(double inertia, double contact, std::span<double> r) {
+// f_ext - f_int - C v - inertia M a on the unknowns, with the forces of step ends (AtStepEnd) `at_end` times.
+void EquilibriumProblem::balance(double inertia, double at_end, std::span<double> r) {
   if (newmark_ == nullptr) {
     assembly_.residual(external_, r);
   } else {
@@ -162,19 +163,19 @@ void EquilibriumProblem::balance(double inertia, double contact, std::span<doubl
     const double part = inertia * on.acceleration;
     on_x_.resize(external_.size());
     on_d_.resize(external_.size());
-    const auto& freedoms = assembly_.freedoms();
+    const auto& freedoms = assembly_.dofs().freedoms();
     for (std::size_t i = 0; i < external_.size(); ++i) {
       const double own = freedoms.body(static_cast<mechanics::Index>(i / 3)) < 0 ? part : 0;
       on_x_[i] = external_[i] - mass[i / 3] * (on.velocity * motion.v.x[i] + own * motion.a.x[i]);
       on_d_[i] = -rotary[i / 3] * (on.velocity * motion.v.d[i] + own * motion.a.d[i]);
     }
-    if (this->contact() != nullptr && contact != 1) {
-      const auto push = this->contact()->push();
-      for (std::size_t n = 0; n < push.size(); ++n) at(on_x_, n) += (contact - 1) * push[n];
+    for (const auto* const term : assembly_.all<mechanics::AtStepEnd>()) {
+      if (at_end == 1) break;
+      const auto push = term->push();
+      for (std::size_t n = 0; n < push.size(); ++n) at(on_x_, n) += (at_end - 1) * push[n];
     }
     assembly_.residual(on_x_, r, on_d_);
   }
-  assembly_.resist(r);
 }
 
 // The residual of the scheme; for Newmark (1 + alpha) f+ - alpha f - M a+.
@@ -182,14 +183,14 @@ void EquilibriumProblem::weigh(std::span<double> r) {
   if (newmark_ == nullptr) return balance(0, 1, r);
   newmark_->update();
   const double alpha = newmark_->scheme().hht;
-  balance(1 / (1 + alpha), contact() == nullptr ? 1 : contact()->weight(), r);
+  balance(1 / (1 + alpha), newmark_->weight_at_step_end(), r);
   for (std::size_t i = 0; i < r.size(); ++i) r[i] = (1 + alpha) * r[i] - alpha * memory_.balance[i];
   move_bodies(r);
 }
 
 // The inertia of rigid bodies, see newmark.hpp; r has the forces F^+ on their unknowns.
 void EquilibriumProblem::move_bodies(std::span<double> r) {
-  const auto& bodies = assembly_.freedoms().bodies;
+  const auto& bodies = assembly_.dofs().freedoms().bodies;
   const double gamma = newmark_->scheme().gamma, on = assembly_.on_mass().acceleration;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const auto rate = newmark_->rate_of_momentum(bodies[b]);
@@ -214,7 +215,8 @@ void EquilibriumProblem::close(linear::Matrix& K) {
   const double of_body = 2 * (on.acceleration / scheme.gamma / dt + weight() * on.velocity) / dt;
   std::vector<double> on_x = newmark_->inertia().mass(), on_d = newmark_->inertia().rotary();
   for (std::size_t n = 0; n < on_x.size(); ++n) {
-    const double factor = assembly_.freedoms().body(static_cast<mechanics::Index>(n)) < 0 ? c : of_body;
+    const double factor =
+        assembly_.dofs().freedoms().body(static_cast<mechanics::Index>(n)) < 0 ? c : of_body;
     on_x[n] *= factor;
     on_d[n] *= factor;
   }
@@ -226,18 +228,12 @@ double EquilibriumProblem::work_of_balance() {
   return motion_.work(memory_.balance, balance_);
 }
 
-// The largest of the unknowns' residuals and of those of free bodies (unknown -1).
-std::pair<double, solver::Index> EquilibriumProblem::largest(std::span<const double> r) const {
-  const auto found = assembly_.largest_residual(r);
-  const double bodies = assembly_.largest_body_residual();
-  return bodies > found.first ? std::pair<double, solver::Index>(bodies, -1) : found;
-}
-
 double EquilibriumProblem::force_scale() const {
-  const double inertia = newmark_ == nullptr ? 0 : newmark_->largest_inertia();
-  const auto* contact = std::as_const(assembly_).contact();
-  const double bodies = newmark_ == nullptr || contact == nullptr ? 0 : contact->largest_body_force();
-  return std::max({memory_.peak, assembly_.largest_force(), inertia, bodies});
+  double largest = std::max(memory_.peak, assembly_.largest_force());
+  if (newmark_ == nullptr) return largest;
+  for (const auto* const term : assembly_.all<mechanics::OwnUnknowns>())
+    largest = std::max(largest, term->largest_own_force());
+  return std::max(largest, newmark_->largest_inertia());
 }
 
 // --- Newton
@@ -281,8 +277,8 @@ Answer EquilibriumProblem::tangent(linear::Matrix& K) {
 
 double EquilibriumProblem::turn_of(std::span<const double> delta) const {
   mechanics::NodalRates way;
-  assembly_.spread_rates(delta, std::vector<double>(lead_.size(), 0), way);
-  return assembly_.largest_turn(way);
+  assembly_.dofs().spread_rates(delta, std::vector<double>(lead_.size(), 0), way);
+  return assembly_.cloth().largest_turn(way);
 }
 
 Answer EquilibriumProblem::extrapolated_tangent(linear::Matrix& K) {
@@ -311,7 +307,7 @@ Answer EquilibriumProblem::tangent_and_rate(linear::Matrix& K, std::span<double>
 double EquilibriumProblem::product(std::span<const double> a, std::span<const double> b) const {
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i)
-    if (!assembly_.turns(static_cast<mechanics::Index>(i))) sum += a[i] * b[i];
+    if (!assembly_.dofs().turns(static_cast<mechanics::Index>(i))) sum += a[i] * b[i];
   return sum;
 }
 
@@ -323,7 +319,7 @@ void EquilibriumProblem::set_push(const std::vector<double>& to, const std::vect
 // The changes of supports and dead loads within a small time after the trial time.
 void EquilibriumProblem::look_ahead() {
   const double later = trial_time_ + small_time_;
-  const auto moved = assembly_.targets(later);
+  const auto moved = assembly_.dofs().targets(later);
   for (std::size_t i = 0; i < lead_.size(); ++i) lead_[i] = moved[i] - targets_[i];
   assembly_.external(later, later_external_);
   set_push(later_external_, external_);
@@ -332,7 +328,9 @@ void EquilibriumProblem::look_ahead() {
 // K and q = dr/dt at fixed unknowns. Coupling with the driven freedoms comes from the tangent, the rate of
 // follower loads from a difference of forces. Leaves the forces of the trial time.
 Answer EquilibriumProblem::tangent_and_rate(law::AtSwitch at, linear::Matrix& K, std::span<double> q) {
-  const bool follower = !assembly_.symmetric_loads();
+  const auto& terms = assembly_.terms();  // the cloth is the first
+  const bool follower =
+      std::any_of(terms.begin() + 1, terms.end(), [](const auto& t) { return !t->symmetric(); });
   if (follower) {
     assembly_.set_time(trial_time_ + small_time_);
     const bool done = assembly_.forces(step(at));

@@ -40,7 +40,7 @@ class EquilibriumProblem final : public solver::PathProblem {
   void commit(double time);  // the trial state; the terms then account for it in finish_step()
   // Makes the whole step, in which the unknowns move by `reach` times `along`.
   void advance_explicit(std::span<const double> along, double reach) {
-    assembly_.advance_explicit(along, reach, targets_);
+    assembly_.apply_increment(along, reach, targets_, 1);
   }
   // The numbers of unknowns have changed. Forces of earlier steps are forgotten.
   void resize();
@@ -54,7 +54,7 @@ class EquilibriumProblem final : public solver::PathProblem {
 
   // --- interface of the solvers
   void set_time(double time) override;
-  solver::Index size() const override { return assembly_.unknowns(); }
+  solver::Index size() const override { return assembly_.dofs().unknowns(); }
   Answer predict(linear::Matrix& K, std::span<double> r, std::span<double> lead) override;
   void apply_increment(std::span<const double> delta, double scale) override {
     assembly_.apply_increment(delta, scale, targets_);
@@ -74,9 +74,11 @@ class EquilibriumProblem final : public solver::PathProblem {
   Answer start(linear::Matrix& K, std::span<double> r, std::span<double> q) override;
   Answer tangent_and_rate(linear::Matrix& K, std::span<double> q) override;
   double product(std::span<const double> a, std::span<const double> b) const override;
-  std::pair<double, solver::Index> largest(std::span<const double> r) const override;
+  std::pair<double, solver::Index> largest(std::span<const double> r) const override {
+    return assembly_.largest_residual(r);
+  }
   double force_scale() const override;
-  double rounding_floor(const linear::Matrix& K) const override { return assembly_.rounding_floor(K); }
+  double rounding_floor(const linear::Matrix& K) const override { return assembly_.dofs().rounding_floor(K); }
 
  private:
   EquilibriumProblem(mechanics::Assembly& assembly, mechanics::Motion* motion, Newmark* newmark,
@@ -88,10 +90,9 @@ class EquilibriumProblem final : public solver::PathProblem {
   bool iterates() const { return newmark_ != nullptr || !motion_.moves(); }
   double weight() const { return newmark_ == nullptr ? 1 : 1 + newmark_->scheme().hht; }  // of the forces
   void lead_to_targets();
-  void balance(double inertia, double contact, std::span<double> r);
-  const mechanics::Contacts* contact() const { return std::as_const(assembly_).contact(); }
+  void balance(double inertia, double at_end, std::span<double> r);
   mechanics::NodalRates accelerations(std::span<const double> r);
-  void forget_contact();
+  void forget_step_end();
   void move_bodies(std::span<double> r);
   void close(linear::Matrix& K);
   void remember();

@@ -72,13 +72,14 @@ Vec3 Run::reaction(const std::string& set) const {
 
 Vec3 Run::reaction_at(mesh::Index node) const {
   if (dead_.empty()) return Vec3::Zero();  // before the first step no forces have been computed
-  return assembly_->support_force(node, dead_) + inertia(node);
+  return assembly_->dofs().support_force(node, assembly_->internal().on_x, dead_) + inertia(node);
 }
 
 const mechanics::Contacts& Run::contact() const {
-  if (assembly_->contact() == nullptr)
+  const auto* const contact = assembly_->find<mechanics::Contacts>();
+  if (contact == nullptr)
     throw Error("nothing touches in this model: expected m:contact{...} before the run");
-  return *assembly_->contact();
+  return *contact;
 }
 
 std::size_t Run::body_number(const model::Rigid& body) const {
@@ -93,7 +94,7 @@ NodeValues Run::node(mesh::Index i) const {
   NodeValues v;
   v.x = at(state.x(), i);
   v.n = at(state.d(), i);
-  v.X = assembly_->reference()[i];
+  v.X = assembly_->dofs().reference()[i];
   v.u = v.x - v.X;
   v.v = velocity(i);
   return v;
@@ -106,7 +107,7 @@ ElementValues Run::average(mesh::Index e, int ply) const {
   double volume = 0;
   std::size_t visited = 0;
   ElementValues sum;
-  assembly_->visit(e, [&](double w, const law::Law& law, const double* E, const double* state) {
+  assembly_->cloth().visit(e, [&](double w, const law::Law& law, const double* E, const double* state) {
     const auto& point = section.points[visited++ % section.points.size()];
     if (!together && point.ply != ply) return;
     volume += w;
@@ -120,9 +121,9 @@ const std::vector<ElementValues>& Run::elements(const std::string& ply) const {
   const auto version = std::as_const(*assembly_).state().version();
   Averages& known = averages_[ply];
   if (known.version == version) return known.values;
-  known.values.assign(assembly_->elements(), {});
-#pragma omp parallel for schedule(static) if (assembly_->elements() >= 256)
-  for (mesh::Index e = 0; e < assembly_->elements(); ++e) {
+  known.values.assign(assembly_->cloth().elements(), {});
+#pragma omp parallel for schedule(static) if (assembly_->cloth().elements() >= 256)
+  for (mesh::Index e = 0; e < assembly_->cloth().elements(); ++e) {
     const int number = ply.empty() ? mechanics::Cloth::all_plies : model_->ply_of(e, ply);
     if (ply.empty() || number >= 0)
       known.values[e] = average(e, number);
@@ -247,13 +248,14 @@ EnergyAccount Run::energy() const {
 }
 
 double Run::energy_of_rest() const {
-  if (std::as_const(*assembly_).contact() == nullptr) return 0;
+  const auto* const contact = assembly_->find<mechanics::Contacts>();
+  if (contact == nullptr) return 0;
   Vec3 g = Vec3::Zero();
   for (int c = 0; c < 3; ++c)
     if (const auto& h = model_->gravity()[static_cast<std::size_t>(c)]) g[c] = h->value(committed_time());
   double thickness = 0;
   for (const auto& section : model_->sections()) thickness = std::max(thickness, section.thickness);
-  const auto& masses = assembly_->nodal_mass();
+  const auto& masses = assembly_->cloth().mass();
   return std::accumulate(masses.begin(), masses.end(), 0.0) * g.norm() * thickness;
 }
 

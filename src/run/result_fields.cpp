@@ -65,9 +65,9 @@ struct ResultFieldTable {
   void touched(const std::string& name, std::string unit, std::string sentence,
                double (mechanics::Contacts::*what)(mechanics::Index) const) {
     const auto values = [name, what](const Run& run, mesh::Index i, const std::string&, double* out) {
-      if (run.assembly().contact() == nullptr)
+      if (run.assembly().find<mechanics::Contacts>() == nullptr)
         throw Error("field '" + name + "': nothing touches in this model (see model:contact)");
-      *out = (run.assembly().contact()->*what)(i);
+      *out = (run.contact().*what)(i);
     };
     rows.push_back(
         {name, std::move(unit), FieldShape::scalar, FieldPlace::node, std::move(sentence), {name}, values});
@@ -75,7 +75,7 @@ struct ResultFieldTable {
   }
   void joined() {
     const auto values = [](const Run& run, mesh::Index i, const std::string&, double* out) {
-      *out = run.assembly().joints().is_open(i) || run.assembly().dofs().has_parted(i) ? 1 : 0;
+      *out = run.assembly().dofs().joints().is_open(i) || run.assembly().dofs().has_parted(i) ? 1 : 0;
     };
     rows.push_back(
         {"joint_open",
@@ -108,7 +108,7 @@ struct ResultFieldTable {
     const auto values = [which](const Run& run, mesh::Index e, const std::string& ply, double* out) {
       const int number = ply.empty() ? mechanics::Cloth::all_plies : run.model().ply_of(e, ply);
       Vec3 v = Vec3::Constant(std::nan(""));
-      if (ply.empty() || number >= 0) v = run.assembly().yarns(e, number).*which;
+      if (ply.empty() || number >= 0) v = run.assembly().cloth().yarns(e, number).*which;
       std::copy_n(v.data(), 3, out);
     };
     rows.push_back(
@@ -134,7 +134,7 @@ struct ResultFieldTable {
            std::string(family == 0 ? "warp" : "weft") +
                " force over strength at the joints of the element, the largest; 1 where it has broken",
            [family](const Run& run, mesh::Index e) {
-             const mechanics::Tears* tears = run.assembly().tears();
+             const mechanics::Tears* tears = run.assembly().find<mechanics::Tears>();
              return tears == nullptr ? 0.0 : tears->share(e, family);
            });
   }
@@ -236,7 +236,7 @@ ResultFieldTable make_table() {
   t.scalar("beyond", "",
            "largest strain so far over the tested strain of the card: 1.2 is 20 % beyond; 0 where the card "
            "states none",
-           [](const Run& run, mesh::Index e) { return run.assembly().strain_ratio(e); });
+           [](const Run& run, mesh::Index e) { return run.assembly().cloth().strain_ratio(e); });
   t.scalar("region", "", "number of the body or region that the element belongs to, in their order",
            [](const Run& run, mesh::Index e) { return run.model().region_of(e) + 1.0; });
   t.rows.back().continuous = false;
@@ -280,7 +280,8 @@ bool turned_plies(const Run& run) {
 }  // namespace
 
 bool has(const Run& run, const ResultField& field) {
-  return (!field.moving || run.moves()) && (!field.touching || run.assembly().contact() != nullptr) &&
+  return (!field.moving || run.moves()) &&
+         (!field.touching || run.assembly().find<mechanics::Contacts>() != nullptr) &&
          (!field.of_yarns || !turned_plies(run));
 }
 

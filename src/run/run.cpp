@@ -9,11 +9,11 @@
 #include "base/number.hpp"
 #include "geometry/node_view.hpp"
 #include "mechanics/terms/contact.hpp"
+#include "mechanics/terms/directors.hpp"
 #include "mechanics/terms/seams.hpp"
 #include "mechanics/terms/tears.hpp"
 #include "run/breaks.hpp"
-#include "run/failure.hpp"
-#include "run/foresight.hpp"
+#include "run/diagnosis.hpp"
 #include "run/place_text.hpp"
 #include "run/result_fields.hpp"
 
@@ -50,10 +50,12 @@ Run::Run(std::shared_ptr<model::Model> model, double duration, std::shared_ptr<N
   model_->seal();
   kinks_ = model_->kinks();
   if (const std::string words = zones_text(*model_); !words.empty()) notices_->once(words, words);
-  if (assembly_->tears() != nullptr)
-    for (const std::string& words : assembly_->tears()->describe()) notices_->once(words, words);
-  if (assembly_->seams() != nullptr)
-    for (const std::string& words : assembly_->seams()->describe()) notices_->once(words, words);
+  tears_ = assembly_->find<mechanics::Tears>();
+  seams_ = assembly_->find<mechanics::Seams>();
+  if (tears_ != nullptr)
+    for (const std::string& words : tears_->describe()) notices_->once(words, words);
+  if (seams_ != nullptr)
+    for (const std::string& words : seams_->describe()) notices_->once(words, words);
   if (const std::string words = bending_warning(*model_, *assembly_); !words.empty()) {
     notices_->once("bending of card " + model_->card().name, "warning: " + words);
     note("bending", words);
@@ -63,7 +65,7 @@ Run::Run(std::shared_ptr<model::Model> model, double duration, std::shared_ptr<N
 Run::~Run() = default;
 
 void Run::report_contacts() {
-  if (const auto* contact = std::as_const(*assembly_).contact())
+  if (const auto* contact = assembly_->find<mechanics::Contacts>())
     for (const std::string& words : contact->describe())
       notices_->once("contact " + words, "contact: " + words);
 }
@@ -191,9 +193,9 @@ double Run::next_landing(double limit) const {
 
 double Run::next_landing(double limit, double step) {
   const double now = committed_time(), landing = next_landing(limit);
-  const auto* contact = std::as_const(*assembly_).contact();
-  if (contact == nullptr) return landing;
-  const double whole = std::min(landing, now + step), end = contact->follows(whole);
+  const double whole = std::min(landing, now + step);
+  double end = whole;
+  for (const auto* const term : assembly_->all<mechanics::StepLimiter>()) end = term->latest_end(end);
   if (end >= whole) return landing;
   const std::string text = std::string(kind()) +
                            ": contact follows the bodies that turn or fly in steps of " + number(end - now) +
@@ -216,6 +218,12 @@ void Run::fail(NumericalFailure failure, const std::string& why) {
                        "\nrun        to " + number(duration_) + " s, card " + model_->card().name + ", " +
                        std::to_string(model_->mesh().elements.size()) + " elements";
   throw NumericalFailure(failure);
+}
+
+void Run::fail(const Diagnosis& step, const StepReport& report, double largest) {
+  const std::string text =
+      std::string(kind()) + ": " + step.message(report.step, largest, report.cuts, tolerance());
+  fail(NumericalFailure(text, step.time, step.site.element, step.site.yarn), step.report());
 }
 
 void Run::rollback() {
@@ -252,9 +260,9 @@ void Run::advance_to(double limit) {
 
 void Run::watch_strain() {
   constexpr double reached = 1 + 1e-6;
-  const double strain_ratio = assembly_->largest_strain_ratio(), before = beyond_.strain_ratio;
+  const double strain_ratio = assembly_->cloth().largest_strain_ratio(), before = beyond_.strain_ratio;
   if (!(strain_ratio > std::max(reached, before))) return;
-  const mechanics::Strained most = assembly_->most_strained();
+  const mechanics::Strained most = assembly_->cloth().most_strained();
   const char* const yarns[] = {"warp", "weft", "shear"};
   const double first = before > 0 ? beyond_.first : time();
   beyond_ = {strain_ratio, yarns[most.yarn], most.element, time(), first, most.strain, most.tested};
@@ -263,7 +271,7 @@ void Run::watch_strain() {
   if (warned("beyond") || before > kBeyondTested || strain_ratio <= kBeyondTested) return;
   const std::string text =
       "warning: " + std::string(kind()) + ": at time " + number(time()) + " s " + beyond_text(beyond_) +
-      ", about " + place_text(assembly_->centre(most.element)) +
+      ", about " + place_text(assembly_->cloth().centre(most.element)) +
       ": from here on the card extrapolates; warned once, the largest excess is in a.beyond and run.json";
   warned_beyond_ ? note("beyond", text, most.element) : warn("beyond", text, most.element);
   warned_beyond_ = true;
@@ -272,7 +280,7 @@ void Run::watch_strain() {
 void Run::watch_shape() {
   const bool warned_inverted = warned("inverted"), warned_turned = warned("director");
   if (warned_inverted && warned_turned) return;
-  const auto shape = assembly_->shape();
+  const auto shape = assembly_->find<mechanics::Directors>()->overturned(std::as_const(*assembly_).state());
   const std::string then = " at time " + number(time()) + " s: the results from here on are " +
                            (moves() ? "doubtful" : "not valid");
   if (!warned_inverted && shape.inverted >= 0)
@@ -318,9 +326,9 @@ void Run::refuse_serious() {
 
 double Run::elements_beyond() const {
   if (!beyond()) return 0;
-  const auto all = assembly_->elements();
+  const auto all = assembly_->cloth().elements();
   mesh::Index count = 0;
-  for (mesh::Index e = 0; e < all; ++e) count += assembly_->strain_ratio(e) > 1 ? 1 : 0;
+  for (mesh::Index e = 0; e < all; ++e) count += assembly_->cloth().strain_ratio(e) > 1 ? 1 : 0;
   return static_cast<double>(count) / static_cast<double>(all);
 }
 
@@ -368,9 +376,10 @@ double Run::land(double size, StepReport& report) {
 double Run::land_at_limit(double size, StepReport& report) {
   constexpr double tolerance = 1e-4, limit_ratio = kBeyondTested * (1 + 2 * tolerance);
   if (!stops_beyond_ || beyond_.strain_ratio > kBeyondTested ||
-      !(assembly_->largest_strain_ratio() > limit_ratio))
+      !(assembly_->cloth().largest_strain_ratio() > limit_ratio))
     return size;
-  Event limit{[](Run& run) { return run.assembly_->largest_strain_ratio() - limit_ratio; }, tolerance, {}};
+  Event limit{
+      [](Run& run) { return run.assembly_->cloth().largest_strain_ratio() - limit_ratio; }, tolerance, {}};
   limit.last = beyond_.strain_ratio - limit_ratio;
   limit.largest = limit_ratio;
   limit.side = -1;

@@ -18,8 +18,15 @@
 #include "run/warnings.hpp"
 #include "run/work.hpp"
 
+namespace fabricsh::mechanics {
+class Contacts;
+class Seams;
+class Tears;
+}  // namespace fabricsh::mechanics
+
 namespace fabricsh::run {
 
+struct Diagnosis;
 struct ResultField;
 
 inline constexpr double same_time = 1e-12;  // relative to the duration: times closer than this are equal
@@ -190,6 +197,8 @@ class Run {
   bool warned(std::string_view code) const;  // in the present state
   // Throws the failure and stores the report for why().
   [[noreturn]] void fail(NumericalFailure failure, const std::string& why);
+  // For a step that was given up after the last attempt reported. largest: the largest step, s.
+  [[noreturn]] void fail(const Diagnosis& step, const StepReport& report, double largest);
   // J, the part of the kinetic energy in rotary inertia beyond that of the thickness; 0 if rotary inertia is
   // not scaled.
   virtual double scaled_kinetic() const { return 0; }
@@ -228,6 +237,8 @@ class Run {
   double duration_;
   std::shared_ptr<Notices> notices_;
   std::unique_ptr<mechanics::Assembly> assembly_;
+  mechanics::Tears* tears_ = nullptr;  // null: no yarns of the model can break
+  mechanics::Seams* seams_ = nullptr;  // null: the model has no seams
   std::function<void()> poll_;
   std::vector<double> dead_;  // N, 3 per node, dead loads at the trial time
   std::vector<StepReport> reports_;

@@ -18,9 +18,7 @@ Run::Busy::Busy(Run& run, const char* call) : run_(run) {
 }
 
 void Run::keep_assembly(Archive& archive) {
-  const auto numbering = assembly_->numbering();
-  assembly_->keep(archive);
-  if (assembly_->numbering() != numbering) resize();
+  if (assembly_->keep(archive)) resize();
 }
 
 void Run::keep(Archive& archive) {

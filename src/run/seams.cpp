@@ -31,9 +31,9 @@ void Run::resew(mechanics::Sewn next, double within) {
 }
 
 void Run::sew() {
-  if (assembly_->seams() == nullptr) return;
+  if (seams_ == nullptr) return;
   try {
-    mechanics::Sewn next = assembly_->seams()->due(time());
+    mechanics::Sewn next = seams_->due(time());
     if (next == assembly_->dofs().sewn()) return;
     const double apart = widest(assembly_->dofs(), next, std::as_const(*assembly_).state().x()),
                  edge = assembly_->dofs().length();
@@ -53,11 +53,10 @@ void Run::sew() {
 
 // In steps that iterate whatever bursts with a stitch does so in the same state, as in tears.
 void Run::burst() {
-  mechanics::Seams* const seams = assembly_->seams();
-  if (seams == nullptr) return;
+  if (seams_ == nullptr) return;
   const double step = tear_step();
-  while (seams->worst().share >= 1) {
-    resew(seams->let_go(step), 0);
+  while (seams_->worst().share >= 1) {
+    resew(seams_->let_go(step), 0);
     if (step > 0) return;
   }
 }

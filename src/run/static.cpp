@@ -10,6 +10,7 @@
 #include "base/number.hpp"
 #include "geometry/box.hpp"
 #include "mechanics/terms/contact.hpp"
+#include "mechanics/terms/directors.hpp"
 #include "run/settings.hpp"
 
 namespace fabricsh::run {
@@ -45,7 +46,8 @@ bool takes_symmetric(const StaticOptions& o, const mechanics::Assembly& assembly
 StepControl control_of(const StaticOptions& o, const mechanics::Assembly& assembly) {
   StepControl control{o.step.value_or(o.duration / 20), o.min_step, o.max_cuts};
   // Nor need steps shrink further where relaxation takes over from Newton's method.
-  if (assembly.contact() != nullptr || o.method == Method::either) control.expect_friction();
+  if (assembly.find<mechanics::Contacts>() != nullptr || o.method == Method::either)
+    control.expect_friction();
   return control;
 }
 
@@ -96,7 +98,7 @@ Static::Static(std::shared_ptr<model::Model> model, const StaticOptions& options
         &assembly_->add(std::make_unique<mechanics::Stabilisation>(*assembly_, options_.stabilise));
   auto linear = make_solver(options_.solver, !takes_unsymmetric());
   if (!takes_unsymmetric() && !options_.solver) assembly_->keep_upper();  // one of the user's may read both
-  if (options_.control == Control::arc && assembly_->is_rate_dependent())
+  if (options_.control == Control::arc && assembly_->cloth().is_rate_dependent())
     throw Error(
         "static: field 'control': \"arc\" follows the path of the loads, not the time: expected \"load\" "
         "with a card whose stress changes in time");
@@ -118,7 +120,7 @@ Static::~Static() = default;
 bool Static::takes_unsymmetric() const { return !takes_symmetric(options_, *assembly_); }
 
 void Static::check_bodies() const {
-  const mechanics::Contacts* contact = std::as_const(*assembly_).contact();
+  const mechanics::Contacts* contact = assembly_->find<mechanics::Contacts>();
   if (contact == nullptr) return;
   if (contact->bodies().any_free())
     throw Error(
@@ -158,8 +160,8 @@ void Static::begin() {
   work_.start(*assembly_, dead_);
   now_.internal = internal();
   note_shape();
-  mechanics::WorkingForces loads;
-  assembly_->working_forces(dead_, loads);
+  WorkingForces loads;
+  find_working_forces(*assembly_, dead_, loads);
   const Jumps jumps = find_jumps(*model_, options_.duration);
   // A term that a program has added may push, too, and has no history.
   now_.jumps = jumps.any() || some(loads.on_x) || some(loads.on_d);
@@ -203,12 +205,12 @@ double Static::try_step(double limit, StepReport& report) {
   const double whole = size;
   const StepControl control = now_.step;
   Trace trace(*this);
-  tries_.clear();
+  step_.tries.clear();
   settling_ = false;
   bool tried = false;
   for (bool solved = attempt(size, report); !solved; solved = attempt(size, report)) {
     if (settle_jump(size, report)) break;
-    if (last_.status == solver::NewtonStatus::broken) give_up(report);
+    if (step_.broken()) give_up(report);
     const bool possible = ++report.cuts <= options_.max_cuts && cut(size);
     const bool short_of_patience =
         !tried && now_.step.current() <= (1 + same_time) * kPatience * now_.step.largest();
@@ -246,7 +248,8 @@ void Static::calibrate(double size, StepReport& report) {
 bool Static::cut(double size) {
   if (arc_) {
     now_.arc_length = now_.tried_length / 2;
-    return last_.status != solver::NewtonStatus::turned_back || now_.arc_length > 0.01 * now_.longest_length;
+    return step_.last.status != solver::NewtonStatus::turned_back ||
+           now_.arc_length > 0.01 * now_.longest_length;
   }
   if (stabilisation_ != nullptr && stabilisation_->lost() < 0.01 * work_.largest()) stabilisation_->raise();
   return now_.step.cut(size - committed_time());
@@ -282,22 +285,18 @@ bool Static::settle_jump(double size, StepReport& report) {
     return now_.jumps && reports_.empty() && find_jumps(*model_, options_.duration).motions.empty();
   };
   if (!(now_.settled || first()) || report.cuts > 0 || arc_ || descent_ || stabilisation_ != nullptr ||
-      last_.status == solver::NewtonStatus::broken)
+      step_.broken())
     return false;
   settling_ = true;
-  const solver::NewtonResult last = last_;
-  const ResidualSite site = site_;
-  const std::size_t tried = tries_.size();
+  const Diagnosis before = step_;
   solver::Descent descent(make_solver(options_.solver, !takes_unsymmetric()));
   problem_->set_time(size);
   const bool solved = finish(descent.solve(*problem_, {options_.tolerance, many_descents}), size, report);
   if (!solved) {  // as if it had not been tried
     rollback();
-    last_ = last;
-    site_ = site;
-    tries_.resize(tried);
-    report.residuals = last_.residuals;
-    report.negative_pivots = last_.negative_pivots;
+    step_ = before;
+    report.residuals = step_.last.residuals;
+    report.negative_pivots = step_.last.negative_pivots;
     return false;
   }
   if (!now_.settled)
@@ -323,13 +322,12 @@ bool Static::rescue(double size, StepReport& report) {
 // relaxation continues from where it was. The overdamped motion is completed by the search for the least
 // energy, which checks that the shape is stable.
 solver::NewtonResult Static::relax(solver::NewtonOptions options) {
-  solver::RelaxationOptions coarse{options_.tolerance, many_descents};
   solver::NewtonResult result;
   if (descent_) {
-    result = descent_->solve(*problem_, coarse);
+    result = descent_->solve(*problem_, {options_.tolerance, many_descents});
     return result.status == solver::NewtonStatus::converged ? complete(result, options) : result;
   }
-  coarse = {};
+  solver::RelaxationOptions coarse;
   coarse.tolerance = std::max(options_.tolerance, 1e-3);
   options.max_iterations = many_iterations;
   result = relaxation_->solve(*problem_, coarse);
@@ -354,31 +352,26 @@ solver::NewtonResult Static::complete(const solver::NewtonResult& relaxed,
 }
 
 bool Static::turns_inside_out() const {
-  const auto shape = assembly_->shape();
+  const auto shape = assembly_->find<mechanics::Directors>()->overturned(std::as_const(*assembly_).state());
   return (!now_.inverted && shape.inverted >= 0) || (!now_.turned && shape.turned >= 0);
 }
 
 void Static::note_shape() {
-  const auto shape = assembly_->shape();
+  const auto shape = assembly_->find<mechanics::Directors>()->overturned(std::as_const(*assembly_).state());
   now_.inverted = shape.inverted >= 0;
   now_.turned = shape.turned >= 0;
 }
 
-bool Static::finish(const solver::NewtonResult& result, double end, StepReport& report) {
-  last_ = result;
-  report.iterations += last_.iterations;
-  report.residuals = last_.residuals;
-  report.negative_pivots = last_.negative_pivots;
+bool Static::finish(solver::NewtonResult result, double end, StepReport& report) {
+  report.iterations += result.iterations;
+  report.residuals = result.residuals;
+  report.negative_pivots = result.negative_pivots;
   report.step = end - committed_time();
   report.time = end;
-  if (last_.status == solver::NewtonStatus::converged && !arc_ && (descent_ || !relaxation_) &&
+  if (result.status == solver::NewtonStatus::converged && !arc_ && (descent_ || !relaxation_) &&
       turns_inside_out())
-    last_.status = solver::NewtonStatus::inverted;
-  const bool converged = last_.status == solver::NewtonStatus::converged;
-  if (!converged) {
-    site_ = find_residual_site(*assembly_, model_->mesh(), last_);
-    tries_.push_back({report.step, last_.status, last_.residuals, site_.reason});
-  }
+    result.status = solver::NewtonStatus::inverted;
+  const bool converged = step_.take(result, report.step, *assembly_, model_->mesh());
   trial_time_ = converged ? end : committed_time();
   return converged;
 }
@@ -406,10 +399,10 @@ void Static::commit(StepReport& report) {
 void Static::grow(const StepReport& report) {
   if (arc_) return grow_arc(report);
   // By relaxation: its iterations say nothing about the step.
-  const bool many = last_.iterations > options_.max_iterations;
+  const bool many = step_.last.iterations > options_.max_iterations;
   if (relaxation_ && many && !descent_) return;
   // Nor do those of a search for the least energy.
-  now_.step.grow(!has_energy_ && !now_.settled ? last_.iterations : 1, report.cuts > 0);
+  now_.step.grow(!has_energy_ && !now_.settled ? step_.last.iterations : 1, report.cuts > 0);
 }
 
 void Static::grow_arc(const StepReport& report) {
@@ -421,7 +414,7 @@ void Static::grow_arc(const StepReport& report) {
     arc_->committed();
   problem_->at_kink(kink);
   const double factor =
-      std::clamp(std::sqrt(wanted_iterations / std::max(1.0, 1.0 * last_.iterations)), 0.5, 1.5);
+      std::clamp(std::sqrt(wanted_iterations / std::max(1.0, 1.0 * step_.last.iterations)), 0.5, 1.5);
   now_.longest_length = std::max(now_.longest_length, now_.tried_length);
   // A step shortened to end at a given time does not determine the next length.
   const bool landed = std::abs(report.time - now_.landing) <= same_time * options_.duration;
@@ -456,9 +449,9 @@ namespace {
 // step, so that the mass times the square of that speed is above its stiffness; strains are rounded to 1e-12
 // at most.
 double energy_of_rounding(const mechanics::Assembly& assembly) {
-  const auto& masses = assembly.nodal_mass();
+  const auto& masses = assembly.cloth().mass();
   const double mass = std::accumulate(masses.begin(), masses.end(), 0.0);
-  const double speed = box_of(assembly.reference()).size().norm() / assembly.cloth().stable_step(true);
+  const double speed = box_of(assembly.dofs().reference()).size().norm() / assembly.cloth().stable_step(true);
   return mass * std::pow(1e-12 * speed, 2) / 2;
 }
 
@@ -470,7 +463,7 @@ double energy_of_rounding(const mechanics::Assembly& assembly) {
 void Static::check_balance() {
   // The work of moments about the normals of rigid sets is not counted; where supports turn, forces at the
   // ends of a step do not bound it.
-  const auto& free = assembly_->freedoms();
+  const auto& free = assembly_->dofs().freedoms();
   const bool turns = std::any_of(free.nodes.begin(), free.nodes.end(),
                                  [](const auto& n) { return n.turn_axis.has_value(); });
   if (turns || (!model_->moments().empty() && !free.bodies.empty())) return;
@@ -508,17 +501,15 @@ void Static::check() {
 
 void Static::give_up(const StepReport& report) {
   const double now = committed_time();
-  Failure failure = failure_of(*model_, *assembly_, now, tries_, site_, last_);
-  failure.mechanism = find_mechanism(*model_, *assembly_, {now + report.step, options_.duration});
-  failure.arc = arc_ != nullptr;
-  failure.jumps = now_.jumps && reports_.empty();
-  if (failure.jumps) failure.jump = find_jumps(*model_, options_.duration);
-  failure.bends = bends_by_itself(*model_);
-  failure.relaxed = relaxation_ != nullptr || settling_;
-  failure.stabilised = stabilisation_ != nullptr;
-  const std::string text =
-      "static: " + message(failure, last_, report.step, now_.step.largest(), report.cuts, options_.tolerance);
-  fail(NumericalFailure(text, now, site_.element, site_.yarn), run::report(failure));
+  step_.complete(*model_, *assembly_, now);
+  step_.mechanism = find_mechanism(*model_, *assembly_, {now + report.step, options_.duration});
+  step_.arc = arc_ != nullptr;
+  step_.jumps = now_.jumps && reports_.empty();
+  if (step_.jumps) step_.jump = find_jumps(*model_, options_.duration);
+  step_.bends = bends_by_itself(*model_);
+  step_.relaxed = relaxation_ != nullptr || settling_;
+  step_.stabilised = stabilisation_ != nullptr;
+  fail(step_, report, now_.step.largest());
 }
 
 void Static::take(const mechanics::Transfer& change, const std::vector<double>&) {

@@ -4,7 +4,7 @@
 
 #include "linear/libraries.hpp"
 #include "mechanics/terms/damping.hpp"
-#include "run/failure.hpp"
+#include "run/diagnosis.hpp"
 #include "run/problem.hpp"
 #include "run/run.hpp"
 #include "run/solver_choice.hpp"
@@ -89,7 +89,7 @@ class Static final : public Run {
   void grow_arc(const StepReport& report);
   solver::NewtonResult relax(solver::NewtonOptions options);
   solver::NewtonResult complete(const solver::NewtonResult& relaxed, const solver::NewtonOptions& options);
-  bool finish(const solver::NewtonResult& result, double end, StepReport& report);
+  bool finish(solver::NewtonResult result, double end, StepReport& report);
   void report_notices(const StepReport& report);  // gives notices
   void check_balance();                           // stops the run if energy was made from nothing
   double internal() const;                        // J, of the trial state; see Now
@@ -108,11 +108,9 @@ class Static final : public Run {
   std::unique_ptr<solver::ArcLength> arc_;
   std::unique_ptr<solver::Relaxation> relaxation_;
   std::unique_ptr<solver::Descent> descent_;  // in its place, where cloth has bending of its own
-  solver::NewtonResult last_;
-  ResidualSite site_;
-  std::vector<Try> tries_;  // failed attempts at the present step
-  bool settling_ = false;   // whether settle_jump() has tried to relax the present step
-  struct StaticState {      // the variables of the run
+  Diagnosis step_;                            // the present one
+  bool settling_ = false;                     // whether settle_jump() has tried to relax the present step
+  struct StaticState {                        // the variables of the run
     StepControl step;
     double arc_length = 0, tried_length = 0, longest_length = 0, landing = 0;  // along an arc
     bool reported_pivots = false, reported_damping = false, reported_error = false;

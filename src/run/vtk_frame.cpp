@@ -117,7 +117,7 @@ void VtkFrame::add_field(const Run& run, const VtkContents& contents, const Resu
 void VtkFrame::add_average(const Run& run, format::Array array, bool directions) {
   const auto size = static_cast<std::size_t>(array.components);
   std::vector<double> sum(points_.size() * size, 0.0), weight(points_.size(), 0.0);
-  const auto& X = run.assembly().reference();
+  const auto& X = run.assembly().dofs().reference();
   for (std::size_t e = 0; e < grid_.cells.size(); ++e) {
     const auto& ids = grid_.cells[e];
     const Vec3 across = ids[3] < 0 ? Vec3((X[ids[1]] - X[ids[0]]).cross(X[ids[2]] - X[ids[0]]))

@@ -8,6 +8,16 @@
 
 namespace fabricsh::run {
 
+// The external forces that do work on the cloth; 3 per node, global.
+struct WorkingForces {
+  std::vector<double> on_x;  // N
+  std::vector<double> on_d;  // N m, on directors; empty if no load and no moving support acts on them
+};
+// Dead loads, follower loads and the forces of moving supports at the trial configuration, whose forces must
+// have been computed after set_time() at its time. dead: as for ExternalWork.
+void find_working_forces(const mechanics::Assembly& assembly, std::span<const double> dead,
+                         WorkingForces& out);
+
 class ExternalWork {
  public:
   // Called with the trial configuration, its forces computed for its time, before the commit. dead: dead
@@ -29,7 +39,7 @@ class ExternalWork {
  private:
   Bounded of_step(mechanics::Assembly& assembly, std::span<const double> dead, bool bounded);
   double total_ = 0, largest_ = 0;
-  mechanics::WorkingForces before_, now_;
+  WorkingForces before_, now_;
   std::optional<bool> loaded_;  // whether constant dead loads are other than zero, once known
 };
 

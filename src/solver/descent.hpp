@@ -6,7 +6,7 @@
 #pragma once
 #include <memory>
 
-#include "solver/relaxation.hpp"
+#include "solver/newton.hpp"
 
 namespace fabricsh::solver {
 
@@ -15,17 +15,11 @@ class Descent {
   explicit Descent(std::unique_ptr<LinearSolver> linear) : linear_(std::move(linear)) {}
   // From the committed configuration, with the supports moved to their targets first. iterations: linear
   // solves; residuals: relative, of the steps that were taken.
-  NewtonResult solve(Problem& problem, const RelaxationOptions& options);
+  NewtonResult solve(Problem& problem, const NewtonOptions& options);
   void keep(Archive& archive) { keep_doubt(archive, *linear_); }
 
  private:
-  bool direction(Problem& problem, double m);
-  Answer lower(Problem& problem);
   std::unique_ptr<LinearSolver> linear_;
-  Matrix K_, A_;
-  linear::Vector D_, r_, delta_, trial_r_;
-  bool shortened_ = false;  // the last step, so that the energy falls
-  bool uphill_ = false;     // why the last step was taken back: no less energy, and not what cannot be done
 };
 
 }  // namespace fabricsh::solver

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "solver/downhill.hpp"
 #include "solver/line_search.hpp"
 
 namespace fabricsh::solver {
@@ -25,10 +26,8 @@ constexpr int kRenew = 3;         // rejections after which the plain tangent re
 constexpr int kSaddles = 3;       // unstable equilibria that a solve leaves
 constexpr double kNudge = 1e-2, kLeastNudge = 5e-7;  // rad, of the step away from one
 constexpr double kSame = 0.999;  // ratio of two works from which on neither side is preferred
-constexpr double kGone = 1e3;  // growth of what rounding makes, with the coordinates, of a part that has gone
 
 struct TrialStep {
-  double work = 0;   // delta . r at its beginning, J
   double turn = 0;   // rad, of the whole of delta
   double drop = 0;   // J, energy that it takes away
   double ratio = 0;  // of that to the quadratic model's
@@ -36,28 +35,18 @@ struct TrialStep {
 };
 
 // One solve.
-class Walk {
+class Walk final : public Downhill {
  public:
-  Walk(Problem& problem, const NewtonOptions& options, LinearSolver& linear, bool symmetric)
-      : problem_(problem), options_(options), linear_(linear), symmetric_(symmetric) {
-    for (auto* v : {&r_, &delta_, &trial_r_}) v->assign(static_cast<std::size_t>(problem.size()), 0.0);
-  }
-
-  NewtonResult run(Answer begun) {
-    result_.status = begun == Answer::ok ? iterate() : status_of(begun);
-    return result_;
-  }
+  using Downhill::Downhill;
   // The supports go to their targets, while the cloth follows as it would follow small motions.
   Answer follow_supports();
   Answer begin_at_trial();
 
  private:
-  NewtonStatus iterate();
-  bool balanced();
-  bool solve(std::span<const double> b, std::span<double> x) {
-    return linear_.solve(A_, b, x) && all_finite(x);
+  std::optional<NewtonStatus> at_balance() override;
+  NewtonStatus out_of_balance() const override {
+    return result_.residuals.back() < 1e12 ? NewtonStatus::converged : NewtonStatus::diverged;
   }
-  bool factorise(double m);
   bool factorise_definite();
   bool is_free();
   bool find_direction(TrialStep& step);
@@ -68,9 +57,8 @@ class Walk {
   bool is_lowest(const TrialStep& step) const;
   bool accepts(const TrialStep& step) const;
   void adapt(const TrialStep& step);
-  Answer move_on();
-  Answer renew_tangent();
-  NewtonStatus make_step();
+  Answer move_on() override;
+  NewtonStatus make_step() override;
   bool reject(const TrialStep& step);
   bool return_to_best();
   bool stable();
@@ -79,13 +67,6 @@ class Walk {
   Saddle leave_saddle();
   double work_to_side(double turn);
 
-  Problem& problem_;
-  const NewtonOptions& options_;
-  LinearSolver& linear_;
-  const bool symmetric_;
-  Matrix K_, A_;
-  linear::Vector r_, delta_, trial_r_, D_;
-  NewtonResult result_;
   double m_ = 0, next_m_ = kFirst;     // present factor, and the one to try where 0 is too small
   double long_m_ = 0, long_turn_ = 0;  // of the last direction that was too long
   double radius_ = kWidest;            // rad
@@ -94,19 +75,8 @@ class Walk {
   bool singular_ = false;
   bool watches_ = true;  // whether steps may raise the energy on trial
   int rejections_ = 0, saddles_ = 0;
-  bool definite_ = false;   // whether K near the present configuration is known to be positive definite
-  double first_floor_ = 0;  // N
+  bool definite_ = false;  // whether K near the present configuration is known to be positive definite
 };
-
-// K + m D. False: it is singular, or symmetric and not positive definite.
-bool Walk::factorise(double m) {
-  ++result_.iterations;
-  if (K_.size() == 0) return true;
-  linear::add_diagonal(K_, m, D_, A_);
-  const bool done = linear_.factorise(A_);
-  result_.negative_pivots = linear_.report().negative_pivots;
-  return done && !(symmetric_ && result_.negative_pivots > 0);
-}
 
 // With the least regularisation that makes it positive definite.
 bool Walk::factorise_definite() {
@@ -136,7 +106,6 @@ bool Walk::is_free() {
 
 // Sets delta_, regularised as far as is needed. False: no regularisation helps, or too many iterations.
 bool Walk::find_direction(TrialStep& step) {
-  const auto with = [this](std::span<const double> b, std::span<double> x) { return solve(b, x); };
   long_turn_ = 0;
   for (double next = m_;;) {
     m_ = next;
@@ -144,10 +113,7 @@ bool Walk::find_direction(TrialStep& step) {
     next = m_ == 0 ? next_m_ : 8 * m_;
     const bool definite = factorise(m_);
     if (is_free()) return false;
-    if (!definite || (K_.size() > 0 && !solve(r_, delta_))) continue;
-    if (!problem_.finish_direction(with, delta_) || !all_finite(delta_)) continue;
-    step.work = dot(delta_, r_);
-    if (!(step.work > 0) && problem_.at_target()) continue;
+    if (!definite || !find_downhill()) continue;
     step.turn = problem_.turn_of(delta_);
     if (step.turn <= 1.5 * radius_) return true;
     next = next_factor(step);
@@ -170,23 +136,23 @@ void Walk::evaluate(TrialStep& step) {
   const double half = work_at(fraction / 2, step);
   if (step.answer != Answer::ok) return;
   const double end = work_at(fraction, step);
-  step.drop = fraction * (step.work + 4 * half + end) / 6;
+  step.drop = fraction * (work_ + 4 * half + end) / 6;
   double damped = 0;
   for (std::size_t i = 0; i < delta_.size(); ++i) damped += m_ * D_[i] * delta_[i] * delta_[i];
-  const double model = fraction * (step.work - fraction / 2 * (step.work - damped));
+  const double model = fraction * (work_ - fraction / 2 * (work_ - damped));
   step.ratio = model > 0 ? step.drop / model : 0;
 }
 
 // A short step changes the forces linearly but for switches of yarns, which the line search finds.
 void Walk::search(double fraction, TrialStep& step) {
   double end = 0;
-  const auto found = line_search(step.work, {true, true, fraction}, [&](double s) -> TriedFraction {
+  const auto found = line_search(work_, {true, true, fraction}, [&](double s) -> TriedFraction {
     end = work_at(s, step);
     return {step.answer, end};
   });
   step.answer = found.answer;
-  step.drop = found.fraction * (step.work + end) / 2;
-  step.ratio = step.drop > 0 || step.work == 0 ? 1 : 0;
+  step.drop = found.fraction * (work_ + end) / 2;
+  step.ratio = step.drop > 0 || work_ == 0 ? 1 : 0;
 }
 
 // Whether the step ends below the least energy so far, by more than rounding.
@@ -224,16 +190,6 @@ Answer Walk::move_on() {
   return answer;
 }
 
-// The plain tangent at the iterate, with its residual.
-Answer Walk::renew_tangent() {
-  std::fill(delta_.begin(), delta_.end(), 0.0);
-  problem_.apply_increment(delta_, 0);
-  Answer answer = checked(problem_.residual(r_), r_);
-  if (answer == Answer::ok) answer = problem_.tangent(K_);
-  linear::absolute_sums(K_, D_);
-  return answer;
-}
-
 // To the configuration of least energy so far, where from now on every step must lower it.
 bool Walk::return_to_best() {
   problem_.restore_iterate();
@@ -242,7 +198,7 @@ bool Walk::return_to_best() {
   trials_ = 0;
   level_ = m_ = 0;
   radius_ /= 4;
-  return renew_tangent() == Answer::ok;
+  return tangent_at_iterate() == Answer::ok;
 }
 
 // Prepares another attempt. False: there is none.
@@ -251,7 +207,7 @@ bool Walk::reject(const TrialStep& step) {
   watches_ = false;
   radius_ = std::min(radius_, step.turn) / 2;
   m_ = m_ == 0 ? next_m_ : 2 * m_;
-  return ++rejections_ != kRenew || renew_tangent() == Answer::ok;
+  return ++rejections_ != kRenew || tangent_at_iterate() == Answer::ok;
 }
 
 // converged: a step has been made. r_ is then the residual at the trial configuration.
@@ -275,7 +231,7 @@ NewtonStatus Walk::make_step() {
 Answer Walk::begin_at_trial() {
   problem_.accept();
   problem_.save_iterate();
-  return renew_tangent();
+  return tangent_at_iterate();
 }
 
 Answer Walk::follow_supports() {
@@ -293,17 +249,6 @@ Answer Walk::follow_supports() {
   problem_.accept();
   problem_.save_iterate();
   return answer;
-}
-
-// Records the residual; whether it vanishes. A part that has gone makes rounding look like balance.
-bool Walk::balanced() {
-  const auto [size, where] = problem_.largest(r_);
-  const double relative = compared(size, problem_.force_scale()), floor = problem_.rounding_floor(K_);
-  result_.residuals.push_back(relative);
-  result_.worst = where;
-  if (result_.residuals.size() == 1) first_floor_ = floor;
-  const bool rounding = size <= floor && floor <= kGone * first_floor_;
-  return problem_.at_target() && (relative <= options_.tolerance || rounding);
 }
 
 // Whether the tangent at this equilibrium has no negative pivot. Decided for symmetric tangents only.
@@ -349,23 +294,15 @@ Walk::Saddle Walk::leave_saddle() {
     radius_ = std::min(kWidest, 10 * nudge);
     return move_on() == Answer::ok ? Saddle::left : Saddle::stays;
   }
-  return renew_tangent() == Answer::ok ? Saddle::none : Saddle::stays;
+  return tangent_at_iterate() == Answer::ok ? Saddle::none : Saddle::stays;
 }
 
-NewtonStatus Walk::iterate() {
-  for (;;) {
-    if (balanced()) {
-      const bool higher = level_ > 1e-3 * std::abs(fallen_);
-      if (!higher && stable()) return NewtonStatus::converged;
-      const Saddle saddle = higher ? (return_to_best() ? Saddle::left : Saddle::stays) : leave_saddle();
-      if (saddle != Saddle::left)
-        return saddle == Saddle::none ? NewtonStatus::converged : NewtonStatus::unstable;
-    } else if (!(result_.residuals.back() < 1e12)) {
-      return NewtonStatus::diverged;
-    }
-    if (const NewtonStatus made = make_step(); made != NewtonStatus::converged) return made;
-    if (const Answer answer = move_on(); answer != Answer::ok) return status_of(answer);
-  }
+std::optional<NewtonStatus> Walk::at_balance() {
+  const bool higher = level_ > 1e-3 * std::abs(fallen_);
+  if (!higher && stable()) return NewtonStatus::converged;
+  const Saddle saddle = higher ? (return_to_best() ? Saddle::left : Saddle::stays) : leave_saddle();
+  if (saddle == Saddle::left) return {};
+  return saddle == Saddle::none ? NewtonStatus::converged : NewtonStatus::unstable;
 }
 
 }  // namespace

@@ -20,6 +20,7 @@
 
 #include "law/data.hpp"
 #include "mechanics/assembly.hpp"
+#include "mechanics/terms/cloth.hpp"
 #include "run/dynamic.hpp"
 #include "test_cards.hpp"
 
@@ -70,8 +71,8 @@ class Sheet {
   // in_rows: it moves as the sheet of a run does, at the step of that run.
   explicit Sheet(const Case& c, bool in_rows = false)
       : model_(make_sheet(c)), assembly_(*model_), threads_(c.threads) {
-    assembly_.update_in_place();
-    const auto n = static_cast<std::size_t>(assembly_.unknowns());
+    assembly_.find<mechanics::Cloth>()->update_in_place();
+    const auto n = static_cast<std::size_t>(assembly_.dofs().unknowns());
     mass_.assign(n, 0);
     rate_.assign(n, 0);
     residual_.assign(n, 0);
@@ -80,14 +81,14 @@ class Sheet {
     step_ = 0.6 * h / std::sqrt(law::stiffest(law) / model_->section().points[0].density);
     std::mt19937 random(5);
     std::normal_distribution<double> noise(0, 1);
-    for (std::size_t i = 0; i < assembly_.reference().size(); ++i) {
-      const Vec3& X = assembly_.reference()[i];
-      const double m = assembly_.nodal_mass()[i];
+    for (std::size_t i = 0; i < assembly_.dofs().reference().size(); ++i) {
+      const Vec3& X = assembly_.dofs().reference()[i];
+      const double m = assembly_.cloth().mass()[i];
       const Vec3 v(16 * std::sin(25 * X.x()) * std::cos(9 * X.y()) + 12 * std::sin(21 * X.y()),
                    9 * std::sin(23 * X.y()) + 14 * std::sin(19 * X.x() + 5 * X.y()),
                    3 * std::sin(11 * X.x()) * std::cos(14 * X.y()));
       for (int k = 0; k < 5; ++k) {
-        const auto equation = assembly_.freedoms().nodes[i].equation[k];
+        const auto equation = assembly_.dofs().freedoms().nodes[i].equation[k];
         mass_[equation] = k < 3 ? m : m * std::max(t * t / 12, h * h / 8);
         rate_[equation] = k < 3 ? v[k] + noise(random) : 5 * noise(random);
         if (in_rows) rate_[equation] = k < 3 ? row_velocity(X.y())[k] : 0;
@@ -108,8 +109,8 @@ class Sheet {
   void count(Branches& b) const {
     const bool first = b.sign.empty();
     std::size_t at = 0;
-    for (mechanics::Index e = 0; e < assembly_.elements(); e += 7)
-      assembly_.visit(e, [&](double, const law::Law& law, const double* E, const double* state) {
+    for (mechanics::Index e = 0; e < assembly_.cloth().elements(); e += 7)
+      assembly_.cloth().visit(e, [&](double, const law::Law& law, const double* E, const double* state) {
         const auto i = law::internal(law, E, state);
         for (const auto branch : {i.warp, i.weft}) {
           b.virgin += branch == law::LoadBranch::virgin;

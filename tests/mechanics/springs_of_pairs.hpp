@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "geometry/node_view.hpp"
-#include "mechanics/term.hpp"
+#include "mechanics/facets.hpp"
 
 namespace fabricsh::test {
 
-class SpringsOfPairs final : public mechanics::Term {
+class SpringsOfPairs final : public mechanics::Term, public mechanics::StepLimiter {
  public:
   SpringsOfPairs(std::vector<mechanics::NodePair> pairs, std::vector<double> lengths, double k,
                  bool stiff = true)
@@ -59,15 +59,17 @@ class SpringsOfPairs final : public mechanics::Term {
     out.push_back({"springs of pairs", mechanics::Account::stored, sum});
   }
   bool limits() const override { return farthest > 0; }
-  // The longest of a few shares of the way that keeps every pair short enough; exact for pairs that are
-  // stretched along themselves.
-  double limit(const mechanics::Trial& trial, std::span<const double> delta) override {
+  void mark(const mechanics::Trial& trial) override {
+    const auto x = trial.configuration.x();
+    marked_.assign(x.begin(), x.end());
+  }
+  // Exact for pairs that are stretched along themselves.
+  double safe_share(const mechanics::Trial& trial) override {
     double share = 1;
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
       const auto [a, b] = pairs_[i];
-      const Vec3 way = between(trial, i);
-      const double grows = (at(delta, b) - at(delta, a)).dot(way.normalized());
-      if (way.norm() + grows > farthest) share = std::min(share, (farthest - way.norm()) / grows);
+      const double from = (at(marked_, b) - at(marked_, a)).norm(), to = between(trial, i).norm();
+      if (to > farthest * (1 + 1e-14)) share = std::min(share, (farthest - from) / (to - from));
     }
     return std::max(0.0, share);
   }
@@ -84,6 +86,7 @@ class SpringsOfPairs final : public mechanics::Term {
   std::vector<double> lengths_;  // m
   double k_;                     // N/m^2
   bool stiff_;
+  std::vector<double> marked_;  // m, 3 per node
 };
 
 }  // namespace fabricsh::test

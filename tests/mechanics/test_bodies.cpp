@@ -4,6 +4,7 @@
 #include "base/error.hpp"
 #include "catch.hpp"
 #include "mechanics/assembly.hpp"
+#include "mechanics/terms/cloth.hpp"
 #include "message_of.hpp"
 #include "test_cards.hpp"
 
@@ -18,19 +19,19 @@ std::shared_ptr<mesh::Mesh> sheet(double width, double height, int nx, int ny, d
 // Internal forces on the nodes after every node went by a field of its own.
 std::vector<double> forces_of(const model::Model& m) {
   mechanics::Assembly a(m);
-  std::vector<double> step(a.unknowns());
-  for (std::size_t n = 0; n < a.reference().size(); ++n) {
-    const Vec3& X = a.reference()[n];
+  std::vector<double> step(a.dofs().unknowns());
+  for (std::size_t n = 0; n < a.dofs().reference().size(); ++n) {
+    const Vec3& X = a.dofs().reference()[n];
     const double move[5] = {0.05 * X.x() * X.x(), 0.02 * X.y(), 0.01 * std::sin(20 * X.x()), 0.02 * X.y(),
                             0.01};
     for (int i = 0; i < 5; ++i)
-      if (const auto eq = a.freedoms().nodes[n].equation[i]; eq >= 0) step[eq] = move[i];
+      if (const auto eq = a.dofs().freedoms().nodes[n].equation[i]; eq >= 0) step[eq] = move[i];
   }
   a.begin_iterate();
   a.apply_increment(step, 1, {});
   REQUIRE(a.forces({}));
-  std::vector<double> all(a.internal_on_x().begin(), a.internal_on_x().end());
-  all.insert(all.end(), a.internal_on_d().begin(), a.internal_on_d().end());
+  std::vector<double> all(a.internal().on_x.begin(), a.internal().on_x.end());
+  all.insert(all.end(), a.internal().on_d.begin(), a.internal().on_d.end());
   return all;
 }
 
@@ -65,7 +66,7 @@ TEST_CASE("a region of the same card changes nothing, one of another card its ow
   const model::Model m({{"", mesh, test::blend(), {}, {{"pocket", test::blend(), thick}}}});
   mechanics::Assembly a(m);
   const double areal = test::blend().density * test::blend().thickness;
-  const double mass = std::accumulate(a.nodal_mass().begin(), a.nodal_mass().end(), 0.0);
+  const double mass = std::accumulate(a.cloth().mass().begin(), a.cloth().mass().end(), 0.0);
   CHECK(mass == Approx(areal * (0.015 + 3 * 0.015)).epsilon(1e-13));
   const auto other = forces_of(m);
   for (std::size_t i = 0; i < mesh->nodes.size(); ++i) {

@@ -51,10 +51,10 @@ std::vector<double> directions(std::size_t n, double size) {
 std::vector<double> internal_at(mechanics::Assembly& a, const std::vector<double>& direction, double scale) {
   a.rollback();
   a.begin_iterate();
-  a.apply_increment(direction, scale, a.targets(0));
+  a.apply_increment(direction, scale, a.dofs().targets(0));
   REQUIRE(a.forces({0, 1}));
-  std::vector<double> r(a.unknowns());
-  const std::vector<double> none(3 * a.reference().size(), 0);
+  std::vector<double> r(a.dofs().unknowns());
+  const std::vector<double> none(3 * a.dofs().reference().size(), 0);
   a.residual(none, r);
   return r;
 }
@@ -66,7 +66,7 @@ TEST_CASE("contact: the term's tangent is the derivative of its forces, with fri
     const Pile pile(friction);
     mechanics::Assembly a(*pile.model);
     CHECK(a.symmetric() == (friction == 0));
-    const auto n = static_cast<std::size_t>(a.unknowns());
+    const auto n = static_cast<std::size_t>(a.dofs().unknowns());
     a.set_time(1);
     const auto start = directions(n, 1e-5), direction = directions(n, 1e-2);
     // The state that slid from the committed one by `start`.
@@ -76,7 +76,7 @@ TEST_CASE("contact: the term's tangent is the derivative of its forces, with fri
       return internal_at(a, step, 1);
     };
     at(0);
-    REQUIRE(a.contact()->touching() > 20);
+    REQUIRE(a.find<mechanics::Contacts>()->touching() > 20);
     linear::Matrix K;
     REQUIRE(a.tangent({0, 1}, K, {}, {}));
     std::vector<double> product(n, 0);
@@ -88,7 +88,7 @@ TEST_CASE("contact: the term's tangent is the derivative of its forces, with fri
       const auto up = at(h), down = at(-h);
       double error = 0, scale = 0;
       for (std::size_t i = 0; i < n; ++i) {
-        if (a.turns(static_cast<mechanics::Index>(i))) continue;
+        if (a.dofs().turns(static_cast<mechanics::Index>(i))) continue;
         error = std::max(error, std::abs(product[i] + (up[i] - down[i]) / (2 * h)));
         scale = std::max(scale, std::abs(product[i]));
       }
@@ -103,13 +103,13 @@ TEST_CASE("contact: a moving body leads the predictor as its forces change") {
   up[2] = model::History::table({{0, 0}, {1, 1e-7}});
   const Pile pile(0.2, up);
   mechanics::Assembly a(*pile.model);
-  const auto n = static_cast<std::size_t>(a.unknowns());
+  const auto n = static_cast<std::size_t>(a.dofs().unknowns());
   a.set_time(1);
   a.rollback();
   a.begin_iterate();
   linear::Matrix K;
   std::vector<double> product(n, 0), before(n), after(n);
-  const std::vector<double> none(3 * a.reference().size(), 0), still(n, 0);
+  const std::vector<double> none(3 * a.dofs().reference().size(), 0), still(n, 0);
   REQUIRE(a.tangent({0, 1}, K, {}, product));
   a.residual(none, before);
   a.apply_increment(still, 1, {});
@@ -127,7 +127,7 @@ TEST_CASE("contact: a moving body leads the predictor as its forces change") {
   a.begin_iterate();
   std::vector<double> down(n, 0);
   for (std::size_t i = 0; i < n; ++i)
-    if (!a.turns(static_cast<mechanics::Index>(i)) && i % 5 == 2) down[i] = -0.01;
+    if (!a.dofs().turns(static_cast<mechanics::Index>(i)) && i % 5 == 2) down[i] = -0.01;
   const double share = a.limit(down, {});
   CHECK(share > 0);
   CHECK(share < 0.1);
@@ -141,7 +141,8 @@ TEST_CASE("contact: forces and energies have the same bits for one, two and four
     const Pile pile(0.3);
     mechanics::Assembly a(*pile.model);
     a.set_time(1);
-    std::vector<double> all = internal_at(a, directions(static_cast<std::size_t>(a.unknowns()), 1e-5), 1);
+    std::vector<double> all =
+        internal_at(a, directions(static_cast<std::size_t>(a.dofs().unknowns()), 1e-5), 1);
     for (const auto& energy : a.energies()) all.push_back(energy.value);
     if (first.empty()) first = all;
     CHECK(all == first);
@@ -153,21 +154,21 @@ TEST_CASE("contact: a rollback takes back the couplings of the states that were 
   // A ball just below a sheet; a step that brings them together couples nodes of the sheet with each other.
   const Pile pile(0.2);
   mechanics::Assembly a(*pile.model), untried(*pile.model);
-  const auto n = static_cast<std::size_t>(a.unknowns());
+  const auto n = static_cast<std::size_t>(a.dofs().unknowns());
   const auto pattern_at = [&](mechanics::Assembly& b, const std::vector<double>& step) {
     b.set_time(1);
     b.begin_iterate();
-    b.apply_increment(step, 1, b.targets(1));
+    b.apply_increment(step, 1, b.dofs().targets(1));
     linear::Matrix K;
     b.tangent({0, 1}, K, {}, {});
     return std::pair(K.pattern->column, K.pattern->row);
   };
   // The upper sheet slides by several elements, so that other nodes are near each other.
   std::vector<double> slide(n, 0);
-  const auto first = a.freedoms().nodes.size() - 16;
-  for (std::size_t i = first; i < a.freedoms().nodes.size(); ++i) {
-    slide[static_cast<std::size_t>(a.freedoms().nodes[i].equation[0])] = 0.009;
-    slide[static_cast<std::size_t>(a.freedoms().nodes[i].equation[1])] = -0.007;
+  const auto first = a.dofs().freedoms().nodes.size() - 16;
+  for (std::size_t i = first; i < a.dofs().freedoms().nodes.size(); ++i) {
+    slide[static_cast<std::size_t>(a.dofs().freedoms().nodes[i].equation[0])] = 0.009;
+    slide[static_cast<std::size_t>(a.dofs().freedoms().nodes[i].equation[1])] = -0.007;
   }
   const std::vector<double> still(n, 0);
   const auto clean = pattern_at(untried, still), tried = pattern_at(a, slide);

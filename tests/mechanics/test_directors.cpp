@@ -6,6 +6,7 @@
 #include "catch.hpp"
 #include "geometry/node_view.hpp"
 #include "mechanics/assembly.hpp"
+#include "mechanics/terms/directors.hpp"
 #include "test_cards.hpp"
 
 using namespace fabricsh;
@@ -60,8 +61,8 @@ struct Guarded {
       if (std::string(term->name()) == "directors") guard = term.get();
     REQUIRE(guard != nullptr);
   }
-  mechanics::Trial trial() { return {std::as_const(assembly).state(), assembly.reference()}; }
-  std::size_t nodes() const { return assembly.reference().size(); }
+  mechanics::Trial trial() { return {std::as_const(assembly).state(), assembly.dofs().reference()}; }
+  std::size_t nodes() const { return assembly.dofs().reference().size(); }
   double energy() {
     std::vector<mechanics::Energy> all;
     guard->add_energies(trial(), all);
@@ -87,11 +88,12 @@ struct Guarded {
   void move(const Eigen::VectorXd& by, double scale) {
     assembly.rollback();
     assembly.begin_iterate();
-    std::vector<double> delta(static_cast<std::size_t>(assembly.unknowns()));
+    std::vector<double> delta(static_cast<std::size_t>(assembly.dofs().unknowns()));
     for (std::size_t n = 0; n < nodes(); ++n)
       for (int i = 0; i < 5; ++i)
-        if (const auto eq = assembly.freedoms().nodes[n].equation[i]; eq >= 0) delta[eq] = by[5 * n + i];
-    assembly.apply_increment(delta, scale, assembly.targets(0));
+        if (const auto eq = assembly.dofs().freedoms().nodes[n].equation[i]; eq >= 0)
+          delta[eq] = by[5 * n + i];
+    assembly.apply_increment(delta, scale, assembly.dofs().targets(0));
   }
   // Numbers at random for all unknowns, zero where there are none.
   Eigen::VectorXd random(double positions, double rotations, int seed) const {
@@ -100,7 +102,7 @@ struct Guarded {
     Eigen::VectorXd v(5 * nodes());
     for (Index i = 0; i < v.size(); ++i) {
       v[i] = number(engine) * (i % 5 < 3 ? positions : rotations);
-      if (assembly.freedoms().nodes[i / 5].equation[i % 5] < 0) v[i] = 0;
+      if (assembly.dofs().freedoms().nodes[i / 5].equation[i % 5] < 0) v[i] = 0;
     }
     return v;
   }
@@ -139,7 +141,7 @@ TEST_CASE("guard of the directors: forces and tangent are the derivatives of its
         errors_f.push_back(std::abs((up - down) / (2 * h) - f.dot(way)) / std::abs(f.dot(way)));
         Eigen::VectorXd D = (fu - fd) / (2 * h);
         for (Index i = 0; i < D.size(); ++i)
-          if (sheet.assembly.freedoms().nodes[i / 5].equation[i % 5] < 0) D[i] = K[i];
+          if (sheet.assembly.dofs().freedoms().nodes[i / 5].equation[i % 5] < 0) D[i] = K[i];
         errors_K.push_back((D - K).norm() / K.norm());
       }
       CHECK(std::log10(errors_f[0] / errors_f[1]) > 1.9);
@@ -249,7 +251,7 @@ TEST_CASE(
   m->divide_zones();
   Guarded sheet(m);
   const auto& first = m->mesh().elements[0];
-  const auto& X = sheet.assembly.reference();
+  const auto& X = sheet.assembly.dofs().reference();
   // Directors of the fold stand in the middle, each turned about the fold towards its sheet.
   const auto fold = [&](double towards) {
     sheet.assembly.rollback();
@@ -294,25 +296,33 @@ TEST_CASE(
   CHECK(stored() > 0);
 }
 
+namespace {
+
+mechanics::Directors::Overturned overturned(const mechanics::Assembly& a) {
+  return a.find<mechanics::Directors>()->overturned(a.state());
+}
+
+}  // namespace
+
 TEST_CASE("a director that is turned over is told from an element that is turned inside out") {
   for (const bool triangles : {false, true}) {
     Guarded sheet(make_sheet(triangles));
-    CHECK(sheet.assembly.shape().inverted == -1);
-    CHECK(sheet.assembly.shape().turned == -1);
+    CHECK(overturned(sheet.assembly).inverted == -1);
+    CHECK(overturned(sheet.assembly).turned == -1);
     auto d = sheet.assembly.state().d();
     at(d, 7) = -at(d, 7);
     sheet.assembly.state().touch();
-    CHECK(sheet.assembly.shape().turned == 7);
-    CHECK(sheet.assembly.shape().inverted == -1);
+    CHECK(overturned(sheet.assembly).turned == 7);
+    CHECK(overturned(sheet.assembly).inverted == -1);
     // One of four directors turns the interpolated one at a point; one of three not their mean.
-    CHECK((sheet.assembly.inverted_element() >= 0) != triangles);
+    CHECK((sheet.assembly.cloth().inverted_element({}) >= 0) != triangles);
     // A node goes past its neighbours: its elements are inside out, and its director has no side.
     sheet.assembly.rollback();
     at(sheet.assembly.state().x(), 7).x() -= 0.025;
     sheet.assembly.state().touch();
-    CHECK(sheet.assembly.shape().turned == -1);
-    REQUIRE(sheet.assembly.shape().inverted >= 0);
-    const auto& nodes = sheet.model->mesh().elements[sheet.assembly.shape().inverted];
+    CHECK(overturned(sheet.assembly).turned == -1);
+    REQUIRE(overturned(sheet.assembly).inverted >= 0);
+    const auto& nodes = sheet.model->mesh().elements[overturned(sheet.assembly).inverted];
     CHECK(std::find(nodes.begin(), nodes.end(), 7) != nodes.end());
   }
 }

@@ -5,6 +5,7 @@
 #include "catch.hpp"
 #include "mechanics/assembly.hpp"
 #include "mechanics/geometry_store.hpp"
+#include "mechanics/terms/cloth.hpp"
 #include "mesh/generators.hpp"
 #include "model/model.hpp"
 #include "test_cards.hpp"

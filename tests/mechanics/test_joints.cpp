@@ -6,6 +6,7 @@
 #include "base/error.hpp"
 #include "catch.hpp"
 #include "mechanics/assembly.hpp"
+#include "mechanics/terms/cloth.hpp"
 #include "mesh/corners.hpp"
 #include "test_cards.hpp"
 
@@ -117,11 +118,11 @@ TEST_CASE("a zone nowhere open has the residual and the tangent of the sheet wit
   };
   const auto plain = make(false), zone = make(true);
   mechanics::Assembly a(*plain), b(*zone);
-  REQUIRE(b.unknowns() == a.unknowns());
+  REQUIRE(b.dofs().unknowns() == a.dofs().unknowns());
   REQUIRE(b.state().nodes() > a.state().nodes());
   std::mt19937 random(1);
   std::uniform_real_distribution<double> some(-1, 1);
-  std::vector<double> delta(a.unknowns());
+  std::vector<double> delta(a.dofs().unknowns());
   for (double& d : delta) d = 1e-3 * some(random);
   linear::Matrix K[2];
   std::vector<double> r[2];
@@ -130,10 +131,10 @@ TEST_CASE("a zone nowhere open has the residual and the tangent of the sheet wit
     one.begin_iterate();
     one.apply_increment(delta, 1, {});
     one.set_time(0);
-    std::vector<double> external, product(one.unknowns());
+    std::vector<double> external, product(one.dofs().unknowns());
     one.external(0, external);
     REQUIRE(one.tangent({}, K[i], {}, product));
-    r[i].resize(one.unknowns());
+    r[i].resize(one.dofs().unknowns());
     one.residual(external, r[i]);
   }
   double force = 0, stiffness = 0;
@@ -153,18 +154,18 @@ TEST_CASE("opening copies rates, closing takes their mean by mass, and a tangent
   model->tearable("all");
   model->divide_zones();
   mechanics::Assembly a(*model);
-  const auto before = a.unknowns();
+  const auto before = a.dofs().unknowns();
   CHECK(before == 45);
-  const auto edges = a.joints().edges_between(std::vector<Index>{3, 4, 5});
+  const auto edges = a.dofs().joints().edges_between(std::vector<Index>{3, 4, 5});
   std::vector<double> rates(before);
   std::iota(rates.begin(), rates.end(), 1.0);
   const auto opened = a.open(edges, 0);
   REQUIRE(opened);
   CHECK_FALSE(opened->closes());
-  CHECK(a.unknowns() == before + 15);
+  CHECK(a.dofs().unknowns() == before + 15);
   auto parted = opened->apply(rates);
   mechanics::NodalRates nodal;
-  a.spread_rates(parted, {}, nodal);
+  a.dofs().spread_rates(parted, {}, nodal);
   const auto& mesh = model->mesh();
   for (std::size_t n = 9; n < mesh.nodes.size(); ++n)  // each node moves as the one of its place did
     for (int c = 0; c < 3; ++c) CHECK(nodal.x[3 * n + c] == nodal.x[3 * mesh.place[n] + c]);
@@ -173,20 +174,20 @@ TEST_CASE("opening copies rates, closing takes their mean by mass, and a tangent
   std::uniform_real_distribution<double> some(-1, 1);
   for (double& v : parted) v = some(random);
   const auto momentum = [&](const std::vector<double>& v) {
-    a.spread_rates(v, {}, nodal);
+    a.dofs().spread_rates(v, {}, nodal);
     Vec3 sum = Vec3::Zero();
     for (std::size_t n = 0; n < mesh.nodes.size(); ++n)
-      sum += a.nodal_mass()[n] * Vec3(nodal.x[3 * n], nodal.x[3 * n + 1], nodal.x[3 * n + 2]);
+      sum += a.cloth().mass()[n] * Vec3(nodal.x[3 * n], nodal.x[3 * n + 1], nodal.x[3 * n + 2]);
     return sum;
   };
   const Vec3 first = momentum(parted);
   const auto closed = a.open({}, 0);
   REQUIRE(closed);
   CHECK(closed->closes());
-  CHECK(a.unknowns() == before);
+  CHECK(a.dofs().unknowns() == before);
   CHECK((momentum(closed->apply(parted)) - first).norm() < 1e-14 * first.norm());
   linear::Matrix K;
-  std::vector<double> product(a.unknowns());
+  std::vector<double> product(a.dofs().unknowns());
   CHECK(a.tangent({}, K, {}, product));
   CHECK(K.size() == before);
 }
@@ -196,18 +197,18 @@ TEST_CASE("nodes that are apart do not become one, and nothing is changed then")
   model->tearable("all");
   model->divide_zones();
   mechanics::Assembly a(*model);
-  REQUIRE(a.open(a.joints().edges_between(std::vector<Index>{3, 4, 5}), 0));
-  std::vector<double> delta(a.unknowns(), 0);
-  const Index other = a.joints().leader(model->mesh().elements[2][0]);  // of the upper lip at the left
-  delta[a.freedoms().nodes[other].equation[1]] = 1e-4;
+  REQUIRE(a.open(a.dofs().joints().edges_between(std::vector<Index>{3, 4, 5}), 0));
+  std::vector<double> delta(a.dofs().unknowns(), 0);
+  const Index other = a.dofs().joints().leader(model->mesh().elements[2][0]);  // of the upper lip at the left
+  delta[a.dofs().freedoms().nodes[other].equation[1]] = 1e-4;
   a.begin_iterate();
   a.apply_increment(delta, 1, {});
   REQUIRE(a.forces({}));
   a.commit(0);
-  const auto unknowns = a.unknowns();
+  const auto unknowns = a.dofs().unknowns();
   CHECK_THROWS_WITH(a.open({}, 5e-5), Catch::Contains("m apart: expected at most 5e-05 m (field 'within')"));
-  CHECK(a.unknowns() == unknowns);
-  CHECK(a.joints().open() == 3);
+  CHECK(a.dofs().unknowns() == unknowns);
+  CHECK(a.dofs().joints().open() == 3);
   REQUIRE(a.open({}, 2e-4));
   // The two corners have the same mass: they meet half way.
   CHECK(std::as_const(a).state().x()[3 * other + 1] == Approx(0.05 + 0.5e-4).epsilon(1e-14));

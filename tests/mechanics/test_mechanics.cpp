@@ -4,6 +4,7 @@
 
 #include "catch.hpp"
 #include "mechanics/assembly.hpp"
+#include "mechanics/terms/cloth.hpp"
 #include "test_cards.hpp"
 
 using namespace fabricsh;
@@ -54,9 +55,9 @@ std::shared_ptr<model::Model> loaded_sheet(const std::function<void(model::Model
 std::vector<double> residual_at(mechanics::Assembly& a, const std::vector<double>& step, double scale) {
   a.rollback();
   a.begin_iterate();
-  a.apply_increment(step, scale, a.targets(0));
+  a.apply_increment(step, scale, a.dofs().targets(0));
   REQUIRE(a.forces({}));
-  std::vector<double> external, r(a.unknowns());
+  std::vector<double> external, r(a.dofs().unknowns());
   a.external(0, external);
   a.residual(external, r);
   return r;
@@ -67,19 +68,19 @@ std::vector<double> residual_at(mechanics::Assembly& a, const std::vector<double
 std::vector<double> tangent_errors(mechanics::Assembly& a) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> number(-1, 1);
-  const auto n = static_cast<std::size_t>(a.unknowns());
+  const auto n = static_cast<std::size_t>(a.dofs().unknowns());
   std::vector<bool> turns(n, false);
-  for (const auto& node : a.freedoms().nodes)
+  for (const auto& node : a.dofs().freedoms().nodes)
     for (int i = 3; i < 5; ++i)
       if (node.equation[i] >= 0) turns[node.equation[i]] = true;
-  for (const auto& body : a.freedoms().bodies)
+  for (const auto& body : a.dofs().freedoms().bodies)
     for (int i = 3; i < 6; ++i) turns[body.equation + i] = true;
   std::vector<double> start(n), direction(n);
   for (std::size_t i = 0; i < n; ++i) {
     start[i] = number(random) * (turns[i] ? 0.05 : 2e-4);
     direction[i] = number(random) * (turns[i] ? 1 : 0.01);
   }
-  a.apply_increment(start, 1, a.targets(0));
+  a.apply_increment(start, 1, a.dofs().targets(0));
   a.commit(0);
   a.begin_iterate();
   linear::Matrix K;
@@ -91,7 +92,7 @@ std::vector<double> tangent_errors(mechanics::Assembly& a) {
   a.external(0, external);
   a.residual(external, r);
   // A body's tangent is that of the exponential map: its moment residual r turns under the spin's, by half.
-  for (const auto& body : a.freedoms().bodies) {
+  for (const auto& body : a.dofs().freedoms().bodies) {
     const auto first = static_cast<std::size_t>(body.equation) + 3;
     const Eigen::Map<const Vec3> spin(direction.data() + first), moment(r.data() + first);
     Eigen::Map<Vec3>(product.data() + first) -= spin.cross(moment) / 2;
@@ -231,10 +232,10 @@ TEST_CASE("a tangent that keeps its upper triangle has the whole one's entries, 
       upper.keep_upper();
       linear::Matrix K[2];
       for (auto* a : {&whole, &upper}) {
-        std::vector<double> step(static_cast<std::size_t>(a->unknowns()));
+        std::vector<double> step(static_cast<std::size_t>(a->dofs().unknowns()));
         for (std::size_t i = 0; i < step.size(); ++i) step[i] = 1e-4 * std::sin(7.0 * static_cast<double>(i));
         a->begin_iterate();
-        a->apply_increment(step, 1, a->targets(0));
+        a->apply_increment(step, 1, a->dofs().targets(0));
         REQUIRE(a->tangent({}, K[a == &upper], {}, {}));
       }
       CHECK(K[1].pattern->upper);
@@ -253,15 +254,15 @@ TEST_CASE("a tangent after the forces of its place leaves their law states, and 
   const model::Model m(mesh, test::blend(), {});
   const auto states = [](const mechanics::Assembly& a) {
     std::vector<double> all;
-    for (mechanics::Index e = 0; e < a.elements(); ++e)
-      a.visit(e, [&](double, const law::Law& law, const double*, const double* state) {
+    for (mechanics::Index e = 0; e < a.cloth().elements(); ++e)
+      a.cloth().visit(e, [&](double, const law::Law& law, const double*, const double* state) {
         all.insert(all.end(), state, state + law::state_size(law));
       });
     return all;
   };
   mechanics::Assembly plain(m), between(m), alone(m), late(m);
   const auto step_of = [](const mechanics::Assembly& a, double scale) {
-    std::vector<double> step(static_cast<std::size_t>(a.unknowns()));
+    std::vector<double> step(static_cast<std::size_t>(a.dofs().unknowns()));
     for (std::size_t i = 0; i < step.size(); ++i)
       step[i] = scale * 3e-4 * std::sin(7.0 * static_cast<double>(i));
     return step;
@@ -270,7 +271,7 @@ TEST_CASE("a tangent after the forces of its place leaves their law states, and 
   for (const double scale : {1.0, 0.6, 1.4}) {  // loading, unloading, loading beyond
     for (auto* a : {&plain, &between, &alone}) {
       a->begin_iterate();
-      a->apply_increment(step_of(*a, scale), 1, a->targets(0));
+      a->apply_increment(step_of(*a, scale), 1, a->dofs().targets(0));
       if (a == &alone) REQUIRE(a->tangent({}, K[0], {}, {}));
       REQUIRE(a->forces({}));
       if (a == &between) REQUIRE(a->tangent({}, K[1], {}, {}));
@@ -280,9 +281,9 @@ TEST_CASE("a tangent after the forces of its place leaves their law states, and 
     // States of forces at another place are not taken for those of this one.
     late.begin_iterate();
     const auto step = step_of(late, scale);
-    late.apply_increment(step, 0.5, late.targets(0));
+    late.apply_increment(step, 0.5, late.dofs().targets(0));
     REQUIRE(late.forces({}));
-    late.apply_increment(step, 1, late.targets(0));
+    late.apply_increment(step, 1, late.dofs().targets(0));
     linear::Matrix unused;
     REQUIRE(late.tangent({}, unused, {}, {}));
     late.commit(scale);
@@ -330,13 +331,13 @@ TEST_CASE("the first element turned inside out is named, none while all are whol
   for (const bool triangles : {false, true}) {
     const auto m = loaded_sheet([](model::Model&) {}, 0, 0.004, triangles);
     mechanics::Assembly a(*m);
-    CHECK(a.inverted_element() == -1);
-    std::vector<double> step(a.unknowns(), 0.0);
+    CHECK(a.cloth().inverted_element({}) == -1);
+    std::vector<double> step(a.dofs().unknowns(), 0.0);
     // The middle node of the last row of elements goes past its neighbours on the left.
-    step[a.freedoms().nodes[10].equation[0]] = -0.025;
+    step[a.dofs().freedoms().nodes[10].equation[0]] = -0.025;
     a.begin_iterate();
     a.apply_increment(step, 1, {});
-    const auto first = a.inverted_element();
+    const auto first = a.cloth().inverted_element({});
     REQUIRE(first >= 0);
     const auto& nodes = m->mesh().elements[first];
     CHECK(std::find(nodes.begin(), nodes.end(), 10) != nodes.end());
@@ -348,8 +349,8 @@ TEST_CASE("pressure pushes along the normal: the resultant on a flat sheet is p 
   model::Model m(mesh, svk(), {});
   m.pressure("all", history::History::constant(50));
   mechanics::Assembly a(m);
-  std::vector<double> f;
-  a.follower(0, f);
+  std::vector<double> f(3 * mesh->nodes.size()), on_d(f.size());
+  a.find<mechanics::FollowerLoad>()->add_follower(0, a.trial(), f, on_d);
   Vec3 sum = Vec3::Zero();
   for (std::size_t i = 0; i < f.size(); i += 3) sum += Vec3(f[i], f[i + 1], f[i + 2]);
   CHECK((sum - Vec3(0, 0, 50 * 0.02)).norm() < 1e-14);
@@ -367,17 +368,17 @@ TEST_CASE("patch test of mixed meshes: a homogeneous strain leaves no force insi
     mechanics::Assembly a(m);
     Mat3 F;
     F << 1.1, 0.07, 0, -0.03, 0.95, 0, 0, 0, 1;
-    std::vector<double> step(a.unknowns(), 0.0);
+    std::vector<double> step(a.dofs().unknowns(), 0.0);
     for (std::size_t n = 0; n < mesh->nodes.size(); ++n) {
       const Vec3 u = F * mesh->nodes[n] - mesh->nodes[n];
-      for (int i = 0; i < 3; ++i) step[a.freedoms().nodes[n].equation[i]] = u[i];
+      for (int i = 0; i < 3; ++i) step[a.dofs().freedoms().nodes[n].equation[i]] = u[i];
     }
     a.begin_iterate();
     a.apply_increment(step, 1, {});
     REQUIRE(a.forces({}));
     double inside = 0;
     for (const int n : {6, 7, 8, 11, 12, 13, 16, 17, 18})
-      for (int i = 0; i < 3; ++i) inside = std::max(inside, std::abs(a.internal_on_x()[3 * n + i]));
+      for (int i = 0; i < 3; ++i) inside = std::max(inside, std::abs(a.internal().on_x[3 * n + i]));
     CHECK(inside < 1e-12 * a.largest_force());
   }
 }
@@ -402,13 +403,13 @@ TEST_CASE("plies: one card cut in three layers is that card; a crossed ply turns
     options.plies = std::move(plies);
     model::Model m(mesh, card, options);
     mechanics::Assembly a(m);
-    std::vector<double> step(a.unknowns(), 0.0);
+    std::vector<double> step(a.dofs().unknowns(), 0.0);
     for (std::size_t i = 0; i < mesh->nodes.size(); ++i)
-      step[a.freedoms().nodes[i].equation[0]] = 1e-3 * mesh->nodes[i].x();
+      step[a.dofs().freedoms().nodes[i].equation[0]] = 1e-3 * mesh->nodes[i].x();
     a.apply_increment(step, 1, {});
     REQUIRE(a.forces({}));
     double pull = 0;
-    for (const auto n : mesh->set("right")) pull += a.internal_on_x()[3 * n];
+    for (const auto n : mesh->set("right")) pull += a.internal().on_x[3 * n];
     return pull;
   };
   const double t = card.thickness;
@@ -431,14 +432,14 @@ TEST_CASE("forces and tangent have the same bits for one, two and four threads")
     mechanics::Assembly a(m);
     std::mt19937 random(3);
     std::uniform_real_distribution<double> number(-1e-3, 1e-3);
-    std::vector<double> step(a.unknowns());
+    std::vector<double> step(a.dofs().unknowns());
     for (double& s : step) s = number(random);
     a.apply_increment(step, 1, {});
     linear::Matrix K;
     REQUIRE(a.tangent({}, K, {}, {}));
     std::vector<double> all = K.value;
     const auto keep = [&] {
-      for (const auto f : {a.internal_on_x(), a.internal_on_d()}) all.insert(all.end(), f.begin(), f.end());
+      for (const auto f : {a.internal().on_x, a.internal().on_d}) all.insert(all.end(), f.begin(), f.end());
     };
     keep();
     // Explicit steps through the law's branches: forces, commit, move on.

@@ -5,6 +5,7 @@
 #include "catch.hpp"
 #include "geometry/node_view.hpp"
 #include "mechanics/assembly.hpp"
+#include "mechanics/terms/cloth.hpp"
 #include "test_cards.hpp"
 
 using namespace fabricsh;
@@ -48,14 +49,14 @@ TEST_CASE("gravity's moment is the weight's about the reference surface, for an 
     REQUIRE(a.forces({}));
     Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
     const Vec3 middle = sheet.turn * Vec3(sheet.width / 2, sheet.height / 2, 0);
-    const auto on_d = a.internal_on_d();
+    const auto on_d = a.internal().on_d;
     const Vec3 n = sheet.turn.col(2);
-    for (std::size_t i = 0; i < a.reference().size(); ++i) {
+    for (std::size_t i = 0; i < a.dofs().reference().size(); ++i) {
       // The undeformed cloth has no forces of its own: what is on the directors is the load's, with the sign
       // of a residual.
       moment -= n.cross(Vec3(on_d[3 * i], on_d[3 * i + 1], on_d[3 * i + 2]));
-      force += a.nodal_mass()[i] * g;
-      moment += (a.reference()[i] - middle).cross(a.nodal_mass()[i] * g);
+      force += a.cloth().mass()[i] * g;
+      moment += (a.dofs().reference()[i] - middle).cross(a.cloth().mass()[i] * g);
     }
     CHECK((force - mass * g).norm() < 1e-13 * mass * g.norm());
     // The middle surface lies at -offset t / 2 along the normal: its weight has that lever.

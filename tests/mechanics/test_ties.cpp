@@ -84,9 +84,9 @@ TEST_CASE("followers are where their leads put them; a rigid edge keeps its shap
   m.tie({TieKind::rigid, "top", {}, {}});
   m.validate();
   mechanics::Assembly a(m);
-  std::vector<double> step(a.unknowns());
+  std::vector<double> step(a.dofs().unknowns());
   for (std::size_t i = 0; i < step.size(); ++i) step[i] = 1e-3 * std::sin(7.0 * static_cast<double>(i));
-  const auto& body = a.freedoms().bodies.at(0);
+  const auto& body = a.dofs().freedoms().bodies.at(0);
   const Vec3 spin(0.4, -1.1, 0.7);
   for (int i = 0; i < 3; ++i) step[body.equation + 3 + i] = spin[i];
   a.begin_iterate();

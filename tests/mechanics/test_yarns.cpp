@@ -5,6 +5,7 @@
 #include "catch.hpp"
 #include "geometry/node_view.hpp"
 #include "mechanics/assembly.hpp"
+#include "mechanics/terms/cloth.hpp"
 #include "message_of.hpp"
 #include "test_cards.hpp"
 
@@ -34,8 +35,8 @@ std::shared_ptr<mesh::Mesh> skewed(bool triangles) {
 
 void deform(mechanics::Assembly& a, const Mat3& F) {
   auto x = a.state().x();
-  for (std::size_t n = 0; n < a.reference().size(); ++n)
-    at(x, static_cast<mechanics::Index>(n)) = F * a.reference()[n];
+  for (std::size_t n = 0; n < a.dofs().reference().size(); ++n)
+    at(x, static_cast<mechanics::Index>(n)) = F * a.dofs().reference()[n];
   a.state().touch();
 }
 
@@ -54,14 +55,14 @@ TEST_CASE("warp and weft are carried by a homogeneous deformation, whatever the 
       const model::Model m(skewed(triangles), test::svk(), options);
       mechanics::Assembly a(m);
       const Vec3 warp = at_angle(23 * degree), weft = at_angle(113 * degree);
-      for (mechanics::Index e = 0; e < a.elements(); ++e) {
-        const auto rest = a.yarns(e);
+      for (mechanics::Index e = 0; e < a.cloth().elements(); ++e) {
+        const auto rest = a.cloth().yarns(e);
         CHECK((rest.first - warp).norm() < 1e-13);
         CHECK((rest.second - weft).norm() < 1e-13);
       }
       deform(a, F);
-      for (mechanics::Index e = 0; points == 1 && e < a.elements(); ++e) {
-        const auto now = a.yarns(e);
+      for (mechanics::Index e = 0; points == 1 && e < a.cloth().elements(); ++e) {
+        const auto now = a.cloth().yarns(e);
         CHECK((now.first - (F * warp).normalized()).norm() < 1e-13);
         CHECK((now.second - (F * weft).normalized()).norm() < 1e-13);
       }
@@ -83,11 +84,11 @@ TEST_CASE("plies have yarns of their own, and all together the axes of the model
     CHECK((got.first - (F * at_angle(angle * degree)).normalized()).norm() < 1e-13);
     CHECK((got.second - (F * at_angle((angle + 90) * degree)).normalized()).norm() < 1e-13);
   };
-  for (mechanics::Index e = 0; e < a.elements(); ++e) {
-    is(a.yarns(e, 0), -15);
-    is(a.yarns(e, 1), 50);
-    is(a.yarns(e, 2), 75);
-    is(a.yarns(e), -15);
+  for (mechanics::Index e = 0; e < a.cloth().elements(); ++e) {
+    is(a.cloth().yarns(e, 0), -15);
+    is(a.cloth().yarns(e, 1), 50);
+    is(a.cloth().yarns(e, 2), 75);
+    is(a.cloth().yarns(e), -15);
   }
 }
 
@@ -105,8 +106,8 @@ TEST_CASE("on a curved sheet the yarns follow the layer at which they are read")
   };
   const model::Model m(mesh, test::svk(), options);
   const mechanics::Assembly a(m);
-  for (mechanics::Index e = 0; e < a.elements(); ++e)
-    CHECK(std::abs(std::acos(a.yarns(e).first.y()) - angle) < 0.1 * degree);
+  for (mechanics::Index e = 0; e < a.cloth().elements(); ++e)
+    CHECK(std::abs(std::acos(a.cloth().yarns(e).first.y()) - angle) < 0.1 * degree);
 }
 
 TEST_CASE("what is wrong with an element is told from what a warp function says") {

@@ -116,7 +116,7 @@ TEST_CASE("contact: an explicit run has the same bits for one, two and four thre
     run->advance(3e-4);
     const std::string kept = run->kept();
     run->solve();
-    REQUIRE(std::as_const(*run).assembly().contact()->touching() > 0);
+    REQUIRE(run->contact().touching() > 0);
     if (first.empty()) first = bits(*run);
     CHECK(bits(*run) == first);
     const Thrown again = thrown(5, 1);
@@ -394,7 +394,7 @@ TEST_CASE("contact: implicit steps of a sheet and a free ball keep momentum") {
   run->solve();
   REQUIRE(run->energy().friction > 0);
   Vec3 momentum = mass * run::body_state(*run, *ball).velocity;
-  const auto& nodes = std::as_const(*run).assembly().nodal_mass();
+  const auto& nodes = std::as_const(*run).assembly().cloth().mass();
   for (std::size_t i = 0; i < nodes.size(); ++i)
     momentum += nodes[i] * run->node(static_cast<mesh::Index>(i)).v;
   CHECK((momentum - mass * Vec3(0.1, 0, -0.5)).norm() < 1e-8 * mass);

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "catch.hpp"
+#include "mechanics/terms/cloth.hpp"
 #include "mechanics/terms/inertia.hpp"
 #include "run/dynamic.hpp"
 #include "run/newmark.hpp"
@@ -69,7 +70,7 @@ TEST_CASE(
   m->validate();
   mechanics::Assembly assembly(*m);
   const auto& inertia = assembly.add(
-      std::make_unique<mechanics::Inertia>(assembly.nodal_mass(), assembly.rotary_inertia(false)));
+      std::make_unique<mechanics::Inertia>(assembly.cloth().mass(), assembly.cloth().rotary_inertia(false)));
   run::Newmark newmark(assembly, inertia, {0.5, 0.25, 0});
   const run::EquilibriumProblem::Poll no_poll;
   run::EquilibriumProblem problem(assembly, newmark, no_poll);

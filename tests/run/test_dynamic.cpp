@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "catch.hpp"
+#include "mechanics/terms/cloth.hpp"
 #include "message_of.hpp"
 #include "run/dynamic.hpp"
 #include "run/explicit.hpp"
@@ -27,8 +28,8 @@ struct Momenta {
 // From the velocities of nodes and directors.
 Momenta momenta(const Run& a, const mechanics::NodalRates& rates) {
   Momenta sum;
-  const auto& mass = a.assembly().nodal_mass();
-  const auto& rotary = a.assembly().rotary_inertia(true);
+  const auto& mass = a.assembly().cloth().mass();
+  const auto& rotary = a.assembly().cloth().rotary_inertia(true);
   for (std::size_t n = 0; n < mass.size(); ++n) {
     const auto node = a.node(static_cast<mesh::Index>(n));
     const Eigen::Map<const Vec3> w(rates.d.data() + 3 * n);
@@ -532,8 +533,8 @@ TEST_CASE(
     m->velocity({"all", Vec3::Zero(), Vec3(0.1, 0, 0), Vec3(0.2, 0.2, 0)});
     const auto a = make_dynamic(m, {.duration = 0.01, .scaled = scaled}, notices);
     a->solve();
-    const auto& more = a->assembly().rotary_inertia(true);
-    const auto& own = a->assembly().rotary_inertia(false);
+    const auto& more = a->assembly().cloth().rotary_inertia(true);
+    const auto& own = a->assembly().cloth().rotary_inertia(false);
     double worth = 0;
     for (std::size_t n = 0; n < own.size(); ++n) worth += (more[n] - own[n]) * 0.1 * 0.1 / 2;
     const auto e = a->energy();

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "catch.hpp"
 #include "geometry/node_view.hpp"
+#include "mechanics/terms/cloth.hpp"
 #include "problems.hpp"
 #include "run/dynamic.hpp"
 #include "run/static.hpp"
@@ -69,7 +70,7 @@ bool same(const Run& a, const std::vector<double>& numbers) { return all_numbers
 Vec3 momentum(const Run& a) {
   Vec3 sum = Vec3::Zero();
   const auto v = a.field("velocity");
-  const auto& mass = a.assembly().nodal_mass();
+  const auto& mass = a.assembly().cloth().mass();
   for (std::size_t n = 0; n < mass.size(); ++n) sum += mass[n] * at(v, static_cast<std::ptrdiff_t>(n));
   return sum;
 }
@@ -91,7 +92,7 @@ TEST_CASE("a strip under tension is cut in two: restored and cut again it has th
   const auto end = all_numbers(*a);
   // Back over the cut, and to where it has just been made.
   a->restore(*snapshot);
-  CHECK(a->assembly().joints().open() == 0);
+  CHECK(a->assembly().dofs().joints().open() == 0);
   CHECK(a->reaction("bottom").y() == pulled);
   a->cut(kMiddle);
   a->advance(0.012);
@@ -100,7 +101,7 @@ TEST_CASE("a strip under tension is cut in two: restored and cut again it has th
   CHECK(same(*a, end));
   a->restore(*snapshot);
   a->restore(*after_cut);
-  CHECK(a->assembly().joints().open() == 4);
+  CHECK(a->assembly().dofs().joints().open() == 4);
   a->advance(0.012);
   a->solve();
   CHECK(same(*a, end));
@@ -143,9 +144,10 @@ TEST_CASE("a cut in motion leaves momentum and energy as they are, and the ledge
   a->solve();
   CHECK(a->energy().error < 2e-3);
   CHECK(a->energy().kinetic > before.kinetic);  // the halves recoil
-  const auto& X = a->assembly().reference();
+  const auto& X = a->assembly().dofs().reference();
   for (mesh::Index n = 0; n < static_cast<mesh::Index>(X.size()); ++n)
-    if (a->model().mesh().place_of(n) == n && X[n].y() == kHeight / 2 && a->assembly().joints().is_open(n))
+    if (a->model().mesh().place_of(n) == n && X[n].y() == kHeight / 2 &&
+        a->assembly().dofs().joints().is_open(n))
       CHECK(a->node(n).u.y() != 0);
 }
 
@@ -166,7 +168,7 @@ TEST_CASE("joints that close lose the kinetic energy of the halves against each 
   const Vec3 p = momentum(*a);
   CHECK_THROWS_WITH(a->join(kMiddle), Catch::StartsWith("join: nodes ") && Catch::Contains("m apart"));
   CHECK(a->join(kMiddle, 1e-3) == 4);
-  CHECK(a->assembly().joints().open() == 0);
+  CHECK(a->assembly().dofs().joints().open() == 0);
   const run::EnergyAccount after = a->energy();
   CHECK((momentum(*a) - p).norm() <= 1e-12 * p.norm());
   CHECK(after.joints > 0);
@@ -195,13 +197,13 @@ TEST_CASE("halves that were cut and come back touch, and do not pass") {
   m->move("top", pull);
   m->contact({{{"all", nullptr}}, 0.0});
   auto a = make(kind, m, 1000);
-  const auto& X = a->assembly().reference();
+  const auto& X = a->assembly().dofs().reference();
   a->advance(0.0005);
   CHECK(a->cut(kMiddle) == 4);
   CHECK(a->energy().contact + a->energy().guard == 0);
   double least = 1, most = 0, energy = 0;
   a->every_step([&](Run& run) {
-    const auto& joints = run.assembly().joints();
+    const auto& joints = run.assembly().dofs().joints();
     for (mesh::Index n = 0; n < static_cast<mesh::Index>(X.size()); ++n) {
       const mesh::Index place = run.model().mesh().place_of(n);
       if (!joints.is_open(n) || joints.leader(n) == joints.leader(place)) continue;

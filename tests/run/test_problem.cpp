@@ -5,6 +5,7 @@
 
 #include "catch.hpp"
 #include "mechanics/springs_of_pairs.hpp"
+#include "mechanics/terms/cloth.hpp"
 #include "mechanics/terms/damping.hpp"
 #include "run/dynamic.hpp"
 #include "run/problem.hpp"
@@ -94,8 +95,8 @@ TEST_CASE("the tangent is the derivative of the residual, by Newmark with every 
     const auto m = make_sheet();
     m->validate();
     mechanics::Assembly assembly(*m);
-    const auto& inertia = assembly.add(
-        std::make_unique<mechanics::Inertia>(assembly.nodal_mass(), assembly.rotary_inertia(false)));
+    const auto& inertia = assembly.add(std::make_unique<mechanics::Inertia>(
+        assembly.cloth().mass(), assembly.cloth().rotary_inertia(false)));
     if (c.mass > 0) assembly.add(std::make_unique<mechanics::MassDamping>(c.mass));
     if (c.stiffness > 0) assembly.add(std::make_unique<mechanics::StiffnessDamping>(assembly, c.stiffness));
     run::NewmarkScheme scheme{0.5 - c.hht, (1 - c.hht) * (1 - c.hht) / 4, c.hht};
@@ -104,11 +105,11 @@ TEST_CASE("the tangent is the derivative of the residual, by Newmark with every 
     problem.set_time(0);
     REQUIRE(assembly.forces({}));
     assembly.commit(0);
-    mechanics::NodalRates v{some(3 * assembly.reference().size(), 0.1, 3),
-                            std::vector<double>(3 * assembly.reference().size(), 0)},
+    mechanics::NodalRates v{some(3 * assembly.dofs().reference().size(), 0.1, 3),
+                            std::vector<double>(3 * assembly.dofs().reference().size(), 0)},
         possible;
-    assembly.spread_rates(assembly.collect_rates(v), std::vector<double>(assembly.targets(0).size(), 0),
-                          possible);
+    assembly.dofs().spread_rates(assembly.dofs().collect_rates(v),
+                                 std::vector<double>(assembly.dofs().targets(0).size(), 0), possible);
     problem.start(possible);
     problem.set_time(1e-3);
     INFO("damping " << c.mass << " and " << c.stiffness << ", hht " << c.hht);

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "catch.hpp"
+#include "mechanics/terms/cloth.hpp"
 #include "run/dynamic.hpp"
 #include "run/problems.hpp"
 
@@ -39,7 +40,7 @@ struct Kept {
 
 Kept kept_by(const run::Dynamic& a) {
   Kept sum;
-  const auto &mass = a.assembly().nodal_mass(), &rotary = a.assembly().rotary_inertia(false);
+  const auto &mass = a.assembly().cloth().mass(), &rotary = a.assembly().cloth().rotary_inertia(false);
   for (std::size_t n = 0; n < mass.size(); ++n) {
     const auto node = a.node(static_cast<mesh::Index>(n));
     const Vec3 w(a.rates().d[3 * n], a.rates().d[3 * n + 1], a.rates().d[3 * n + 2]);
@@ -59,8 +60,8 @@ std::shared_ptr<run::Dynamic> implicit(std::shared_ptr<model::Model> m, double d
 // The orientation of a free body with these nodes, directors and masses, after `duration`: the angular
 // momentum is constant in space, R' = (I(R)^-1 L) x R, by the classical Runge-Kutta method.
 Mat3 turned(const run::Dynamic& a, const Vec3& spin, double duration) {
-  const auto &mass = a.assembly().nodal_mass(), &rotary = a.assembly().rotary_inertia(false);
-  const auto& X = a.assembly().reference();
+  const auto &mass = a.assembly().cloth().mass(), &rotary = a.assembly().cloth().rotary_inertia(false);
+  const auto& X = a.assembly().dofs().reference();
   double total = 0;
   Vec3 centre = Vec3::Zero();
   for (std::size_t n = 0; n < X.size(); ++n) {
@@ -124,7 +125,7 @@ TEST_CASE("a tumbling rigid sheet turns as Euler's equations have it, to the sec
     const auto a = implicit(body("all", spin, Vec3::Zero()), duration, duration / (k == 0 ? 200 : 400));
     const Mat3 R = turned(*a, spin, duration);
     a->solve();
-    const auto& X = a->assembly().reference();
+    const auto& X = a->assembly().dofs().reference();
     const Vec3 arm = X[23] - X[0], now = a->node(23).x - a->node(0).x;
     errors[k] = std::max((now - R * arm).norm() / arm.norm(), (a->node(5).n - R.col(2)).norm());
   }

@@ -125,7 +125,7 @@ TEST_CASE("relaxation of stiffening cloth converges to a balance or fails; never
 TEST_CASE("a residual that is not a number is the largest of all") {
   const auto m = make_plate(isotropic(1e7, 0.3, 0.05), 2);
   mechanics::Assembly assembly(*m);
-  std::vector<double> r(static_cast<std::size_t>(assembly.unknowns()), 1.0);
+  std::vector<double> r(static_cast<std::size_t>(assembly.dofs().unknowns()), 1.0);
   r[3] = std::nan("");
   CHECK(std::isinf(assembly.largest_residual(r).first));
   CHECK(assembly.largest_residual(r).second == 3);

@@ -75,7 +75,7 @@ TEST_CASE("a bar with one weak joint loses the energy of its yarns, however many
   a->solve();
   CAPTURE(bar.elements, peak, a->energy().error);
   CHECK_FALSE(falls);
-  CHECK(a->assembly().joints().open() == 2);
+  CHECK(a->assembly().dofs().joints().open() == 2);
   CHECK(a->energy().fracture == Approx(bar.energy * Bar::width).epsilon(1e-6));
   CHECK(peak == Approx(bar.strength * Bar::width).epsilon(5e-3));
   CHECK(a->energy().error < 1e-3);
@@ -119,7 +119,8 @@ struct Strip {
   static double tip(const Run& a) {  // m, how far the cut reaches
     double far = 0;
     for (mesh::Index n = 0; n < static_cast<mesh::Index>(a.model().mesh().whole->nodes.size()); ++n)
-      if (a.assembly().joints().is_open(n)) far = std::max(far, a.assembly().reference()[n].x());
+      if (a.assembly().dofs().joints().is_open(n))
+        far = std::max(far, a.assembly().dofs().reference()[n].x());
     return far;
   }
 };

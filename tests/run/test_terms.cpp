@@ -5,6 +5,7 @@
 
 #include "catch.hpp"
 #include "geometry/node_view.hpp"
+#include "mechanics/facets.hpp"
 #include "mechanics/springs_of_pairs.hpp"
 #include "message_of.hpp"
 #include "run/dynamic.hpp"
@@ -332,4 +333,172 @@ TEST_CASE(
   CHECK(positions(*second) == positions(*whole));
   CHECK(second->field("slip") == whole->field("slip"));
   CHECK(second->energy().dissipated == whole->energy().dissipated);
+}
+
+namespace {
+
+// Lets some nodes move by no more than so much before forces are computed again: a term that limits steps.
+class Leash final : public mechanics::Term, public mechanics::StepLimiter {
+ public:
+  Leash(std::vector<mechanics::Index> nodes, double reach) : nodes_(std::move(nodes)), reach_(reach) {}
+  const char* name() const override { return "leash"; }
+  void mark(const mechanics::Trial& trial) override {
+    const auto x = trial.configuration.x();
+    marked_.assign(x.begin(), x.end());
+  }
+  double safe_share(const mechanics::Trial& trial) override {
+    double most = 0;
+    for (const auto n : nodes_)
+      most = std::max(most, (at(trial.configuration.x(), n) - at(marked_, n)).norm());
+    if (most <= reach_ * (1 + 1e-9)) return 1;
+    ++shortened;
+    return reach_ / most;
+  }
+  int shortened = 0;
+
+ private:
+  std::vector<mechanics::Index> nodes_;
+  double reach_;  // m
+  std::vector<double> marked_;
+};
+
+// Springs along x from some nodes to a carriage without mass, which a further spring holds: a term with an
+// unknown of its own, the place c of the carriage, k sum(u - c) = k_0 c.
+class Carriage final : public mechanics::Term, public mechanics::OwnUnknowns {
+ public:
+  Carriage(std::vector<mechanics::Index> nodes, double k, double k0)
+      : nodes_(std::move(nodes)), k_(k), all_(k0 + k * static_cast<double>(nodes_.size())) {}
+  double place() const { return c_; }
+  double balanced_place() const { return k_ * sum_ / all_; }  // m, where the nodes' springs want it
+
+  const char* name() const override { return "carriage"; }
+  mechanics::Outcome add_forces(const law::Step&, const mechanics::Trial& trial,
+                                mechanics::Forces& forces) override {
+    sum_ = 0;
+    for (const auto n : nodes_) {
+      const double u = at(trial.configuration.x(), n).x() - trial.X[n].x();
+      forces.on_x[3 * n] += k_ * (u - c_);
+      sum_ += u;
+    }
+    return {};
+  }
+  void add_tangent(const mechanics::Trial&, mechanics::TangentSink& sink) const override {
+    for (const auto n : nodes_) sink.on_positions(n, n, Vec3(k_, 0, 0).asDiagonal());
+  }
+  void begin_iterate() override { from_ = c_; }
+  void move(double scale) override { c_ = from_ + scale * way_; }
+  std::size_t own_unknowns() const override { return 1; }
+  bool own_push(std::size_t, std::span<double> on_x) const override {
+    std::fill(on_x.begin(), on_x.end(), 0.0);
+    for (const auto n : nodes_) on_x[3 * n] = -k_;
+    return true;
+  }
+  Eigen::VectorXd own_residual() const override { return Eigen::VectorXd::Constant(1, missing() / all_); }
+  Eigen::VectorXd own_answer(std::span<const double> move) const override {
+    double sum = 0;
+    for (const auto n : nodes_) sum += move[3 * n];
+    return Eigen::VectorXd::Constant(1, k_ * sum / all_);
+  }
+  Eigen::MatrixXd own_response() const override { return Eigen::MatrixXd::Zero(1, 1); }
+  void direct(std::span<const double> way) override { way_ = way[0]; }
+  double largest_own_residual() const override { return std::abs(missing()); }
+  void commit() override { committed_ = c_, way_ = 0; }
+  void rollback() override { c_ = from_ = committed_, way_ = 0; }
+  void keep(Archive& archive) override {
+    archive(committed_);
+    if (archive.reading()) rollback();
+  }
+
+ private:
+  double missing() const { return k_ * sum_ - all_ * c_; }  // N, on the carriage
+  std::vector<mechanics::Index> nodes_;
+  double k_, all_;  // N/m: of a spring; of all that hold the carriage
+  double c_ = 0, from_ = 0, committed_ = 0, way_ = 0, sum_ = 0;
+};
+
+// The same springs where the carriage has been eliminated by hand.
+class Eliminated final : public mechanics::Term {
+ public:
+  Eliminated(std::vector<mechanics::Index> nodes, double k, double k0)
+      : nodes_(std::move(nodes)), k_(k), part_(k / (k0 + k * static_cast<double>(nodes_.size()))) {}
+  const char* name() const override { return "eliminated"; }
+  mechanics::Outcome add_forces(const law::Step&, const mechanics::Trial& trial,
+                                mechanics::Forces& forces) override {
+    const auto u = [&](mechanics::Index n) { return at(trial.configuration.x(), n).x() - trial.X[n].x(); };
+    double c = 0;
+    for (const auto n : nodes_) c += part_ * u(n);
+    for (const auto n : nodes_) forces.on_x[3 * n] += k_ * (u(n) - c);
+    return {};
+  }
+  void couple(const mechanics::Trial&, std::vector<mechanics::NodePair>& pairs) override {
+    for (const auto a : nodes_)
+      for (const auto b : nodes_)
+        if (a < b) pairs.emplace_back(a, b);
+  }
+  void add_tangent(const mechanics::Trial&, mechanics::TangentSink& sink) const override {
+    for (const auto a : nodes_)
+      for (const auto b : nodes_)
+        sink.on_positions(a, b, Vec3(k_ * ((a == b ? 1 : 0) - part_), 0, 0).asDiagonal());
+  }
+
+ private:
+  std::vector<mechanics::Index> nodes_;
+  double k_, part_;
+};
+
+mechanics::Outcome consent(const law::Step&) { return {}; }
+
+double farthest_apart(const run::Run& a, const run::Run& b) {
+  const auto x = positions(a), y = positions(b);
+  double apart = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) apart = std::max(apart, std::abs(x[i] - y[i]));
+  return apart;
+}
+
+}  // namespace
+
+TEST_CASE("a term that limits steps is asked in every scheme, and the run ends where it does without it") {
+  for (const Way way : all_ways) {
+    const auto plain = make_run(way, consent), held = make_run(way, consent);
+    auto leash = std::make_unique<Leash>(std::vector<mechanics::Index>{12, 13}, 5e-9);
+    const Leash& told = *leash;
+    held->add(std::move(leash));
+    plain->solve();
+    held->solve();
+    CHECK(told.shortened > 0);
+    int cuts = 0, iterations = 0, iterations_before = 0;
+    for (const auto& step : held->steps()) cuts += step.cuts, iterations += step.iterations;
+    for (const auto& step : plain->steps()) iterations_before += step.iterations;
+    // Steps that iterate take shorter ways; explicit ones are cut.
+    CHECK((way == Way::explicit_steps ? cuts > 0 : iterations > iterations_before));
+    // Of 1e-6 m. Explicit steps of another size have another error, of second order.
+    CHECK(farthest_apart(*plain, *held) < (way == Way::explicit_steps ? 1e-10 : 1e-13));
+  }
+}
+
+TEST_CASE("a term with an unknown of its own is solved with the sheet: as if it had been eliminated") {
+  const std::vector<mechanics::Index> nodes = {8, 13, 18};
+  for (const Way way : {Way::statics, Way::implicit_steps}) {
+    const auto own = make_run(way, consent), eliminated = make_run(way, consent);
+    auto carriage = std::make_unique<Carriage>(nodes, 3e3, 2e3);
+    const Carriage& there = *carriage;
+    own->add(std::move(carriage));
+    eliminated->add(std::make_unique<Eliminated>(nodes, 3e3, 2e3));
+    own->solve();
+    eliminated->solve();
+    CHECK(there.place() > 1e-8);
+    CHECK(std::abs(there.place() - there.balanced_place()) < 1e-7 * there.place());
+    CHECK(farthest_apart(*own, *eliminated) < 1e-12);  // of 1e-6 m, to the tolerance of the steps
+    REQUIRE(own->steps().size() == eliminated->steps().size());
+    for (std::size_t i = 0; i < own->steps().size(); ++i)
+      CHECK(own->steps()[i].iterations <= eliminated->steps()[i].iterations + 1);
+    // The steps of a run that is taken up half way have the same bits.
+    const auto first = make_run(way, consent), second = make_run(way, consent);
+    for (const auto& run : {first, second}) run->add(std::make_unique<Carriage>(nodes, 3e3, 2e3));
+    first->advance(5e-5);
+    second->resume(first->kept());
+    first->solve();
+    second->solve();
+    CHECK(positions(*first) == positions(*second));
+  }
 }

@@ -32,7 +32,7 @@ double end_moment(const run::Run& a) {
   double sum = 0;
   for (const auto n : a.model().mesh().set("right")) {
     const Vec3 d = a.node(n).n;
-    const Vec3 f = Eigen::Map<const Vec3>(a.assembly().internal_on_d().data() + 3 * n);
+    const Vec3 f = Eigen::Map<const Vec3>(a.assembly().internal().on_d.data() + 3 * n);
     sum += d.cross(f).y();
   }
   return sum;

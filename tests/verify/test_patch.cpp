@@ -59,10 +59,10 @@ Patch run(const Field& field, const Mat3& turn, bool moments) {
   REQUIRE(a.forces({}));
   REQUIRE(a.tangent({}, K, {}, {}));
   const Vec3 normal = turn * Vec3::UnitZ();
-  std::vector<double> u(a.unknowns(), 0.0), r(a.unknowns(), 0.0);
+  std::vector<double> u(a.dofs().unknowns(), 0.0), r(a.dofs().unknowns(), 0.0);
   const auto& state = std::as_const(a).state();
   for (std::size_t n = 0; n < flat.size(); ++n) {
-    const auto& equation = a.freedoms().nodes[n].equation;
+    const auto& equation = a.dofs().freedoms().nodes[n].equation;
     const auto [move, tilt] = field(flat[n]);
     const Vec3 U = turn * move, D = turn * tilt;
     const auto& kinematics = state.committed_kinematics();
@@ -81,7 +81,7 @@ Patch run(const Field& field, const Mat3& turn, bool moments) {
     const auto& X = flat[n];
     const bool inner = X.x() > 1e-9 && X.x() < 1 - 1e-9 && X.y() > 1e-9 && X.y() < 1 - 1e-9;
     for (int i = 0; i < 5; ++i) {
-      const auto e = a.freedoms().nodes[n].equation[i];
+      const auto e = a.dofs().freedoms().nodes[n].equation[i];
       patch.energy += u[e] * r[e] / 2;
       largest = std::max(largest, std::abs(r[e]));
       if (inner && (i < 3 || moments)) patch.inside = std::max(patch.inside, std::abs(r[e]));

@@ -11,10 +11,9 @@
 #include "law/peaks.hpp"
 #include "mechanics/batch.hpp"
 #include "mechanics/element_rates.hpp"
+#include "mechanics/facets.hpp"
 #include "mechanics/geometry_store.hpp"
 #include "mechanics/law_states.hpp"
-#include "mechanics/stiffness.hpp"
-#include "mechanics/term.hpp"
 #include "model/model.hpp"
 #include "simd/aligned.hpp"
 
@@ -33,14 +32,13 @@ struct BendingEnergy {
   double stored = 0, lost = 0;  // J
 };
 
-class Cloth final : public Term {
+class Cloth final : public Term, public ElementTerm {
  public:
   // Errors: a degenerate element (named); warp without a direction. directors: of the nodes, unit.
   Cloth(const model::Model& model, const Configuration& configuration, const std::vector<Vec3>& directors);
   ~Cloth() override;
 
   const char* name() const override { return "cloth"; }
-  bool starts() const override { return true; }
   Outcome add_forces(const law::Step& step, const Trial& trial, Forces& forces) override;
   // Updates the law's states in place (see LawStates): for runs that compute the forces once in a step.
   void update_in_place();
@@ -53,20 +51,17 @@ class Cloth final : public Term {
   void rollback() override { states_.rollback(); }
   void keep(Archive& archive) override { states_.keep(archive); }
 
-  // Computes the elements' tangents into their slots, and the forces. law_only: only K_M, the law's part
-  // [williams2010, eq. 5.71]. before: of the configuration before the last step, its kinematics, if tangent
-  // and forces are to be those of the strains that the step predicted linearly [magisano2017].
   Outcome scatter_tangents(const law::Step& step, bool law_only, Stiffness& stiffness,
-                           const Stiffness::Target& to, std::span<const double> before = {});
-  void sum_forces(Forces& forces) const;  // of the last evaluation
+                           const Stiffness::Target& to, std::span<const double> before) override;
+  void sum_forces(Forces& forces) const override;
 
   // Lumped mass per node, kg; and its first moment about the reference surface, kg m.
-  const std::vector<double>& mass() const { return mass_; }
+  const std::vector<double>& mass() const override { return mass_; }
   const std::vector<double>& mass_moment() const { return mass_moment_; }
   // kg m^2 per node. The rotary inertia per mass of an element is t^2/12 + t^2 zeta_bar^2/4; if scaled, it is
   // at least so large that it permits the stable step of the waves in the plane of the cloth, after the idea
   // of [hughes1978].
-  const std::vector<double>& rotary_inertia(bool scaled) const { return bounds(scaled).rotary; }
+  const std::vector<double>& rotary_inertia(bool scaled) const override { return bounds(scaled).rotary; }
   // 1/s^2, per element: an upper bound of the squares of its frequencies in the reference configuration
   // (element_rates.hpp), with true or scaled rotary inertia.
   const std::vector<double>& highest_rates(bool scaled) const { return bounds(scaled).rates; }
@@ -89,8 +84,8 @@ class Cloth final : public Term {
   // --- reading
   Index elements() const { return static_cast<Index>(place_.size()); }
   const std::vector<std::array<Index, 4>>& mesh_elements() const { return model_.mesh().elements; }
-  std::span<const Batch> batches() const { return batches_; }
-  std::span<const BatchLane> places() const { return place_; }
+  std::span<const Batch> batches() const override { return batches_; }
+  std::span<const BatchLane> places() const override { return place_; }
   // Material strains and law states of one element: f(point weight in m^3, law, E[5], state*). In-plane point
   // by in-plane point, and for each through the thickness in the order of the section's points.
   using PointVisitor =

@@ -330,9 +330,10 @@ void Contacts::go_explicit() {
   begin_pressed();
 }
 
-void Contacts::go_implicit(double weight) {
-  implicit_ = true;
+void Contacts::set_weight(double weight) {
   weight_ = weight;
+  if (implicit_) return;
+  implicit_ = true;
   bodies_.go_implicit();
   soften(false);
   begin_pressed();

@@ -12,7 +12,7 @@
 #include "contact/advance.hpp"
 #include "contact/contact.hpp"
 #include "mechanics/dofs.hpp"
-#include "mechanics/term.hpp"
+#include "mechanics/facets.hpp"
 #include "mechanics/terms/bodies.hpp"
 #include "mechanics/terms/cloth.hpp"
 #include "model/model.hpp"
@@ -23,7 +23,7 @@ namespace fabricsh::mechanics {
 // carries times its square over the areal mass.
 inline constexpr double contact_step_of_cloth = 0.6, carried_stiffness = 0.2;
 
-class Contacts final : public Term {
+class Contacts final : public Term, public StepLimiter, public OwnUnknowns, public AtStepEnd {
  public:
   // Errors: sides that share nodes (see model::work_out_surfaces); an overlap at the start, with its pairs.
   Contacts(const model::Model& model, const Configuration& configuration, const Cloth& cloth,
@@ -53,42 +53,35 @@ class Contacts final : public Term {
     bodies_.move(scale);
   }
   bool at_target() const override { return share_ >= 1 || !moves_; }
-  // The share of the way from the marked positions to the trial ones without any surface passing another.
-  void mark(const Trial& trial);
-  double safe_share(const Trial& trial);
-  // The share of that way during which nothing moves farther than a few elements, relative to the mean
-  // motion.
-  double near_share(const Trial& trial);
 
-  // s: the latest end, up to `to`, of a step from the committed state for which the straight ways of the
-  // bodies stand for their paths: they leave them by no more than the smallest distance that contact allows,
-  // so that what a body passes over on its path it would also come that near to on its straight way.
-  double follows(double to) const;
+  // --- steps. Explicit ones have a check of their own, below.
+  bool limits() const override { return !explicit_; }
+  void mark(const Trial& trial) override;
+  double safe_share(const Trial& trial) override;  // without any surface passing another
+  // The share during which nothing moves farther than a few elements, relative to the mean motion.
+  double near_share(const Trial& trial) override;
+  // Until then the straight ways of the bodies stand for their paths: they leave them by no more than the
+  // smallest distance that contact allows, so that what a body passes over on its path it would also come
+  // that near to on its straight way.
+  double latest_end(double to) const override;
   bool turns_too_far() const;  // a body in the trial step
 
-  // --- implicit steps take the forces of contact at their end, while the cloth keeps its own rule
-  // [kane1999]: then contact cannot make energy, and what it takes is the energy "impact". The scheme's
-  // balance has these forces `weight` times, and so has the tangent.
-  void go_implicit(double weight);
-  double weight() const { return weight_; }
-  void set_weight(double weight) { weight_ = weight; }                            // from the next step on
-  std::span<const Vec3> push() const { return std::span(force_).first(nodes_); }  // N, on the nodes
-  // J, of these forces on the nodes that move freely, in the step.
-  double work_on_cloth() const;
+  // --- implicit steps take the forces of contact at their end, while the cloth keeps its own rule: then
+  // contact cannot make energy, and what it takes is the energy "impact". The tangent has their weight, too.
+  void set_weight(double weight) override;
+  bool acts() const override { return touching_now() > 0; }
+  std::span<const Vec3> push() const override { return std::span(force_).first(nodes_); }
+  double work_on_cloth() const override;
 
-  // --- implicit steps of free bodies: six unknowns each beside those of the cloth, the force on it at the
-  // step's end. All of the last tangent.
-  std::size_t body_unknowns() const { return bodies_.unknowns(); }
-  // What a change of unknown j does to the internal forces on the nodes, N, 3 per node. False: nothing.
-  bool body_push(std::size_t j, std::span<double> on_x) const;
-  // What a motion of the nodes, m, 3 per node, does to the forces on the bodies; and what changes of the
-  // unknowns do beside that, through where the bodies come to.
-  Eigen::VectorXd body_answer(std::span<const double> move) const;
-  Eigen::MatrixXd body_response() const;
-  Eigen::VectorXd body_residual() const;
-  void direct_bodies(std::span<const double> way) { bodies_.direct(way); }
-  double largest_body_force() const;  // N, on a free body, where bodies meet each other; else 0
-  double largest_body_residual() const { return bodies_.largest_residual(); }
+  // --- implicit steps of free bodies: six unknowns each, the force on it at the step's end
+  std::size_t own_unknowns() const override { return bodies_.unknowns(); }
+  bool own_push(std::size_t j, std::span<double> on_x) const override;
+  Eigen::VectorXd own_answer(std::span<const double> move) const override;
+  Eigen::MatrixXd own_response() const override;
+  Eigen::VectorXd own_residual() const override;
+  void direct(std::span<const double> way) override { bodies_.direct(way); }
+  double largest_own_force() const override;  // where bodies meet each other; else 0
+  double largest_own_residual() const override { return bodies_.largest_residual(); }
 
   // --- explicit steps
   void go_explicit();

@@ -46,13 +46,13 @@ void Contacts::add_on_body(const contact::FrictionTangent* friction) {
 }
 
 // Two bodies may meet where no cloth has any force.
-double Contacts::largest_body_force() const {
+double Contacts::largest_own_force() const {
   const auto& all = scene_.interactions();
   const bool meet = std::any_of(all.begin(), all.end(), [](const auto& it) { return it.rigid; });
   return meet ? bodies_.largest_force() : 0;
 }
 
-bool Contacts::body_push(std::size_t j, std::span<double> on_x) const {
+bool Contacts::own_push(std::size_t j, std::span<double> on_x) const {
   const auto body = static_cast<int>(j / 6);
   const Eigen::Matrix<double, 6, 1> moved = bodies_.compliance(j / 6).col(static_cast<Eigen::Index>(j % 6));
   std::fill(on_x.begin(), on_x.end(), 0.0);
@@ -69,7 +69,7 @@ bool Contacts::body_push(std::size_t j, std::span<double> on_x) const {
   return any;
 }
 
-Eigen::VectorXd Contacts::body_answer(std::span<const double> move) const {
+Eigen::VectorXd Contacts::own_answer(std::span<const double> move) const {
   Eigen::VectorXd out = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(bodies_.unknowns()));
   for (const OnBody& part : on_bodies_) {
     contact::Vector12 x = contact::Vector12::Zero();
@@ -83,7 +83,7 @@ Eigen::VectorXd Contacts::body_answer(std::span<const double> move) const {
 }
 
 // Bodies that meet answer each other; the parts of one pair stand beside each other.
-Eigen::MatrixXd Contacts::body_response() const {
+Eigen::MatrixXd Contacts::own_response() const {
   const auto m = static_cast<Eigen::Index>(bodies_.unknowns());
   Eigen::MatrixXd out = Eigen::MatrixXd::Zero(m, m);
   const auto add = [&](const OnBody& part, const OnBody& other) {
@@ -102,7 +102,7 @@ Eigen::MatrixXd Contacts::body_response() const {
 }
 
 // Includes the part of the bodies' motion that the iterate has not made yet.
-Eigen::VectorXd Contacts::body_residual() const {
+Eigen::VectorXd Contacts::own_residual() const {
   Eigen::VectorXd out = bodies_.residual();
   if (share_ >= 1) return out;
   const auto from = bodies_.committed(), to = bodies_.target();

@@ -62,7 +62,7 @@ bool Contacts::driven_meet() {
   return *met_;
 }
 
-double Contacts::follows(double to) const {
+double Contacts::latest_end(double to) const {
   const double from = configuration_.time();
   if (!moves_ || !(to > from)) return to;
   BoundingBox cloth{at(configuration_.x(), 0), at(configuration_.x(), 0)};

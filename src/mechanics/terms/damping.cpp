@@ -4,13 +4,14 @@
 #include <cmath>
 
 #include "mechanics/assembly.hpp"
+#include "mechanics/terms/cloth.hpp"
 
 namespace fabricsh::mechanics {
 
 // --- stiffness
 
 Outcome StiffnessDamping::begin_step(const Motion& motion) {
-  product_.resize(static_cast<std::size_t>(assembly_.unknowns()));
+  product_.resize(static_cast<std::size_t>(assembly_.dofs().unknowns()));
   if (assembly_.material_tangent(K_, motion.driven_rates(), product_)) return {};
   return assembly_.outcome();
 }
@@ -46,7 +47,7 @@ Stabilisation::Stabilisation(const Assembly& assembly, double fraction)
 
 void Stabilisation::list_freedoms() {
   freedoms_.clear();
-  const auto& nodes = assembly_.freedoms().nodes;
+  const auto& nodes = assembly_.dofs().freedoms().nodes;
   for (std::size_t n = 0; n < nodes.size(); ++n)
     for (int c = 0; c < 3; ++c) {
       const auto eq = nodes[n].equation[c];
@@ -64,12 +65,12 @@ double Stabilisation::moved(const Freedom& f) const {
   const auto x = state.x(), x0 = state.committed_kinematics();
   const Vec3 u(x[3 * f.node] - x0[3 * f.node], x[3 * f.node + 1] - x0[3 * f.node + 1],
                x[3 * f.node + 2] - x0[3 * f.node + 2]);
-  return assembly_.freedoms().nodes[f.node].frame.row(f.component).dot(u);
+  return assembly_.dofs().freedoms().nodes[f.node].frame.row(f.component).dot(u);
 }
 
 void Stabilisation::resist(const Trial& trial, std::span<double> r) {
   const double dt = length_of(*trial.motion);
-  for (const auto& f : freedoms_) r[f.equation] -= factor_ * assembly_.nodal_mass()[f.node] * moved(f) / dt;
+  for (const auto& f : freedoms_) r[f.equation] -= factor_ * assembly_.cloth().mass()[f.node] * moved(f) / dt;
 }
 
 void Stabilisation::add_resistance(const Trial& trial, linear::Matrix& K) {
@@ -77,14 +78,14 @@ void Stabilisation::add_resistance(const Trial& trial, linear::Matrix& K) {
   if (!(factor_ > 0)) {
     double stiffness = 0, mass = 0;
     for (const auto& f : freedoms_) {
-      if (assembly_.joints().leads(f.node))
+      if (assembly_.dofs().joints().leads(f.node))
         stiffness += std::abs(K.value[K.pattern->slot(f.equation, f.equation)]);
-      mass += assembly_.nodal_mass()[f.node];
+      mass += assembly_.cloth().mass()[f.node];
     }
     if (mass > 0) factor_ = fraction_ * stiffness / mass * dt;
   }
   for (const auto& f : freedoms_)
-    K.add(f.equation, f.equation, factor_ * assembly_.nodal_mass()[f.node] / dt);
+    K.add(f.equation, f.equation, factor_ * assembly_.cloth().mass()[f.node] / dt);
 }
 
 void Stabilisation::add_energies(const Trial&, std::vector<Energy>& out) const {
@@ -93,7 +94,7 @@ void Stabilisation::add_energies(const Trial&, std::vector<Energy>& out) const {
 
 double Stabilisation::work(const Motion& motion) const {
   double sum = 0;
-  for (const auto& f : freedoms_) sum += assembly_.nodal_mass()[f.node] * moved(f) * moved(f);
+  for (const auto& f : freedoms_) sum += assembly_.cloth().mass()[f.node] * moved(f) * moved(f);
   return factor_ * sum / length_of(motion);
 }
 

@@ -1,7 +1,7 @@
 // Damping forces on the unknowns: Rayleigh's stiffness part, and stabilisation of a sheet that wrinkles.
 #pragma once
 #include "linear/matrix.hpp"
-#include "mechanics/term.hpp"
+#include "mechanics/facets.hpp"
 
 namespace fabricsh::mechanics {
 
@@ -9,7 +9,7 @@ class Assembly;
 
 // Forces b K_M v, where K_M is the law's part of the tangent at the beginning of the step [williams2010, eq.
 // 5.71, Box 5-2]. Energies: "stiffness damping", lost so far.
-class StiffnessDamping final : public Term {
+class StiffnessDamping final : public Term, public OnMotion {
  public:
   StiffnessDamping(Assembly& assembly, double b) : assembly_(assembly), b_(b) {}  // b: s
   const char* name() const override { return "stiffness damping"; }
@@ -33,7 +33,7 @@ class StiffnessDamping final : public Term {
 // Viscous forces c m (x - x0) / dt on every free displacement, in a step of dt from x0; m is the node's mass.
 // c (1/s) is adapted so that a step dissipates a given fraction of its work. Energies: "stabilisation", lost
 // so far.
-class Stabilisation final : public Term {
+class Stabilisation final : public Term, public OnMotion {
  public:
   Stabilisation(const Assembly& assembly, double fraction);
   const char* name() const override { return "stabilisation"; }

@@ -559,6 +559,11 @@ bool Directors::sound(Index element, const Vec3& mean, const Configuration& conf
   return normal.dot(mean) > 0 && std::any_of(nodes.begin(), nodes.end(), upright);
 }
 
+Directors::Overturned Directors::overturned(const Configuration& configuration) const {
+  const std::vector<Index> turned = turned_over(configuration);
+  return {cloth_.inverted_element(turned), turned.empty() ? -1 : turned.front()};
+}
+
 std::vector<Index> Directors::turned_over(const Configuration& configuration) const {
   std::vector<Index> turned;
   if (model_.membrane()) return turned;

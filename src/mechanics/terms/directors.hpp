@@ -44,11 +44,15 @@ class Directors final : public Term {
   void commit() override;
   void keep(Archive& archive) override;
 
-  // The nodes, ascending, whose director is on the wrong side of the sheet while the elements about them are
-  // sound: their normals are on one side.
-  std::vector<Index> turned_over(const Configuration& configuration) const;
+  // The first element that is turned inside out, and the first node whose director is turned over, more than
+  // 90 degrees from the normal of sound elements, whose normals are on one side. -1: none.
+  struct Overturned {
+    Index inverted = -1, turned = -1;
+  };
+  Overturned overturned(const Configuration& configuration) const;
 
  private:
+  std::vector<Index> turned_over(const Configuration& configuration) const;  // nodes, ascending
   // An edge, and the direction across it: sum of weights times positions, from the edge into the element.
   struct Ridge {
     std::array<Index, 4> nodes;  // of the element

@@ -1,17 +1,17 @@
 // The terms that are multiples of the mass: inertia, and Rayleigh's first part of damping.
 #pragma once
-#include "mechanics/term.hpp"
+#include "mechanics/facets.hpp"
 
 namespace fabricsh::mechanics {
 
 // Forces M a. Energies: "kinetic", of the trial state.
-class Inertia final : public Term {
+class Inertia final : public Term, public OnMotion {
  public:
   // kg, kg m^2 per node; kept by reference.
   Inertia(const std::vector<double>& mass, const std::vector<double>& rotary)
       : mass_(mass), rotary_(rotary) {}
   const char* name() const override { return "inertia"; }
-  OnMass on_mass() const override { return {1, 0}; }
+  MassFactors on_mass() const override { return {1, 0}; }
   void add_energies(const Trial& trial, std::vector<Energy>& out) const override;
   const std::vector<double>& mass() const { return mass_; }
   const std::vector<double>& rotary() const { return rotary_; }
@@ -21,11 +21,11 @@ class Inertia final : public Term {
 };
 
 // Forces a M v. Energies: "mass damping", lost so far.
-class MassDamping final : public Term {
+class MassDamping final : public Term, public OnMotion {
  public:
   explicit MassDamping(double rate) : rate_(rate) {}  // a: 1/s
   const char* name() const override { return "mass damping"; }
-  OnMass on_mass() const override { return {0, rate_}; }
+  MassFactors on_mass() const override { return {0, rate_}; }
   void add_energies(const Trial&, std::vector<Energy>& out) const override;
   void finish_step(const Motion& motion) override { lost_ += motion.work_of_velocity(rate_); }
   void keep(Archive& archive) override { archive(lost_); }

@@ -3,14 +3,14 @@
 #pragma once
 #include <vector>
 
+#include "mechanics/facets.hpp"
 #include "mechanics/mesh_tools.hpp"
-#include "mechanics/term.hpp"
 #include "model/model.hpp"
 
 namespace fabricsh::mechanics {
 
 // Weight on the nodes; also on their directors if the reference surface is not the middle surface.
-class Gravity final : public Term {
+class Gravity final : public Term, public FollowerLoad {
  public:
   // mass: kg per node; mass_moment: its first moment about the reference surface, kg m.
   Gravity(const model::Model& model, const std::vector<double>& mass, const std::vector<double>& mass_moment);
@@ -55,7 +55,7 @@ class DeadLoads final : public Term {
 
 // Pressure along the normal of the present surface: f_A = p sum_g N_A a1 x a2. Its stiffness is not
 // symmetric.
-class Pressure final : public Term {
+class Pressure final : public Term, public FollowerLoad {
  public:
   explicit Pressure(const model::Model& model);
   const char* name() const override { return "pressure"; }
@@ -77,7 +77,7 @@ class Pressure final : public Term {
 };
 
 // Moments about axes fixed in space: the work M . (d x delta d) gives M x d on a director. Not symmetric.
-class Moments final : public Term {
+class Moments final : public Term, public FollowerLoad {
  public:
   explicit Moments(const model::Model& model);
   const char* name() const override { return "moments"; }

@@ -1,4 +1,4 @@
-#include "run/failure.hpp"
+#include "run/diagnosis.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -7,6 +7,8 @@
 
 #include "base/number.hpp"
 #include "geometry/node_view.hpp"
+#include "mechanics/terms/cloth.hpp"
+#include "mechanics/terms/directors.hpp"
 
 namespace fabricsh::run {
 
@@ -35,7 +37,7 @@ double stiffness_ratio(const law::Law& law, const double* E, const double* state
 
 std::vector<PointLook> look(const mechanics::Assembly& assembly, mesh::Index element, bool with_ratio) {
   std::vector<PointLook> all;
-  assembly.visit(element, [&](double, const law::Law& law, const double* E, const double* state) {
+  assembly.cloth().visit(element, [&](double, const law::Law& law, const double* E, const double* state) {
     PointLook p;
     p.internal = law::internal(law, E, state);
     std::copy(E, E + 5, p.E);
@@ -105,7 +107,7 @@ void name_element(const std::vector<mesh::Index>& about, const Looks& before, co
 
 Looks look_at_all(const mechanics::Assembly& assembly) {
   Looks all;
-  for (mesh::Index e = 0; e < assembly.elements(); ++e) all.push_back(look(assembly, e, false));
+  for (mesh::Index e = 0; e < assembly.cloth().elements(); ++e) all.push_back(look(assembly, e, false));
   return all;
 }
 
@@ -122,6 +124,8 @@ void count(const Looks& before, const Looks& now, ResidualSite& site) {
 
 }  // namespace
 
+namespace {
+
 ResidualSite find_residual_site(mechanics::Assembly& assembly, const mesh::Mesh& mesh,
                                 const solver::NewtonResult& last) {
   ResidualSite site;
@@ -133,12 +137,12 @@ ResidualSite find_residual_site(mechanics::Assembly& assembly, const mesh::Mesh&
   if (no_forces && assembly.outcome().element >= 0) {
     about = {assembly.outcome().element};
   } else if (last.worst >= 0) {
-    site.node = assembly.node_of_unknown(last.worst);
-    site.rotation = assembly.turns(last.worst);
+    site.node = assembly.dofs().node_of(last.worst);
+    site.rotation = assembly.dofs().turns(last.worst);
     site.x = at(x, site.node);
     about = elements_about(mesh, site.node);
   }
-  const auto shape = assembly.shape();
+  const auto shape = assembly.find<mechanics::Directors>()->overturned(std::as_const(assembly).state());
   site.inverted = shape.inverted;
   site.turned = shape.turned;
   const Looks now = look_at_all(assembly);
@@ -147,59 +151,38 @@ ResidualSite find_residual_site(mechanics::Assembly& assembly, const mesh::Mesh&
   name_element(about, before, now, site);
   count(before, now, site);
   if (site.element >= 0) {
-    site.centre = assembly.centre(site.element);
+    site.centre = assembly.cloth().centre(site.element);
     for (const auto& p : look(assembly, site.element, true))
       site.stiffness_ratio = std::max(site.stiffness_ratio, p.ratio);
   }
   return site;
 }
 
-std::string cause(const ResidualSite& site, const solver::NewtonResult& last) {
-  return site.reason.empty() ? solver::describe(last.status) : site.reason;
+double farthest_move(const mechanics::Assembly& assembly, double from, double to) {
+  double farthest = 0;
+  const auto& motions = assembly.dofs().freedoms().motions;
+  const auto before = assembly.dofs().targets(from), after = assembly.dofs().targets(to);
+  for (std::size_t i = 0; i < motions.size(); ++i)
+    if (motions[i].component < 3) farthest = std::max(farthest, std::abs(after[i] - before[i]));
+  return farthest;
 }
 
-Failure failure_of(const model::Model& model, const mechanics::Assembly& assembly, double time,
-                   std::vector<Try> tries, const ResidualSite& site, const solver::NewtonResult& last) {
-  Failure failure;
-  failure.time = time;
-  failure.moved = farthest_move(assembly, time, time + (tries.empty() ? 0 : tries.front().step));
-  failure.tries = std::move(tries);
-  failure.site = site;
-  failure.negative_pivots = last.negative_pivots;
-  failure.size = assembly.smallest_size();
-  if (const auto* woven = std::get_if<card::Woven>(&model.card_of(site.element).law))
-    failure.tested = woven->tested;
-  failure.turned_back = last.status == solver::NewtonStatus::turned_back;
-  failure.broken = last.status == solver::NewtonStatus::broken;
-  return failure;
+}  // namespace
+
+bool Diagnosis::take(const solver::NewtonResult& result, double step, mechanics::Assembly& assembly,
+                     const mesh::Mesh& mesh) {
+  last = result;
+  if (last.status == solver::NewtonStatus::converged) return true;
+  site = find_residual_site(assembly, mesh, last);
+  tries.push_back({step, last.status, last.residuals, site.reason});
+  return false;
 }
 
-std::string jumping(const Failure& failure) {
-  if (failure.jump.motions.empty()) return "loads";
-  return failure.jump.loads.empty() ? "motion" : "loads and motions";
-}
-
-std::string headline(const Failure& failure, const solver::NewtonResult& last, double step) {
-  const std::string from = failure.broken ? "stopped at time " : "no step beyond time ";
-  return from + number(failure.time) + " s: " + cause(failure.site, last) + " in a step of " + number(step) +
-         " s" + (failure.jumps ? ", the first one, with all of the " + jumping(failure) + " of time 0" : "");
-}
-
-std::string message(const Failure& failure, const solver::NewtonResult& last, double step, double largest,
-                    int cuts, double tolerance) {
-  return headline(failure, last, step) + " (the largest is " + number(largest) + " s; " +
-         std::to_string(cuts) + " tries)" + describe(failure.site, last, tolerance) +
-         ".\nTry: " + advice(failure).front() + ".";
-}
-
-std::string describe(const ResidualSite& site, const solver::NewtonResult& last, double tolerance) {
-  std::string text;
-  if (site.node >= 0 && !last.residuals.empty())
-    text += "; the residual " + number(last.residuals.back()) + " (tolerance " + number(tolerance) +
-            ") sits at node " + std::to_string(site.node + 1);
-  if (site.element >= 0) text += ", element " + std::to_string(site.element + 1);
-  if (!site.yarn.empty()) text += ", where the " + site.yarn + " is switching between branches";
-  return text;
+void Diagnosis::complete(const model::Model& model, const mechanics::Assembly& assembly, double committed) {
+  time = committed;
+  moved = farthest_move(assembly, time, time + (tries.empty() ? 0 : tries.front().step));
+  size = assembly.cloth().smallest_size();
+  if (const auto* woven = std::get_if<card::Woven>(&model.card_of(site.element).law)) tested = woven->tested;
 }
 
 }  // namespace fabricsh::run

@@ -5,7 +5,7 @@
 
 #include "base/number.hpp"
 #include "mechanics/terms/contact.hpp"
-#include "run/failure.hpp"
+#include "run/diagnosis.hpp"
 #include "run/place_text.hpp"
 
 namespace fabricsh::run {
@@ -74,13 +74,13 @@ std::string tested_text(double strain, double tested) {
   return tested > 0 && std::abs(strain) > tested ? " (tested to " + number(tested) + ")" : "";
 }
 
-double beyond(const Failure& f) {
+double beyond(const Diagnosis& f) {
   const auto ratio = [](double strain, double tested) { return tested > 0 ? strain / tested : 0; };
   return std::max({ratio(f.site.E11, f.tested.warp), ratio(f.site.E22, f.tested.weft),
                    ratio(std::abs(f.site.E12), f.tested.shear)});
 }
 
-std::string switch_text(const Failure& f) {
+std::string switch_text(const Diagnosis& f) {
   std::string text;
   const auto add = [&](const char* yarn, law::LoadBranch before, law::LoadBranch after) {
     text += (text.empty() ? "" : ", ") + std::string(yarn) + " " + branch_word(before);
@@ -92,7 +92,7 @@ std::string switch_text(const Failure& f) {
   return text;
 }
 
-void advise_on_mechanism(const Failure& f, std::vector<std::string>& all) {
+void advise_on_mechanism(const Diagnosis& f, std::vector<std::string>& all) {
   const auto& m = f.mechanism;
   if (m.ways > 1) {  // no single support can prevent them all
     all.push_back("supports that leave no part free (they leave the sheet free to " + m.words + "), " +
@@ -114,19 +114,19 @@ void advise_on_mechanism(const Failure& f, std::vector<std::string>& all) {
                 (m.driven ? ", and the loads drive it" : ""));
 }
 
-bool ends_singular(const Failure& f) {
+bool ends_singular(const Diagnosis& f) {
   return !f.tries.empty() && f.tries.back().status == solver::NewtonStatus::singular && !f.dynamic;
 }
 
-void advise_on_tangent(const Failure& f, std::vector<std::string>& all) {
+void advise_on_tangent(const Diagnosis& f, std::vector<std::string>& all) {
   const bool named = f.mechanism.ways == 1 && !f.mechanism.driven;  // otherwise it has advice of its own
-  const std::string pivots = std::to_string(f.negative_pivots) + " negative pivots";
+  const std::string pivots = std::to_string(f.last.negative_pivots) + " negative pivots";
   if (ends_singular(f))
     all.push_back("supports that leave no part free to move, fix(\"all\", \"z\") for a flat sheet; or " +
                   std::string(f.bends && !f.relaxed ? "method=\"relaxation\"" : "stabilise=true") +
                   " (the tangent is singular" +
                   (named ? ": the supports leave the sheet free to " + f.mechanism.words : "") + ")");
-  if (f.negative_pivots > 0 && !f.arc && !f.dynamic)
+  if (f.last.negative_pivots > 0 && !f.arc && !f.dynamic)
     all.push_back(std::string(f.bends && !f.relaxed
                                   ? "method=\"relaxation\" for folds, wrinkles and snaps"
                                   : "stabilise=true or fabric.dynamic for wrinkles and snaps") +
@@ -140,7 +140,7 @@ void advise_on_tangent(const Failure& f, std::vector<std::string>& all) {
                   std::to_string(f.site.turned + 1) + " is turned over, the elements about it are sound)");
 }
 
-void advise_on_iterations(const Failure& f, std::vector<std::string>& all) {
+void advise_on_iterations(const Diagnosis& f, std::vector<std::string>& all) {
   const Try& last = f.tries.back();
   const double residual = last.residuals.empty() ? 1 : last.residuals.back();
   const Course course = course_of(last.residuals);
@@ -166,7 +166,7 @@ void advise_on_iterations(const Failure& f, std::vector<std::string>& all) {
     all.push_back("a smaller step, and a check of the units of loads and motions (a strain is not finite)");
 }
 
-void advise_on_cloth(const Failure& f, std::vector<std::string>& all) {
+void advise_on_cloth(const Diagnosis& f, std::vector<std::string>& all) {
   if (beyond(f) > kBeyond)
     all.push_back("a check of the card, card:check(), and of the units of the stroke (strained " +
                   number(beyond(f)) + " times as far as it was tested)");
@@ -181,20 +181,42 @@ void advise_on_cloth(const Failure& f, std::vector<std::string>& all) {
                   std::to_string(f.site.elements) + " elements are slack both ways)");
 }
 
-}  // namespace
-
-double farthest_move(const mechanics::Assembly& assembly, double from, double to) {
-  double farthest = 0;
-  const auto& motions = assembly.freedoms().motions;
-  const auto before = assembly.targets(from), after = assembly.targets(to);
-  for (std::size_t i = 0; i < motions.size(); ++i)
-    if (motions[i].component < 3) farthest = std::max(farthest, std::abs(after[i] - before[i]));
-  return farthest;
+// What is at full value at time 0, if anything: "loads", "motion" or "loads and motions".
+std::string jumping(const Jumps& jump) {
+  if (jump.motions.empty()) return "loads";
+  return jump.loads.empty() ? "motion" : "loads and motions";
 }
 
-std::vector<std::string> advice(const Failure& f) {
+// "; the residual 0.1 (tolerance 1e-10) sits at node 3, element 2, where the warp is switching"
+std::string place_of(const Diagnosis& f, double tolerance) {
+  std::string text;
+  if (f.site.node >= 0 && !f.last.residuals.empty())
+    text += "; the residual " + number(f.last.residuals.back()) + " (tolerance " + number(tolerance) +
+            ") sits at node " + std::to_string(f.site.node + 1);
+  if (f.site.element >= 0) text += ", element " + std::to_string(f.site.element + 1);
+  if (!f.site.yarn.empty()) text += ", where the " + f.site.yarn + " is switching between branches";
+  return text;
+}
+
+// "no step beyond time 0.1 s"; or, if the forces cannot be computed with any step, "stopped at time 0.1 s".
+std::string ends(const Diagnosis& f) {
+  return (f.broken() ? "stopped at time " : "no step beyond time ") + number(f.time) + " s";
+}
+
+}  // namespace
+
+std::string Diagnosis::message(double step, double largest, int cuts, double tolerance) const {
+  return ends(*this) + ": " + (site.reason.empty() ? solver::describe(last.status) : site.reason) +
+         " in a step of " + number(step) + " s" +
+         (jumps ? ", the first one, with all of the " + jumping(jump) + " of time 0" : "") +
+         " (the largest is " + number(largest) + " s; " + std::to_string(cuts) + " tries)" +
+         place_of(*this, tolerance) + ".\nTry: " + advice().front() + ".";
+}
+
+std::vector<std::string> Diagnosis::advice() const {
+  const Diagnosis& f = *this;
   std::vector<std::string> all;
-  if (f.broken) return {"a new run after correcting what the message names: a smaller step does not help"};
+  if (f.broken()) return {"a new run after correcting what the message names: a smaller step does not help"};
   // What moves freely moves under a small load too.
   const bool free = f.mechanism.driven || ends_singular(f);
   if (f.mechanism.driven) advise_on_mechanism(f, all);
@@ -209,7 +231,7 @@ std::vector<std::string> advice(const Failure& f) {
                   " (all of them are there at time 0, and a shorter step has no less of them)");
     if (!free) return all;  // what else was seen is of the jump
   }
-  if (f.turned_back)
+  if (f.last.status == solver::NewtonStatus::turned_back)
     all.push_back(
         "a history that begins below the lowest load of the path (table{ {0, -1}, {2, 1} }), or a smaller "
         "step, so that the path is not followed backwards");
@@ -225,8 +247,9 @@ std::vector<std::string> advice(const Failure& f) {
   return all;
 }
 
-std::string report(const Failure& f) {
-  std::string text = (f.broken ? "stopped at time " : "no step beyond time ") + number(f.time) + " s\n";
+std::string Diagnosis::report() const {
+  const Diagnosis& f = *this;
+  std::string text = ends(f) + "\n";
   const std::size_t from = f.tries.size() > kShown ? f.tries.size() - kShown : 0;
   if (from > 0) text += "tried      " + std::to_string(from) + " larger steps\n";
   for (std::size_t i = from; i < f.tries.size(); ++i) text += "tried      " + try_text(f.tries[i]) + "\n";
@@ -252,13 +275,13 @@ std::string report(const Failure& f) {
     text +=
         "stiffness  the stiffest direction of the element over the softest: " + number(b.stiffness_ratio) +
         "\n";
-  for (const std::string& a : advice(f)) text += "try        " + a + "\n";
+  for (const std::string& a : advice()) text += "try        " + a + "\n";
   text.pop_back();
   return text;
 }
 
 std::string touching_text(const mechanics::Assembly& assembly) {
-  const mechanics::Contacts* contact = assembly.contact();
+  const mechanics::Contacts* contact = assembly.find<mechanics::Contacts>();
   if (contact == nullptr) return {};
   const auto nearest = contact->nearest();
   const std::size_t pairs = contact->touching();

@@ -1,0 +1,109 @@
+// What some terms have beyond forces, tangent and energies. A term has a facet by deriving from it beside
+// Term; the assembly finds the facets when the term is added.
+#pragma once
+#include <Eigen/Core>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "mechanics/stiffness.hpp"
+#include "mechanics/term.hpp"
+
+namespace fabricsh::mechanics {
+
+// Made of the elements of the mesh: carries its mass, and writes its tangent into the matrix itself, element
+// by element in parallel. Its forces are assigned, not added, so that it is the first term.
+class ElementTerm {
+ public:
+  virtual ~ElementTerm() = default;
+  virtual std::span<const Batch> batches() const = 0;
+  virtual std::span<const BatchLane> places() const = 0;  // per element
+  // Lumped mass per node, kg; and rotary inertia per node, kg m^2, true or scaled.
+  virtual const std::vector<double>& mass() const = 0;
+  virtual const std::vector<double>& rotary_inertia(bool scaled) const = 0;
+  // Computes the elements' tangents into their slots, and the forces. law_only: only K_M, the law's part
+  // [williams2010, eq. 5.71]. before: of the configuration before the last step, its kinematics, if tangent
+  // and forces are to be those of the strains that the step predicted linearly [magisano2017].
+  virtual Outcome scatter_tangents(const law::Step& step, bool law_only, Stiffness& stiffness,
+                                   const Stiffness::Target& to, std::span<const double> before) = 0;
+  virtual void sum_forces(Forces& forces) const = 0;  // of the last evaluation
+};
+
+// Loads that follow the configuration. They are contained in the internal forces, with the opposite sign;
+// add_follower() gives them at a given time for computing their work.
+class FollowerLoad {
+ public:
+  virtual ~FollowerLoad() = default;
+  virtual bool follows_positions() const { return false; }
+  virtual bool follows_directors() const { return false; }
+  virtual void add_follower(double time, const Trial&, std::span<double> on_x,
+                            std::span<double> on_d) const = 0;
+  // Moments about axes fixed in space, N m per node. Their part about the director has an effect only on a
+  // rigid set. Null: none.
+  virtual const std::vector<Vec3>* moments() const { return nullptr; }
+};
+
+// Forces that depend on the motion of a step. They are not part of the internal forces: support forces and
+// the work of loads and supports do not include them.
+class OnMotion {
+ public:
+  virtual ~OnMotion() = default;
+  virtual MassFactors on_mass() const { return {}; }
+  // Called at the beginning of a step, when the trial configuration is the committed one.
+  virtual Outcome begin_step(const Motion&) { return {}; }
+  // Subtracts forces on the unknowns, N and N m, from the residual r; and adds their derivative to K, with
+  // the weight that the time scheme gives it. trial.motion is never null.
+  virtual void resist(const Trial&, std::span<double> /*r*/) {}
+  virtual void add_resistance(const Trial&, linear::Matrix& /*K*/) {}
+  // Called before the trial state is committed: adds what the step has done to the term's accounts.
+  virtual void finish_step(const Motion&) {}
+};
+
+// Forces that an implicit step takes at its end alone, `weight` times, whatever rule the scheme has for
+// others [kane1999]: forces that come and go within a step then make no energy.
+class AtStepEnd {
+ public:
+  virtual ~AtStepEnd() = default;
+  virtual void set_weight(double weight) = 0;      // of the steps from the next one on, which are implicit
+  virtual bool acts() const = 0;                   // in the trial state
+  virtual std::span<const Vec3> push() const = 0;  // N, on the nodes
+  virtual double work_on_cloth() const = 0;        // J, on the nodes that move freely, in the step
+};
+
+// Says how far a step may go. The way from the marked positions to the trial ones is straight for the nodes.
+class StepLimiter {
+ public:
+  virtual ~StepLimiter() = default;
+  virtual bool limits() const { return true; }  // whether it can ask for less than a whole step
+  virtual void mark(const Trial&) = 0;          // the trial configuration, where a step begins
+  // The fraction of the way that can be judged at once; of a longer one only the beginning is looked at.
+  virtual double near_share(const Trial&) { return 1; }
+  // The fraction, 0 to 1, of the way that is safe. It is asked again at the end of that fraction, and has to
+  // answer 1 there. 0: the step must be cut.
+  virtual double safe_share(const Trial&) = 0;
+  // s: the latest end, up to `to`, of a step from the committed state.
+  virtual double latest_end(double to) const { return to; }
+};
+
+// Moves something of its own in a step that iterates: by fractions of prescribed ways, measured from the
+// iterate; and by unknowns w beside those of the matrix. All numbers about unknowns are of the last tangent.
+class OwnUnknowns {
+ public:
+  virtual ~OwnUnknowns() = default;
+  virtual void begin_iterate() {}
+  virtual void move(double scale) = 0;             // by a fraction of the solver's step
+  virtual bool at_target() const { return true; }  // whether prescribed ways are at their ends
+  virtual std::size_t own_unknowns() const { return 0; }
+  // What a change of unknown j does to the internal forces on the nodes, N, 3 per node. False: nothing.
+  virtual bool own_push(std::size_t /*j*/, std::span<double> /*on_x*/) const { return false; }
+  // The unknowns' equations: w = own_residual + own_answer(motion of the nodes, m, 3 per node) +
+  // own_response w.
+  virtual Eigen::VectorXd own_residual() const { return {}; }
+  virtual Eigen::VectorXd own_answer(std::span<const double> /*move*/) const { return {}; }
+  virtual Eigen::MatrixXd own_response() const { return {}; }
+  virtual void direct(std::span<const double> /*way*/) {}    // of the next move, for the unknowns
+  virtual double largest_own_residual() const { return 0; }  // N
+  virtual double largest_own_force() const { return 0; }     // N, with which residuals are compared
+};
+
+}  // namespace fabricsh::mechanics

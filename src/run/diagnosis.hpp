@@ -1,0 +1,125 @@
+// What is wrong with a run, in words. Before it: loads that begin with a jump or move nothing, unrealistic
+// bending, supports that leave a mechanism. During it: strain beyond the tested range. Where a step fails:
+// why, where, which yarn, the course of the iterations, and what to try.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "law/law.hpp"
+#include "mechanics/assembly.hpp"
+#include "model/model.hpp"
+#include "run/values.hpp"
+#include "solver/newton.hpp"
+
+namespace fabricsh::run {
+
+// --- before and during a run (foresight.cpp)
+
+// "the warp of element 12 is strained to E11 = 0.31, the card was tested to 0.26"
+std::string beyond_text(const Beyond& beyond);
+
+// A load or a motion of a support that is at full value at time 0, or directly after it.
+struct Jump {
+  std::string words;  // "gravity (z = -9.81 m/s^2)"
+  double value = 0;
+};
+struct Jumps {
+  std::vector<Jump> loads, motions;
+  bool any() const { return !loads.empty() || !motions.empty(); }
+};
+Jumps find_jumps(const model::Model& model, double duration);
+// The rigid bodies that their motion has moved at time 0 already; or empty.
+std::string moved_bodies_text(const model::Model& model);
+// The loads among them, and how to ramp each over the run; or empty.
+std::string warning_text(const Jumps& jumps, double duration);
+// All of them, "gravity (z = -9.81 m/s^2) and the motion of 'top' (z = 0.01 m) are".
+std::string full_text(const Jumps& jumps);
+
+// One line for each component of a force or traction that supports take up, because they fix or move its
+// nodes along it: at more than half of the nodes of edges and points, as at the end of an edge that is usual;
+// at all nodes of a set with whole elements, whose rim is often held.
+// Loads that are zero throughout are not named. duration: of the run, s.
+std::vector<std::string> idle_loads(const model::Model& model, const mechanics::Assembly& assembly,
+                                    double duration);
+
+// How far the bending rigidity of the model's cards is from that of cloth; or empty. Given only if some node
+// can leave the surface, because a flat sheet held in its plane does not bend.
+std::string bending_warning(const model::Model& model, const mechanics::Assembly& assembly);
+
+// The rigid motions of the sheet that its supports and springs permit.
+struct Mechanism {
+  std::string words;    // "turn about the line through (0, 0.1, 0) m along (1, 0, 0)"; empty: none
+  int ways = 0;         // number of independent motions
+  bool driven = false;  // whether the loads at any of the times do work on it
+  // A small support against the mechanism: N/m along a global axis (0 x to 2 z), in total. Under the full
+  // load it yields by half the size of the sheet.
+  double stiffness = 0;
+  int axis = 2;
+};
+// times: the times whose loads are considered.
+Mechanism find_mechanism(const model::Model& model, const mechanics::Assembly& assembly,
+                         const std::vector<double>& times);
+
+// --- a step that failed (diagnosis.cpp, diagnosis_words.cpp)
+
+// A line about contact for why(); empty without contact.
+std::string touching_text(const mechanics::Assembly& assembly);
+
+// The cause of the residual in a failed attempt; to be determined before the state is rolled back.
+struct ResidualSite {
+  mesh::Index node = -1, element = -1;
+  std::string yarn;       // "warp", "weft" or "shear" if its branch changes within the step; or empty
+  bool rotation = false;  // of the node's director, not a displacement
+  Vec3 x = Vec3::Zero(), centre = Vec3::Zero();  // m, of the node and the element in the failed iterate
+  // At the switching point of the element, or else at the one with the largest strain, in the failed iterate:
+  double E11 = 0, E22 = 0, E12 = 0;  // tensor
+  law::Internal before, after;       // at the beginning of the step, in the iterate
+  double stiffness_ratio = 0;        // largest over smallest eigenvalue of the in-plane tangent; 0: not known
+  std::int64_t switching = 0, slack = 0,
+               elements = 0;  // elements with a switching yarn; with both yarns slack; all
+  mesh::Index inverted = -1;  // an inverted element
+  mesh::Index turned = -1;    // a node whose director is turned over, at sound elements
+  std::string reason;         // why a term could not compute its forces; empty: no failure, or that of a law
+};
+
+// One failed attempt at a step.
+struct Try {
+  double step = 0;  // s
+  solver::NewtonStatus status = solver::NewtonStatus::diverged;
+  std::vector<double> residuals;
+  std::string reason = {};  // why a term could not compute its forces; empty: it could
+};
+
+// The attempts at a step of a run that iterates, and what is known of the last one that failed.
+struct Diagnosis {
+  solver::NewtonResult last;  // of the last attempt
+  std::vector<Try> tries;     // those that failed
+  ResidualSite site;          // of the last one that failed
+  // Completed where the run gives the step up:
+  double time = 0;   // s, the last committed time
+  double moved = 0;  // m, largest motion of a support in the first attempt
+  double size = 0;   // m, smallest element
+  card::Tested tested;
+  Mechanism mechanism;  // of a static run
+  bool dynamic = false, arc = false, stabilised = false;
+  bool jumps = false;    // a static run whose loads or motions are there in full at time 0, in its first step
+  Jumps jump = {};       // those loads and motions; none: of a term that a program has added
+  bool bends = false;    // cloth with bending of its own, which relaxation takes along the overdamped path
+  bool relaxed = false;  // relaxation has been tried
+
+  bool broken() const { return last.status == solver::NewtonStatus::broken; }  // no step is possible
+  // Takes an attempt up; step: s. Returns whether it has converged. If not, the failed iterate is compared
+  // with the committed state, which is then restored; among the elements at the node with the largest
+  // residual the first one that switches is named.
+  bool take(const solver::NewtonResult& result, double step, mechanics::Assembly& assembly,
+            const mesh::Mesh& mesh);
+  void complete(const model::Model& model, const mechanics::Assembly& assembly, double committed);
+  // The message of the error: the reason, the last step tried with the largest one allowed, where the
+  // residual sits, and the best advice.
+  std::string message(double step, double largest, int cuts, double tolerance) const;
+  // What to try, the most promising first, each with its evidence: "stabilise=true (3 negative pivots)".
+  std::vector<std::string> advice() const;
+  std::string report() const;  // the whole of it, in lines
+};
+
+}  // namespace fabricsh::run
