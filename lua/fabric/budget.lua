@@ -261,11 +261,12 @@ local function budget_of(t, inputs, base, numerical, rows)
     end
     if not t.shares then
       variance = variance_of(all)
-      add("inputs", math.sqrt(variance), { range = "all together" })
+      local only = #inputs == 1 and inputs[1] -- all of the variance is its own
+      add(only and only.name or "inputs", math.sqrt(variance), { range = only and only.range or "all together", why = only and only.why })
     elseif own > 1 then -- indices of first order have errors of their own: they share the variance
       for _, c in ipairs(out.contributions) do if c.first then c.deviation = c.deviation / math.sqrt(own) end end
-    elseif #inputs > 1 and variance > 0 then
-      add("together", math.sqrt((1 - own) * variance), { range = "interactions" })
+    elseif variance > 0 then
+      add("together", math.sqrt((1 - own) * variance), { range = "interactions, and with few samples the scatter of the indices" })
     end
   end
   local whole = from_numbers + variance
@@ -314,7 +315,7 @@ local function draw(result, names, file)
     for i, c in ipairs(result.of[name].contributions) do
       if c.share >= 1e-3 or i == 1 then curves[i] = { x = { 0, 100 * c.share }, y = { i, i }, label = c.source, style = "line_points" } end
     end
-    panels[#panels + 1] = { curves = curves, title = name, xlabel = "share of the variance, %", ylabel = "rank", key = "below", yrange = { 0.5, #curves + 0.5 } }
+    panels[#panels + 1] = { curves = curves, xlabel = ("share of the variance of %s, %%"):format(name), ylabel = "rank", key = "below", yrange = { 0.5, #curves + 0.5 } }
   end
   return fabric.plot { panels = panels, file = file, letters = #panels > 1, layout = { #panels, 1 } }
 end
@@ -345,6 +346,7 @@ local function run(t)
   if used.specimen then
     inputs[#inputs + 1] = { name = "specimen", range = "by its seed", put = function(p, i, set) p.specimen = 1 + i + (set - 1) * t.samples end }
   end
+  t.shares = t.shares and #inputs > 1
   local result = { of = {}, value = {}, band = {}, contributions = {}, not_varied = not_varied, runs = 0, failed = 0, warnings = {}, sample_warnings = {} }
   if fabric.checking() then return result end
   local jobs, numerical = plan(t, inputs)

@@ -723,6 +723,7 @@ function fabric.lab.card(fields) end
 ---@field spread? table result of fabric.lab.spread: the band of the next specimen is drawn, and `inside` says what part of the points lies in it
 ---@field all? boolean unloading too; default: virgin loading up to failure
 ---@field file? string of the figure with both curves: .svg, .pdf, .eps or .png
+---@field label? string of what was measured, in the key; default: the name of its file
 ---@field title? string of the figure
 
 ---A measured curve beside a test's: x, measured, simulated (between the test's points in virgin loading), residual = measured less simulated; rms and worst as parts of the measured peak, largest {x, residual}, outside (points beyond the test), slack, inside, text.

@@ -192,18 +192,8 @@ void Checker::shapes() {
 }
 
 void Checker::repeated() {
-  std::vector<std::pair<std::array<Index, 4>, Index>> keys;
-  for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
-    auto ids = mesh_.elements[e];
-    std::sort(ids.begin(), ids.end());
-    keys.emplace_back(ids, static_cast<Index>(e));
-  }
-  std::sort(keys.begin(), keys.end());
-  std::vector<Index> found;
-  for (std::size_t i = 1; i < keys.size(); ++i)
-    if (keys[i].first == keys[i - 1].first) found.push_back(keys[i].second);
-  std::sort(found.begin(), found.end());
-  add_elements("repeated", Severity::error, found, "on the same nodes as an element before");
+  add_elements("repeated", Severity::error, repeated_elements(mesh_),
+               "on the same nodes as an element before");
 }
 
 void Checker::sides() {
@@ -352,12 +342,13 @@ void Checker::unused() {
   if (!nodes.empty()) add("unused", Severity::error, listed("node", nodes) + ": in no element", {}, nodes);
 }
 
-// Finds nodes closer than 1e-9 of the mesh's size. Cells have twice that width, so that
-// a near node lies in one of the eight cells around the nearest corner of its cell.
+// Finds nodes closer than 1e-6 of the mesh's size, about what the single precision of many files leaves.
+// Cells have twice that width, so that a near node lies in one of the eight cells around the nearest corner
+// of its cell.
 void Checker::duplicates() {
   if (mesh_.nodes.empty()) return;
   const BoundingBox all = box_of(mesh_.nodes);
-  const double near = 1e-9 * all.size().norm();
+  const double near = 1e-6 * all.size().norm();
   if (near == 0) return;
   using Cell = std::array<std::int64_t, 3>;
   const auto hash = [](const Cell& b) {
@@ -390,6 +381,22 @@ void Checker::duplicates() {
 }
 
 }  // namespace
+
+std::vector<Index> repeated_elements(const Mesh& mesh) {
+  std::vector<std::pair<std::array<Index, 4>, Index>> keys;
+  keys.reserve(mesh.elements.size());
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    auto ids = mesh.elements[e];
+    std::sort(ids.begin(), ids.end());
+    keys.emplace_back(ids, static_cast<Index>(e));
+  }
+  std::sort(keys.begin(), keys.end());
+  std::vector<Index> found;
+  for (std::size_t i = 1; i < keys.size(); ++i)
+    if (keys[i].first == keys[i - 1].first) found.push_back(keys[i].second);
+  std::sort(found.begin(), found.end());
+  return found;
+}
 
 bool Report::ok() const {
   return std::none_of(items.begin(), items.end(),

@@ -42,6 +42,9 @@ struct Report {
 // below 20 degrees). Keys of notes: free (edges).
 Report check(const Mesh& mesh);
 
+// The elements on the same nodes as one before them, ascending. A model refuses them: they would count twice.
+std::vector<Index> repeated_elements(const Mesh& mesh);
+
 // Reverses elements until neighbours agree in orientation. Without a direction each part follows the majority
 // of its elements; with one, the mean normal of each part points along it. Returns how many elements were
 // reversed. Errors: a one-sided part, or a part whose mean normal is perpendicular to the direction.

@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
+#include "mesh/check.hpp"
 #include "mesh/corners.hpp"
 
 namespace fabricsh::model {
@@ -90,6 +91,11 @@ void Model::add_body(Index which) {
   const BodyGiven& body = bodies_[which];
   const std::string of = body.name.empty() ? "" : "body '" + body.name + "': ";
   if (body.mesh->elements.empty()) throw Error("model: " + of + "the mesh has no elements");
+  if (const auto twice = mesh::repeated_elements(*body.mesh); !twice.empty())
+    throw Error("model: " + of + "element " + std::to_string(twice.front() + 1) +
+                " of the mesh is on the same nodes as an element before" +
+                (twice.size() > 1 ? ", as are " + std::to_string(twice.size() - 1) + " more" : "") +
+                ": expected each piece of cloth once (plies are a field of the model)");
   if (!body.options.warp && !body.mesh->flat && !body.mesh->has_warp())
     throw Error(
         "model: " + of +

@@ -37,6 +37,11 @@ near(product.together.share, 1 - 2 / 12 / whole, 0.05, "interactions")
 near(b.band.sum.low, math.sqrt(0.1), 0.04, "low end")
 near(b.band.sum.high, 3 - math.sqrt(0.1), 0.04, "high end")
 
+-- One input has all of the variance, with few samples too.
+b = budget { assumed = { x = { 0, 2 } }, samples = 16, run = function(p) return { square = p.assumed.x ^ 2 } end }
+assert(b.runs == 33 and #b.contributions.square == 1)
+near(by_source(b.contributions.square)["assumed.x"].share, 1, 1e-9, "share of the only input")
+
 -- --- mesh and steps: 1 + 1/n^2 + 3 dt; the errors at n = 16 and dt = 0.01 lie within the band.
 b = budget { mesh = { 4, 8, 16 }, steps = { 0.04, 0.02, 0.01 }, run = function(p) return { f = 1 + 1 / p.mesh ^ 2 + 3 * p.step } end }
 local f = by_source(b.contributions.f)

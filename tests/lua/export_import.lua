@@ -318,5 +318,18 @@ do
   -- in shear alone the compression along one diagonal is reduced to a thousandth, which leaves (1 + RE) / 2 of the shear stress
   check("LAW19: shear", fabric.point(bag.card):strain({ E12 = 0.1 }).S12, (1 + 1e-3) / 2 * 5e6 * math.asin(0.2) * math.cos(math.asin(0.2)), 1e-4)
   assert(bag.lost.warp.worst < 1 and bag.lost.weft.worst < 1, bag.report)
+  -- what fabric.export wrote is read up to the strains that it states, beyond 0.1
+  fabric.export.card { card = fabric.card "blend", to = "openradioss", material = "LAW19", file = "own19.rad" }
+  local own = fabric.import.card { file = "own19.rad", thickness = 3.8e-4 }
+  check("own LAW19: tested", own.card.tested.warp, 0.2641, 1e-3)
+  assert(own.lost.warp.worst < 1 and own.lost.weft.worst < 1, own.report)
+  -- a number that reaches beyond its columns is not cut
+  local text = io.open("own19.rad"):read "a"
+  wrong("'5.9e-10' reaches beyond columns 1 to 20", { file = write("cut19.rad", (text:gsub("(             5%.9e%-10)", " %1"))), thickness = 3.8e-4 })
+  -- ratios that are not taken are told
+  fabric.export.card { card = fabric.card "blend", to = "ls-dyna", material = "MAT_034", file = "ratio.k" }
+  text = io.open("ratio.k"):read "a"
+  write("ratio.k", (text:gsub("(5%.9e%-10 10%.215724 39%.343492          )         0         0", "%1       0.2       0.3")))
+  assert(fabric.import.card { file = "ratio.k", thickness = 3.8e-4 }.report:find("PRBA = 0.2 and PRAB = 0.3 of the file were not taken", 1, true))
 end
 fabric.expect(rows)

@@ -260,7 +260,7 @@ local function run(t)
     fields[name], fields.tested[name] = part_of(name, sheet[name], kind, t.unloading and t.unloading[name], notes)
   end
   fields.warp.poisson, fields.weft.poisson = poisson[1], poisson[2]
-  if not t.poisson and not p.poisson then notes[#notes + 1] = "poisson: the file has no ratios; 0 was taken, poisson={nu12, nu21} gives them" end
+  if not t.poisson and not p.poisson then notes[#notes + 1] = p.note or "poisson: the file has no ratios; 0 was taken, poisson={nu12, nu21} gives them" end
   if sheet ~= p then
     notes[#notes + 1] = ("crimp: S1 = %g and S2 = %g (0.1 where the file leaves them blank) let the yarns straighten first; the card's curves are those of the sheet, "
       .. "pulled along a yarn and free across; what ties warp to weft is lost: see 'biaxial'"):format(p.S1, p.S2)

@@ -139,8 +139,13 @@ end
 local function columns(path, entry, widths)
   local out, at = {}, 1
   for k, width in ipairs(widths) do
-    local text = entry[1]:sub(at, at + width - 1):match "^%s*(.-)%s*$"
+    local field, beyond = entry[1]:sub(at, at + width - 1), entry[1]:sub(at + width, at + 2 * width - 1)
+    local text = field:match "^%s*(.-)%s*$"
     at = at + width
+    -- a number that goes on beyond its columns, and ends before those of the next are full, would be read as another one
+    if field:find "%S$" and beyond:find "^%S" and not (#beyond == width and beyond:find "%S$") then
+      trouble(path, entry[2], ("'%s' reaches beyond columns %d to %d"):format(text .. beyond:match "^%S+", at - width, at - 1))
+    end
     out[k] = text == "" and 0 or tonumber(text)
     if not out[k] then trouble(path, entry[2], ("expected a number in columns %d to %d, got '%s'"):format(at - width, at - 1, text)) end
   end

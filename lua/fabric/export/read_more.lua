@@ -72,7 +72,7 @@ end
 
 local function straight(modulus, last) return { x = { 0, last }, y = { 0, modulus * last } } end
 
--- As read.law58. FORM 14, the formulation that fabric.export writes, and FORM 4: second Piola-Kirchhoff stress over Green-Lagrange strain.
+-- As read.law58, with a note where the file has what is not read. FORM 14, the formulation that fabric.export writes, and FORM 4: second Piola-Kirchhoff stress over Green-Lagrange strain.
 function more.mat_034(path, u)
   local all, mat, thickness = keywords(path), nil, nil
   for _, key in ipairs(all) do
@@ -93,6 +93,9 @@ function more.mat_034(path, u)
   end
   local ids = fields(path, mat[6] or { "", mat.line }, 10)
   local out = { name = mat.title or "mat_034", density = first[2] / u.density, thickness = thickness }
+  if first[6] ~= 0 or first[7] ~= 0 then
+    out.note = ("poisson: PRBA = %g and PRAB = %g of the file were not taken, since nothing ties warp to weft in the law as it is read here; poisson={nu12, nu21} gives ratios"):format(first[6], first[7])
+  end
   local moduli, reach = { first[3], first[4], second[1] }, { 0.1, 0.1, 0.4 }
   for k, part in ipairs { "warp", "weft", "shear" } do
     local loading = curve(path, all, ids[k], u.stress)
@@ -104,20 +107,22 @@ end
 
 -- --- LAW19 ---
 
--- Its answer to a pull along a yarn, free across, and to shear, as curves of second Piola-Kirchhoff stress over Green-Lagrange strain.
-local function sampled(p)
+-- Its answer to a pull along a yarn, free across, and to shear, as curves of second Piola-Kirchhoff stress over Green-Lagrange strain: up to the strains
+-- that the file states as tested, or 0.1 along the yarns and 0.2 in shear.
+local function sampled(p, tested)
   local n, out = 40, {}
+  local function reach(part, default) return tested and tested[part] > 0 and tested[part] or default end
   local function list(last)
     local x = {}
     for i = 1, n do x[i] = last * i / n end
     return x
   end
   for part, angle in pairs { warp = 0, weft = 90 } do
-    local x = list(0.1)
+    local x = list(reach(part, 0.1))
     local S = laws.along(laws.law19(p), { drive = "uniaxial", angle = angle, values = x })
     out[part] = { x = table.move(x, 1, n, 2, { 0 }), y = table.move(S, 1, n, 2, { 0 }) }
   end
-  local x = list(0.2)
+  local x = list(reach("shear", 0.2))
   local S = laws.along(laws.law19(p), { drive = "shear", values = x })
   out.shear = { x = { 0 }, y = table.move(S, 1, n, 2, { 0 }) }
   for i, E12 in ipairs(x) do out.shear.x[i + 1] = 2 * E12 end
@@ -132,7 +137,7 @@ function more.law19(path, mat, u, columns)
     G12 = shear[1] / u.stress, RE = last[1] ~= 0 and last[1] or 1 }
   if not (p.E11 > 0 and p.E22 > 0 and p.G12 > 0) then trouble(path, mat.line, "expected positive E11, E22 and G12") end
   p.poisson = { p.NU12, p.NU12 * p.E22 / p.E11 }
-  for part, c in pairs(sampled(p)) do p[part] = part_of(c) end
+  for part, c in pairs(sampled(p, (read.tested(path)))) do p[part] = part_of(c) end
   return p
 end
 

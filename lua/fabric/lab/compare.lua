@@ -114,7 +114,9 @@ local function band_of(t, out)
 end
 
 local function draw(t, xname, yname, x, y, tx, ty, edges)
-  local curves = { { x = x, y = y, label = "measured", style = "points" }, { x = tx, y = ty, label = "simulated" } }
+  local file = t.measured.file
+  local name = t.label or type(file) == "string" and file:match "[^/]*$" or nil
+  local curves = { { x = x, y = y, label = name and name .. ", measured" or "measured", style = "points" }, { x = tx, y = ty, label = "simulated" } }
   table.move(edges, 1, #edges, 3, curves)
   fabric.plot { file = t.file, title = t.title, xlabel = labels[xname] or xname, xunit = units[xname],
     ylabel = labels[yname] or yname, yunit = units[yname], curves = curves }
@@ -184,6 +186,7 @@ define {
         .. "says what part of the points lies in it" },
       { name = "all", kind = "boolean", optional = true, sentence = "unloading too; default: virgin loading up to failure" },
       { name = "file", kind = "text", optional = true, sentence = "of the figure with both curves: .svg, .pdf, .eps or .png" },
+      { name = "label", kind = "text", optional = true, sentence = "of what was measured, in the key; default: the name of its file" },
       { name = "title", kind = "text", optional = true, sentence = "of the figure" },
     } },
   },

@@ -107,7 +107,8 @@ for _, yarn in ipairs { "warp", "weft" } do
   for k, n in ipairs(first.load) do test.n_w[k], test.n_f[k] = n * share_w / most, n * share_f / most end
   local p = pool:predict(test)
   print(("%s predicted, %s: at the end %s%s"):format(asked, yarn, end_of(p, #first.load), beyond(asked)))
-  curves[#curves + 1] = { x = first.load, y = p.predicted, label = asked .. " " .. yarn .. (p.low and beyond(asked) == "" and ", predicted, 95 % band" or p.low and ", predicted, band of other ratios" or ", predicted"), band = p.low and { low = p.low, high = p.high } or nil }
+  curves[#curves + 1] = { x = first.load, y = p.predicted, label = asked .. " " .. yarn .. (p.low and beyond(asked) == "" and ", predicted, 95 % band" or p.low and ", predicted, band of other ratios" or ", predicted"),
+    style = yarn == "weft" and "dashed" or "line", band = p.low and { low = p.low, high = p.high } or nil }
   if rows[asked] then curves[#curves + 1] = { x = rows[asked].load, y = rows[asked][yarn], label = asked .. " " .. yarn .. ", measured", style = "points" } end
 end
 fabric.plot { file = out .. "/predicted.svg", xlabel = "larger load, kN/m", ylabel = "strain, %", curves = curves }

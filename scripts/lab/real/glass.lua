@@ -89,7 +89,7 @@ local function misfit(card, tested, size)
   if #d < 2 then return nil end
   local predicted = lab.bias_shear { displacement = d, card = card, width = size.width, length = size.length }
   local c = lab.compare({ displacement = d, force = force }, { displacement = d, force = predicted.force },
-    { file = out .. "/" .. size.stem .. ".svg", title = "glass, " .. size.name })
+    { file = out .. "/" .. size.stem .. ".svg", label = size.stem })
   return c, predicted.force[#d] / force[#d] - 1
 end
 
@@ -147,7 +147,7 @@ if #sizes > 1 then
     local d, F = {}, {}
     for k, row in ipairs(size.shear.rows) do d[k], F[k] = size.record.displacement[row], size.record.force[row] end
     local p = b:predict { displacement = d, width = size.width, length = size.length }
-    curves[#curves + 1] = { x = p.angle, y = p.force, label = size.label .. (p.band and ", predicted, 95 % band" or ", predicted"), band = p.band and { low = p.low, high = p.high } or nil }
+    curves[#curves + 1] = { x = p.angle, y = p.force, label = size.label .. (p.band and ", predicted, 95 % band" or ", predicted"), style = #curves > 0 and "dashed" or "line", band = p.band and { low = p.low, high = p.high } or nil }
     curves[#curves + 1] = { x = p.angle, y = F, label = size.label .. ", measured", style = "points" }
   end
   fabric.plot { file = out .. "/sizes.svg", xlabel = "shear angle, °", ylabel = "force, N", curves = curves }

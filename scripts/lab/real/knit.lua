@@ -157,7 +157,7 @@ for _, name in ipairs(knits) do
     print(("%s: %d pull%s: how specimens differ takes three and more"):format(name, #tests, #tests == 1 and "" or "s"))
   end
   local c = lab.compare(measured, { E = measured.E, S = fabric.point(card):uniaxial("warp", measured.E, { "S" }).S },
-    { file = ("%s/%s.svg"):format(out, name), title = (name:gsub("_", " ")) })
+    { file = ("%s/%s.svg"):format(out, name), label = (name:gsub("_", " ")) })
   print(("%s: card beside %s: %s"):format(name, #tests >= 3 and "the mean of the specimens" or "the first of them", c.text))
   card:write(("%s/%s.lua"):format(out, name))
   print(card)

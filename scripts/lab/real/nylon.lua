@@ -89,7 +89,7 @@ local rows = {}
 local function beside(angle, test, slack, by, lost)
   local E, S = thinned(test)
   local c = lab.compare({ E = E, S = S }, { E = E, S = at(by or card, angle, E, lost) }, { slack = slack, file = ("%s/nylon-%02d.svg"):format(out, angle // 1),
-    title = ("nylon, %g"):format(angle) })
+    label = ("nylon, %g\u{b0}"):format(angle) })
   print(("%g degrees: %s"):format(angle, c.text))
   return c
 end

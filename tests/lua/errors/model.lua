@@ -18,6 +18,8 @@ wrong("fabric.model", "fabric.model{ mesh=mesh, warp='1' }",
   "deck.lua:1: model: field 'warp': expected a number in degrees or a table of numbers in degrees or a function, got '1'")
 wrong("fabric.model", "fabric.model{ mesh=mesh, points=2.5 }",
   "deck.lua:1: model: field 'points': expected an integer from 1 to 9, got 2.5")
+wrong("fabric.model", "local m = fabric.mesh{ nodes={ {0, 0}, {1, 0}, {1, 1} }, elements={ {1, 2, 3}, {2, 3, 1} } } fabric.model{ mesh=m, card=card, warp=0 }",
+  "deck.lua:1: model: element 2 of the mesh is on the same nodes as an element before: expected each piece of cloth once (plies are a field of the model)")
 
 -- model:fix
 wrong("model:fix", "model:fix()",
