@@ -255,7 +255,7 @@ constexpr double kAgree = 1e-11;
 bool agree(double a, double b, double size) { return std::abs(a - b) <= kAgree * size; }
 
 // The index in a lane's column at which its points begin, and the number of in-plane points.
-struct Points {
+struct PointColumn {
   const double* column;
   int first, in_plane;
 };
@@ -270,7 +270,7 @@ bool same_transform(const double* a, const double* b) {
          agree(a[6 * lanes], b[6 * lanes], std::abs(b[6 * lanes]));
 }
 
-bool same_through(const section::Section& section, const Points& p, int strains) {
+bool same_through(const section::Section& section, const PointColumn& p, int strains) {
   const int points = static_cast<int>(section.points.size());
   constexpr int size = Shell4Layout::transform;
   for (int g = 0; g < p.in_plane; ++g) {
@@ -292,7 +292,7 @@ bool same_through(const section::Section& section, const Points& p, int strains)
   return true;
 }
 
-bool same_in_plane(const Points& p, int points) {
+bool same_in_plane(const PointColumn& p, int points) {
   constexpr int size = Shell4Layout::transform;
   for (int g = 1; g < p.in_plane; ++g) {
     const double *column = p.column + (p.first + size * points * g) * lanes,
@@ -321,7 +321,7 @@ Sharing shell4_sharing(const section::Section& section, const double* geometry) 
   const Shell4Layout layout(points);
   Sharing sharing = Sharing::element;
   for (int l = 0; l < lanes; ++l) {
-    const Points p{geometry + l, layout.point(0, 0), gauss_points};
+    const PointColumn p{geometry + l, layout.point(0, 0), gauss_points};
     if (!same_through(section, p, layout.reference(0))) return Sharing::none;
     if (!is_parallelogram(geometry + l) || !same_in_plane(p, points)) sharing = Sharing::through;
   }

@@ -12,7 +12,7 @@
 
 namespace fabricsh::format {
 
-using mesh::Curve;
+using mesh::PlaneCurve;
 using mesh::Vec2;
 
 namespace {
@@ -30,9 +30,9 @@ std::string layer_words(const std::string& layer) {
 }
 
 // Makes one piece of a drawing.
-class Maker {
+class PieceMaker {
  public:
-  Maker(const std::string& file, const Drawing& drawing, double unit) : drawing_(drawing), unit_(unit) {
+  PieceMaker(const std::string& file, const Drawing& drawing, double unit) : drawing_(drawing), unit_(unit) {
     piece_.name = !drawing.name.empty() ? drawing.name : drawing.block;
     who_ = file + ": piece '" + piece_.name + "': ";
   }
@@ -66,7 +66,7 @@ class Maker {
 };
 
 // The vertices, each place once. Error: the line is open, or too short.
-std::vector<DrawnVertex> Maker::cleaned(const DrawnLine& line) const {
+std::vector<DrawnVertex> PieceMaker::cleaned(const DrawnLine& line) const {
   std::vector<DrawnVertex> kept;
   for (const DrawnVertex& v : line.vertices) {
     if (!v.x.allFinite() || !std::isfinite(v.bulge)) refuse("a vertex that is not finite");
@@ -83,21 +83,21 @@ std::vector<DrawnVertex> Maker::cleaned(const DrawnLine& line) const {
   return kept;
 }
 
-bool Maker::smooth(const Vec2& x) const {
+bool PieceMaker::smooth(const Vec2& x) const {
   const auto& marked = points(curve);
   return std::any_of(marked.begin(), marked.end(),
                      [&](const Vec2& p) { return (p - x).norm() <= 1e-4 * extent_; });
 }
 
 // From a to b with the bulge of DXF: the height of the arc over its half chord, positive to the right.
-Curve bulged(const Vec2& a, const Vec2& b, double bulge) {
-  if (std::abs(bulge) < 1e-9) return Curve::line(a, b);
+PlaneCurve bulged(const Vec2& a, const Vec2& b, double bulge) {
+  if (std::abs(bulge) < 1e-9) return PlaneCurve::line(a, b);
   const Vec2 chord = b - a, right(chord.y(), -chord.x());
-  return Curve::arc_through(a, (a + b) / 2 + bulge / 2 * right, b);
+  return PlaneCurve::arc_through(a, (a + b) / 2 + bulge / 2 * right, b);
 }
 
 // Lines and arcs between corners, and splines through the points of a curve.
-mesh::Loop Maker::loop(const DrawnLine& line, bool outline) {
+mesh::Loop PieceMaker::loop(const DrawnLine& line, bool outline) {
   std::vector<DrawnVertex> vertices = cleaned(line);
   const auto is_smooth = [&](const DrawnVertex& v) { return outline && smooth(v.x); };
   const auto corner = std::find_if_not(vertices.begin(), vertices.end(), is_smooth);
@@ -109,18 +109,19 @@ mesh::Loop Maker::loop(const DrawnLine& line, bool outline) {
     const double bulge = vertices[i].bulge;
     do through.push_back(unit_ * vertices[++i % n].x);
     while (i < n && is_smooth(vertices[i % n]));
-    made.push_back({through.size() > 2 ? Curve::spline(through) : bulged(through[0], through[1], bulge)});
+    made.push_back(
+        {through.size() > 2 ? PlaneCurve::spline(through) : bulged(through[0], through[1], bulge)});
   }
   return made;
 }
 
-void Maker::add_notches() {
+void PieceMaker::add_notches() {
   int count = 0;
   for (const std::string& layer : notch_layers)
     for (const Vec2& x : points(layer)) add_notch(piece_, "notch" + std::to_string(++count), unit_ * x, who_);
 }
 
-void Maker::add_grain() {
+void PieceMaker::add_grain() {
   const auto& all = lines(grain);
   if (all.empty() || all.front().vertices.size() < 2) return;
   const Vec2 along = all.front().vertices.back().x - all.front().vertices.front().x;
@@ -129,7 +130,7 @@ void Maker::add_grain() {
   piece_.has_grain = true;
 }
 
-void Maker::remark_layers() {
+void PieceMaker::remark_layers() {
   std::map<std::string, bool> present;
   for (const auto& [layer, drawn] : drawing_.lines) present[layer] = true;
   for (const auto& [layer, drawn] : drawing_.points) present[layer] = true;
@@ -143,7 +144,7 @@ void Maker::remark_layers() {
   if (!words.empty()) piece_.remarks.push_back(who_ + "layers that are not used: " + words);
 }
 
-PatternPiece Maker::make() {
+PatternPiece PieceMaker::make() {
   const auto& outlines = lines(boundary);
   if (outlines.size() != 1)
     refuse("expected one closed line on layer 1, the boundary, got " + std::to_string(outlines.size()));
@@ -194,7 +195,7 @@ std::vector<PatternPiece> parse_dxf_pattern(const std::string& name, std::string
     throw Error(name + ": no piece: expected a closed line on layer 1, got layers " + layers_of(drawings));
   const double used = unit_of_file(name, unit, drawings.unit, remarks);
   std::vector<PatternPiece> pieces;
-  for (const Drawing* drawing : drawn) pieces.push_back(Maker(name, *drawing, used).make());
+  for (const Drawing* drawing : drawn) pieces.push_back(PieceMaker(name, *drawing, used).make());
   return pieces;
 }
 

@@ -35,10 +35,10 @@ std::optional<double> unit_of(int code) {
 }
 
 // dxflib calls these functions while it reads.
-class Collector final : public DL_CreationAdapter {
+class DrawingReader final : public DL_CreationAdapter {
  public:
   using DL_CreationAdapter::setVariableInt;
-  Collector() { drawings_.all.emplace_back(); }
+  DrawingReader() { drawings_.all.emplace_back(); }
   Drawings result() { return std::move(drawings_); }
 
   void addBlock(const DL_BlockData& block) override {
@@ -104,7 +104,7 @@ class Collector final : public DL_CreationAdapter {
 
 Drawings read_drawings(std::string_view bytes) {
   std::istringstream stream{std::string(bytes)};
-  Collector collector;
+  DrawingReader collector;
   DL_Dxf().in(stream, &collector);
   collector.finish();
   return collector.result();

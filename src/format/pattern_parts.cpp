@@ -9,14 +9,14 @@
 
 namespace fabricsh::format {
 
-using mesh::Curve;
+using mesh::PlaneCurve;
 using mesh::Vec2;
 
 namespace {
 
 // The angle by which the direction turns at the start of a piece, rad, without sign.
 double turn_at(const mesh::Loop& loop, std::size_t i) {
-  const Curve& before = loop[(i + loop.size() - 1) % loop.size()].curve;
+  const PlaneCurve& before = loop[(i + loop.size() - 1) % loop.size()].curve;
   const Vec2 a = before.tangent(before.length()), b = loop[i].curve.tangent(0);
   return std::abs(std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)));
 }
@@ -37,7 +37,7 @@ void name_edges(mesh::Loop& loop) {
 
 Vec2 on_boundary(const PatternPiece& piece, const Vec2& x) {
   Vec2 best = piece.panel.outline.front().curve.start();
-  for (const mesh::Piece& side : piece.panel.outline) {
+  for (const mesh::OutlinePiece& side : piece.panel.outline) {
     const Vec2 near = side.curve.at(side.curve.nearest(x));
     if ((near - x).norm() < (best - x).norm()) best = near;
   }

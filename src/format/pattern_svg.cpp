@@ -12,7 +12,7 @@
 
 namespace fabricsh::format {
 
-using mesh::Curve;
+using mesh::PlaneCurve;
 using mesh::Vec2;
 
 namespace {
@@ -26,7 +26,7 @@ bool begins(const std::string& id, std::string_view word) {
 Vec2 middle(const SvgShape& shape) {
   Vec2 low = shape.lines.front().pieces.front().curve.start(), high = low;
   for (const SvgLine& line : shape.lines)
-    for (const mesh::Piece& piece : line.pieces)
+    for (const mesh::OutlinePiece& piece : line.pieces)
       for (int i = 0; i <= 16; ++i) {
         const Vec2 x = piece.curve.at(piece.curve.length() * i / 16);
         low = low.cwiseMin(x);

@@ -25,7 +25,7 @@ namespace fabricsh::format {
 
 namespace {
 
-using mesh::Curve;
+using mesh::PlaneCurve;
 using mesh::Vec2;
 
 // x' = linear x + shift.
@@ -39,10 +39,10 @@ struct Affine {
 };
 
 // svgpp calls these functions while it walks through the document; all coordinates are absolute.
-class Collector {
+class SvgLines {
  public:
   // most: how many pieces of lines a document of this size can have.
-  Collector(double unit, std::size_t most) : unit_(unit), left_(most) {}
+  SvgLines(double unit, std::size_t most) : unit_(unit), left_(most) {}
   std::vector<SvgShape> result() { return std::move(shapes_); }
 
   template <class Tag>
@@ -77,19 +77,19 @@ class Collector {
 
  private:
   // A line by the control points of its pieces, each without its start; the first entry is the start.
-  struct Points {
+  struct ControlPoints {
     std::vector<std::vector<Vec2>> pieces;
     bool closed;
   };
   struct Level {
     SvgShape shape;
     Affine to_drawing;
-    std::vector<Points> lines = {};
+    std::vector<ControlPoints> lines = {};
   };
 
   Affine upward() const { return {Eigen::Vector2d(unit_, -unit_).asDiagonal(), Vec2::Zero()}; }
   // After a closed line the next one begins where that began, unless there is a move.
-  Points& now() {
+  ControlPoints& now() {
     auto& lines = levels_.back().lines;
     if (lines.empty()) throw std::runtime_error("a path that does not begin with a move");
     return lines.back();
@@ -112,13 +112,13 @@ class Collector {
   std::vector<SvgShape> shapes_;
 };
 
-void Collector::finish(Level& level) {
-  for (const Points& points : level.lines) {
+void SvgLines::finish(Level& level) {
+  for (const ControlPoints& points : level.lines) {
     SvgLine line{{}, points.closed};
     const Vec2 start = level.to_drawing(points.pieces.front()[0]);
     Vec2 from = start;
     const auto straight = [&](const Vec2& to) {
-      if (to != from) line.pieces.push_back({Curve::line(from, to)});
+      if (to != from) line.pieces.push_back({PlaneCurve::line(from, to)});
       from = to;
     };
     for (std::size_t i = 1; i < points.pieces.size(); ++i) {
@@ -130,7 +130,7 @@ void Collector::finish(Level& level) {
         straight(control.back());
         continue;
       }
-      line.pieces.push_back({Curve::bezier(control)});
+      line.pieces.push_back({PlaneCurve::bezier(control)});
       from = control.back();
     }
     // A line that returns to its start is closed, whether it says so or not.
@@ -204,7 +204,7 @@ std::vector<SvgShape> read_svg_shapes(const std::string& name, std::string_view 
                     nullptr, XML_PARSE_NONET | XML_PARSE_NOERROR | XML_PARSE_NOWARNING));
   xmlNode* root = document == nullptr ? nullptr : xmlDocGetRootElement(document.get());
   if (root == nullptr) throw Error(name + ": expected an SVG drawing, got what is no XML");
-  Collector collector(unit_of_file(name, unit, unit_of(root), remarks), 16 + bytes.size());
+  SvgLines collector(unit_of_file(name, unit, unit_of(root), remarks), 16 + bytes.size());
   try {
     svgpp::document_traversal<svgpp::processed_elements<Elements>, svgpp::processed_attributes<Attributes>,
                               svgpp::transform_policy<svgpp::policy::transform::matrix>,

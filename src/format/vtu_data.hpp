@@ -1,6 +1,8 @@
 // The arrays of a .vtu file: text, base64 or raw bytes, compressed or not.
 #pragma once
+#include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "format/source.hpp"
@@ -30,10 +32,10 @@ class VtuDecoder {
  private:
   template <class T>
   std::vector<T> values(const VtuStored& stored);
-  std::string payload(std::string_view stored);
-  std::string inflated(std::string_view stored);
-  std::uint64_t header(std::string_view& stored) const;
-  void count_bytes(std::uint64_t bytes);
+  std::string payload(std::string_view stored);          // the bytes of the numbers, from base64 or raw
+  std::string inflated(std::string_view stored);         // the same of compressed blocks
+  std::uint64_t header(std::string_view& stored) const;  // takes the next number of a header off the front
+  void count_bytes(std::uint64_t bytes);                 // error: more than the budget
 
   const Source& source_;
   VtuEncoding encoding_;

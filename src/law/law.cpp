@@ -6,49 +6,22 @@
 #include "law/bound.hpp"
 #include "law/data.hpp"
 #include "law/update.hpp"
+#include "simd/copies.hpp"
 
 namespace fabricsh::law {
 
 // The copies compiled by batch_isa.cpp.
-namespace avx2 {
-unsigned batch(const Law&, const Step&, const double*, const double*, double*, double*, double*);
-void energies(const Law&, const double*, const double*, double*);
-}  // namespace avx2
-namespace avx512 {
-unsigned batch(const Law&, const Step&, const double*, const double*, double*, double*, double*);
-void energies(const Law&, const double*, const double*, double*);
-}  // namespace avx512
-inline namespace baseline {
-unsigned batch(const Law&, const Step&, const double*, const double*, double*, double*, double*);
-void energies(const Law&, const double*, const double*, double*);
-}  // namespace baseline
+FABRICSH_DECLARE_COPIES(unsigned batch(const Law&, const Step&, const double*, const double*, double*,
+                                       double*, double*);
+                        void energies(const Law&, const double*, const double*, double*);)
 
 int state_size(const Law& law) { return law.state_size; }
 bool symmetric(const Law& law) { return law.symmetric; }
 bool linear(const Law& law) { return law.kind == CompiledKind::elastic; }
 bool is_rate_dependent(const Law& law) { return rheology::is_rate_dependent(law.woven.parallel); }
 
-BatchEnergy batch_energy(Isa isa) {
-  switch (isa) {
-    case Isa::avx512:
-      return avx512::energies;
-    case Isa::avx2:
-      return avx2::energies;
-    default:
-      return baseline::energies;
-  }
-}
-
-BatchFunction batch_function(Isa isa) {
-  switch (isa) {
-    case Isa::avx512:
-      return avx512::batch;
-    case Isa::avx2:
-      return avx2::batch;
-    default:
-      return baseline::batch;
-  }
-}
+BatchEnergy batch_energy(Isa isa) { return FABRICSH_COPY_FOR(isa, energies); }
+BatchFunction batch_function(Isa isa) { return FABRICSH_COPY_FOR(isa, batch); }
 
 Evaluation evaluate(const Law& law, const Step& step, const double E[5], const double* s0, double* s1,
                     double S[5], double* C) {

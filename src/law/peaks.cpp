@@ -3,30 +3,14 @@
 #include <cmath>
 
 #include "law/data.hpp"
+#include "simd/copies.hpp"
 
 namespace fabricsh::law {
 
 // The copies compiled by peaks_isa.cpp.
-namespace avx2 {
-double largest_strain_ratio(const Law&, const double*, const double*, long, int);
-}
-namespace avx512 {
-double largest_strain_ratio(const Law&, const double*, const double*, long, int);
-}
-inline namespace baseline {
-double largest_strain_ratio(const Law&, const double*, const double*, long, int);
-}
+FABRICSH_DECLARE_COPIES(double largest_strain_ratio(const Law&, const double*, const double*, long, int);)
 
-StrainRatioFunction strain_ratio_function(Isa isa) {
-  switch (isa) {
-    case Isa::avx512:
-      return avx512::largest_strain_ratio;
-    case Isa::avx2:
-      return avx2::largest_strain_ratio;
-    default:
-      return baseline::largest_strain_ratio;
-  }
-}
+StrainRatioFunction strain_ratio_function(Isa isa) { return FABRICSH_COPY_FOR(isa, largest_strain_ratio); }
 
 namespace {
 

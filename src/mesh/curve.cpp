@@ -11,7 +11,7 @@
 namespace fabricsh::mesh {
 
 // A whole curve by its length.
-struct Curve::Shape {
+struct PlaneCurve::Shape {
   virtual ~Shape() = default;
   virtual double length() const = 0;
   virtual Vec2 at(double s) const = 0;
@@ -22,9 +22,9 @@ struct Curve::Shape {
 
 namespace {
 
-struct Line final : Curve::Shape {
+struct StraightLine final : PlaneCurve::Shape {
   Vec2 a, b;
-  Line(const Vec2& from, const Vec2& to) : a(from), b(to) {}
+  StraightLine(const Vec2& from, const Vec2& to) : a(from), b(to) {}
   double length() const override { return (b - a).norm(); }
   Vec2 at(double s) const override { return s < length() ? Vec2(a + s / length() * (b - a)) : b; }
   Vec2 tangent(double) const override { return (b - a).normalized(); }
@@ -32,7 +32,7 @@ struct Line final : Curve::Shape {
   double turning(double, double) const override { return 0; }
 };
 
-struct Arc final : Curve::Shape {
+struct Arc final : PlaneCurve::Shape {
   Vec2 centre, a, b;
   double radius, start, sweep;  // m; rad; rad, positive counter-clockwise
   Arc(const Vec2& about, const Vec2& from, const Vec2& to, bool clockwise)
@@ -83,7 +83,7 @@ double length_between(const Cubic& c, double t0, double t1) {
 }
 
 // Cubic curves one after the other, each in steps of its parameter that are short enough for the Gauss rule.
-struct Chain final : Curve::Shape {
+struct Chain final : PlaneCurve::Shape {
   static constexpr int steps = 32;
   std::vector<Cubic> cubics;
   std::vector<double> lengths{0};  // up to the end of each step
@@ -98,11 +98,11 @@ struct Chain final : Curve::Shape {
   }
   double length() const override { return lengths.back(); }
 
-  struct Place {
+  struct PlaceOnCubic {
     const Cubic* cubic;
     double t;
   };
-  Place place(double s) const {
+  PlaceOnCubic place(double s) const {
     const auto above = std::upper_bound(lengths.begin() + 1, lengths.end() - 1, s);
     const auto step = static_cast<std::size_t>(above - lengths.begin()) - 1;
     const Cubic& cubic = cubics[step / steps];
@@ -118,11 +118,11 @@ struct Chain final : Curve::Shape {
   Vec2 at(double s) const override {
     if (s <= 0) return cubics.front()[0];
     if (s >= length()) return cubics.back()[3];
-    const Place p = place(s);
+    const PlaceOnCubic p = place(s);
     return point(*p.cubic, p.t);
   }
   Vec2 tangent(double s) const override {
-    const Place p = place(s);
+    const PlaceOnCubic p = place(s);
     Vec2 direction = slope(*p.cubic, p.t);
     // Where a control point lies on the end of its curve the slope is zero there.
     if (direction.norm() < 1e-9 * (length() + 1e-300))
@@ -172,13 +172,15 @@ double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(
 
 }  // namespace
 
-Curve::Curve(std::shared_ptr<const Shape> shape) : shape_(std::move(shape)), from_(0) {
+PlaneCurve::PlaneCurve(std::shared_ptr<const Shape> shape) : shape_(std::move(shape)), from_(0) {
   to_ = shape_->length();
 }
 
-Curve Curve::line(const Vec2& from, const Vec2& to) { return Curve(std::make_shared<Line>(from, to)); }
+PlaneCurve PlaneCurve::line(const Vec2& from, const Vec2& to) {
+  return PlaneCurve(std::make_shared<StraightLine>(from, to));
+}
 
-Curve Curve::arc_through(const Vec2& from, const Vec2& through, const Vec2& to) {
+PlaneCurve PlaneCurve::arc_through(const Vec2& from, const Vec2& through, const Vec2& to) {
   const Vec2 p = through - from, q = to - from;
   const double twice = 2 * cross(p, q);
   if (std::abs(twice) <= 1e-12 * p.norm() * q.norm() || p.norm() == 0)
@@ -186,27 +188,29 @@ Curve Curve::arc_through(const Vec2& from, const Vec2& through, const Vec2& to) 
   const Vec2 centre = from + Vec2(q.y() * p.squaredNorm() - p.y() * q.squaredNorm(),
                                   p.x() * q.squaredNorm() - q.x() * p.squaredNorm()) /
                                  twice;
-  return Curve(std::make_shared<Arc>(centre, from, to, twice < 0));
+  return PlaneCurve(std::make_shared<Arc>(centre, from, to, twice < 0));
 }
 
-Curve Curve::arc_about(const Vec2& centre, const Vec2& from, const Vec2& to, bool clockwise) {
+PlaneCurve PlaneCurve::arc_about(const Vec2& centre, const Vec2& from, const Vec2& to, bool clockwise) {
   const double a = (from - centre).norm(), b = (to - centre).norm();
   if (std::abs(a - b) > 1e-6 * std::max(a, b))
     throw Error("arc: expected both ends at one distance from 'centre', got " + number(a) + " and " +
                 number(b) + " m");
   if ((from - to).norm() <= 1e-9 * a)
     throw Error("arc: expected different ends (a whole circle is circle={x, y}, radius=)");
-  return Curve(std::make_shared<Arc>(centre, from, to, clockwise));
+  return PlaneCurve(std::make_shared<Arc>(centre, from, to, clockwise));
 }
 
-Curve Curve::circle(const Vec2& centre, double radius) {
+PlaneCurve PlaneCurve::circle(const Vec2& centre, double radius) {
   const Vec2 start = centre + Vec2(radius, 0);
-  return Curve(std::make_shared<Arc>(centre, start, start, false));
+  return PlaneCurve(std::make_shared<Arc>(centre, start, start, false));
 }
 
-Curve Curve::bezier(const std::vector<Vec2>& points) { return Curve(std::make_shared<Chain>(points)); }
+PlaneCurve PlaneCurve::bezier(const std::vector<Vec2>& points) {
+  return PlaneCurve(std::make_shared<Chain>(points));
+}
 
-Curve Curve::spline(const std::vector<Vec2>& points) {
+PlaneCurve PlaneCurve::spline(const std::vector<Vec2>& points) {
   std::vector<double> chord;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     chord.push_back((points[i + 1] - points[i]).norm());
@@ -220,23 +224,23 @@ Curve Curve::spline(const std::vector<Vec2>& points) {
   return bezier(control);
 }
 
-Vec2 Curve::at(double place) const { return shape_->at(own(place)); }
+Vec2 PlaneCurve::at(double place) const { return shape_->at(own(place)); }
 
-Vec2 Curve::tangent(double place) const {
+Vec2 PlaneCurve::tangent(double place) const {
   const Vec2 along = shape_->tangent(own(place));
   return from_ < to_ ? along : Vec2(-along);
 }
 
-bool Curve::straight() const { return shape_->straight(); }
+bool PlaneCurve::straight() const { return shape_->straight(); }
 
-double Curve::turning() const { return shape_->turning(std::min(from_, to_), std::max(from_, to_)); }
+double PlaneCurve::turning() const { return shape_->turning(std::min(from_, to_), std::max(from_, to_)); }
 
-Curve Curve::part(double from, double to) const { return {shape_, own(from), own(to)}; }
+PlaneCurve PlaneCurve::part(double from, double to) const { return {shape_, own(from), own(to)}; }
 
-Curve Curve::reversed() const { return {shape_, to_, from_}; }
+PlaneCurve PlaneCurve::reversed() const { return {shape_, to_, from_}; }
 
 // The nearest of some places, then the root of the slope of the distance between its neighbours.
-double Curve::nearest(const Vec2& x) const {
+double PlaneCurve::nearest(const Vec2& x) const {
   constexpr int parts = 256;
   const double step = length() / parts;
   int best = 0;

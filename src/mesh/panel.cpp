@@ -27,9 +27,9 @@ struct Points {
   Index rim = 0;                           // how many are on the rim
 };
 
-class Maker {
+class PanelMesher {
  public:
-  explicit Maker(const Panel& shape)
+  explicit PanelMesher(const Panel& shape)
       : shape_(shape), border_(border_of(shape, notches_)), weave_(weave_of(shape, border_)) {}
 
   Mesh make();
@@ -37,8 +37,8 @@ class Maker {
  private:
   void check_size() const;
   void check_lines() const;
-  void check_pair(const Rim::Link& a, const Rim::Link& b) const;
-  Vec2 meeting(const Rim::Link& a, const Rim::Link& b) const;
+  void check_pair(const Rim::RimEdge& a, const Rim::RimEdge& b) const;
+  Vec2 meeting(const Rim::RimEdge& a, const Rim::RimEdge& b) const;
   void check_holes() const;
   void add_rim_points();
   void add_lattice_points();
@@ -50,7 +50,7 @@ class Maker {
   void sort_elements();
   void name_sets(Mesh& mesh) const;
   void check_result(const Mesh& mesh) const;
-  const Side& side(const Rim::Link& link) const { return border_[link.loop][link.side]; }
+  const Side& side(const Rim::RimEdge& link) const { return border_[link.loop][link.side]; }
   double rim_area() const;
 
   const Panel& shape_;
@@ -62,13 +62,13 @@ class Maker {
   std::vector<std::array<Index, 4>> elements_;
 };
 
-void Maker::check_size() const {
+void PanelMesher::check_size() const {
   if (shape_.size > weave_.size.minCoeff() * (1 + 1e-9))
     refuse_panel("size", "expected at most the smaller extent of the panel, " +
                              number(weave_.size.minCoeff()) + " m, got " + number(shape_.size));
 }
 
-void Maker::add_point(const Vec2& local, const std::array<Index, 2>& cell) {
+void PanelMesher::add_point(const Vec2& local, const std::array<Index, 2>& cell) {
   const double scale = static_cast<double>(most_coordinate / 2) / weave_.size.maxCoeff();
   const Vec2 scaled = scale * (local - weave_.low);
   points_.local.push_back(local);
@@ -76,13 +76,13 @@ void Maker::add_point(const Vec2& local, const std::array<Index, 2>& cell) {
   points_.cell.push_back(cell);
 }
 
-void Maker::add_rim_points() {
+void PanelMesher::add_rim_points() {
   for (const Vec2& x : rim_.nodes) add_point(weave_.local(x), {-1, -1});
   points_.rim = static_cast<Index>(rim_.nodes.size());
 }
 
 // Two links of the rim that are not neighbours have no common point; neighbours have no other one.
-void Maker::check_pair(const Rim::Link& a, const Rim::Link& b) const {
+void PanelMesher::check_pair(const Rim::RimEdge& a, const Rim::RimEdge& b) const {
   const auto p = [this](Index i) -> const GridPoint& { return points_.grid[at(i)]; };
   const bool behind = a.second == b.first, before = b.second == a.first;
   bool bad;
@@ -105,7 +105,7 @@ void Maker::check_pair(const Rim::Link& a, const Rim::Link& b) const {
 }
 
 // Where the lines of two links meet, on the first of them; its middle if they are parallel.
-Vec2 Maker::meeting(const Rim::Link& a, const Rim::Link& b) const {
+Vec2 PanelMesher::meeting(const Rim::RimEdge& a, const Rim::RimEdge& b) const {
   const auto x = [this](Index i) -> const Vec2& { return rim_.nodes[at(i)]; };
   const Vec2 p = x(a.second) - x(a.first), q = x(b.second) - x(b.first), between = x(b.first) - x(a.first);
   const double across = p.x() * q.y() - p.y() * q.x();
@@ -114,21 +114,21 @@ Vec2 Maker::meeting(const Rim::Link& a, const Rim::Link& b) const {
 }
 
 // By a sweep along the grain.
-void Maker::check_lines() const {
+void PanelMesher::check_lines() const {
   const auto& x = points_.grid;
-  const auto low = [&x](const Rim::Link& l) { return std::min(x[at(l.first)][0], x[at(l.second)][0]); };
-  const auto high = [&x](const Rim::Link& l) { return std::max(x[at(l.first)][0], x[at(l.second)][0]); };
-  std::vector<Rim::Link> links = rim_.links;
+  const auto low = [&x](const Rim::RimEdge& l) { return std::min(x[at(l.first)][0], x[at(l.second)][0]); };
+  const auto high = [&x](const Rim::RimEdge& l) { return std::max(x[at(l.first)][0], x[at(l.second)][0]); };
+  std::vector<Rim::RimEdge> links = rim_.links;
   std::stable_sort(links.begin(), links.end(),
-                   [&](const Rim::Link& a, const Rim::Link& b) { return low(a) < low(b); });
+                   [&](const Rim::RimEdge& a, const Rim::RimEdge& b) { return low(a) < low(b); });
   for (std::size_t i = 0; i < links.size(); ++i)
     for (std::size_t k = i + 1; k < links.size() && low(links[k]) <= high(links[i]); ++k)
       check_pair(links[i], links[k]);
 }
 
-void Maker::check_holes() const {
+void PanelMesher::check_holes() const {
   std::vector<std::vector<Vec2>> lines(border_.size());
-  for (const Rim::Link& link : rim_.links) lines[link.loop].push_back(rim_.nodes[at(link.first)]);
+  for (const Rim::RimEdge& link : rim_.links) lines[link.loop].push_back(rim_.nodes[at(link.first)]);
   for (std::size_t h = 1; h < lines.size(); ++h) {
     const Vec2& x = lines[h].front();
     if (!encloses(lines[0], x))
@@ -142,17 +142,17 @@ void Maker::check_holes() const {
 }
 
 // Every other row of a lattice of triangles is moved by half a step, and begins and ends with the others.
-Vec2 Maker::lattice_point(Index i, Index j) const {
+Vec2 PanelMesher::lattice_point(Index i, Index j) const {
   const double shift = shape_.triangles && j % 2 == 1 ? 0.5 : 0;
   return weave_.low +
          Vec2(weave_.step.x() * (static_cast<double>(i) + shift), weave_.step.y() * static_cast<double>(j));
 }
 
 // For each point of a row of the lattice, whether the panel encloses it.
-std::vector<char> Maker::inside(Index row) const {
+std::vector<char> PanelMesher::inside(Index row) const {
   const double y = lattice_point(0, row).y();
   std::vector<double> crossings;
-  for (const Rim::Link& link : rim_.links) {
+  for (const Rim::RimEdge& link : rim_.links) {
     const Vec2 &a = points_.local[at(link.first)], &b = points_.local[at(link.second)];
     if ((a.y() > y) != (b.y() > y))
       crossings.push_back(a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
@@ -177,9 +177,9 @@ double distance(const Vec2& x, const Vec2& a, const Vec2& b) {
 constexpr double clearance = 0.7;
 
 // Strikes out the points of the lattice that are nearer to the rim than that.
-void Maker::strike_near(std::vector<char>& kept) const {
+void PanelMesher::strike_near(std::vector<char>& kept) const {
   const double least = clearance * weave_.step.minCoeff();
-  for (const Rim::Link& link : rim_.links) {
+  for (const Rim::RimEdge& link : rim_.links) {
     const Vec2 &a = points_.local[at(link.first)], &b = points_.local[at(link.second)];
     const Vec2 low = (a.cwiseMin(b) - weave_.low).array() - least,
                high = (a.cwiseMax(b) - weave_.low).array() + least;
@@ -193,7 +193,7 @@ void Maker::strike_near(std::vector<char>& kept) const {
   }
 }
 
-void Maker::add_lattice_points() {
+void PanelMesher::add_lattice_points() {
   const Index width = weave_.cells[0] + 1;
   std::vector<char> kept;
   for (Index j = 0; j <= weave_.cells[1]; ++j) {
@@ -230,7 +230,7 @@ bool one_cell(const std::array<Index, 4>& ids, const Points& points) {
   return high[0] - low[0] == 1 && high[1] - low[1] == 1;
 }
 
-struct Pair {
+struct TrianglePair {
   std::int64_t rank;  // the largest first
   std::size_t first, second;
   std::array<Index, 4> ids;
@@ -238,10 +238,10 @@ struct Pair {
 
 // All pairs of neighbours that form a good quadrilateral, the best first: cells of the lattice, then by the
 // squareness in steps of a thousandth, so that rounding does not decide.
-std::vector<Pair> pairs_of(const std::vector<Corners>& triangles, const Points& points) {
+std::vector<TrianglePair> pairs_of(const std::vector<Corners>& triangles, const Points& points) {
   Mesh mesh;
   for (const Corners& t : triangles) mesh.elements.push_back({t[0], t[1], t[2], -1});
-  std::vector<Pair> pairs;
+  std::vector<TrianglePair> pairs;
   for_each_edge(edges(mesh), [&](const Edge* begin, const Edge* end) {
     if (end - begin != 2) return;
     const auto third = [&](const Edge& edge) {
@@ -255,14 +255,15 @@ std::vector<Pair> pairs_of(const std::vector<Corners>& triangles, const Points& 
     if (good > 0)
       pairs.push_back({one_cell(ids, points) ? 2000 : good, at(one.element), at(other.element), ids});
   });
-  std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.rank > b.rank; });
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [](const TrianglePair& a, const TrianglePair& b) { return a.rank > b.rank; });
   return pairs;
 }
 
-void Maker::pair_up(const std::vector<Corners>& triangles) {
+void PanelMesher::pair_up(const std::vector<Corners>& triangles) {
   std::vector<char> used(triangles.size(), 0);
   if (!shape_.triangles)
-    for (const Pair& pair : pairs_of(triangles, points_)) {
+    for (const TrianglePair& pair : pairs_of(triangles, points_)) {
       if (used[pair.first] != 0 || used[pair.second] != 0) continue;
       used[pair.first] = used[pair.second] = 1;
       elements_.push_back(pair.ids);
@@ -272,7 +273,7 @@ void Maker::pair_up(const std::vector<Corners>& triangles) {
 }
 
 // Row by row of the lattice, by the cell that has the middle of the element.
-void Maker::sort_elements() {
+void PanelMesher::sort_elements() {
   using Key = std::tuple<Index, Index, std::array<Index, 4>>;
   std::vector<Key> keys;
   for (const auto& ids : elements_) {
@@ -288,7 +289,7 @@ void Maker::sort_elements() {
   for (std::size_t e = 0; e < keys.size(); ++e) elements_[e] = std::get<2>(keys[e]);
 }
 
-void Maker::name_sets(Mesh& mesh) const {
+void PanelMesher::name_sets(Mesh& mesh) const {
   for (const auto& [name, ids] : rim_.sets) mesh.define(name, ids);
   for (std::size_t i = 0; i < notches_.size(); ++i) {
     Index best = 0;
@@ -299,9 +300,9 @@ void Maker::name_sets(Mesh& mesh) const {
   add_usual_sets(mesh);
 }
 
-double Maker::rim_area() const {
+double PanelMesher::rim_area() const {
   double sum = 0;
-  for (const Rim::Link& link : rim_.links) {
+  for (const Rim::RimEdge& link : rim_.links) {
     const Vec2 a = points_.local[at(link.first)] - weave_.low,
                b = points_.local[at(link.second)] - weave_.low;
     sum += (a.x() * b.y() - a.y() * b.x()) / 2;
@@ -310,7 +311,7 @@ double Maker::rim_area() const {
 }
 
 // The elements cover what the rim encloses, and no element has a defect.
-void Maker::check_result(const Mesh& mesh) const {
+void PanelMesher::check_result(const Mesh& mesh) const {
   const Report report = check(mesh);
   for (const Finding& item : report.items) {
     if (item.severity != Severity::error) continue;
@@ -325,7 +326,7 @@ void Maker::check_result(const Mesh& mesh) const {
                              " m2 in place of " + number(rim_area()) + ": try a smaller size");
 }
 
-Mesh Maker::make() {
+Mesh PanelMesher::make() {
   check_size();
   rim_ = lay_nodes(border_, weave_);
   add_rim_points();
@@ -333,7 +334,7 @@ Mesh Maker::make() {
   check_holes();
   add_lattice_points();
   std::vector<Segment> border;
-  for (const Rim::Link& link : rim_.links) border.push_back({link.first, link.second});
+  for (const Rim::RimEdge& link : rim_.links) border.push_back({link.first, link.second});
   pair_up(triangulate(points_.grid, border));
   sort_elements();
   Mesh mesh;
@@ -355,7 +356,7 @@ Mesh Maker::make() {
 Mesh panel(const Panel& shape) {
   check_length("panel", "size", shape.size);
   if (!std::isfinite(shape.grain)) refuse_panel("grain", "expected an angle in degrees");
-  return Maker(shape).make();
+  return PanelMesher(shape).make();
 }
 
 }  // namespace fabricsh::mesh

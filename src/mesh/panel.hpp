@@ -10,13 +10,13 @@
 namespace fabricsh::mesh {
 
 // A part of a closed line. Pieces of one name form an edge, which becomes a set of nodes.
-struct Piece {
-  Curve curve;
+struct OutlinePiece {
+  PlaneCurve curve;
   std::string edge = {};  // empty: of no edge
   Index elements = 0;     // along the whole piece; 0: as many as the size of the panel gives
 };
 // Each piece starts where the one before it ends, the first where the last ends. Either direction.
-using Loop = std::vector<Piece>;
+using Loop = std::vector<OutlinePiece>;
 
 // A wedge that is cut out of the panel, from a point of the outline to the tip and back to the outline.
 // Points on the outline, also those of notches, may be off it by a hundredth of the size of the elements. Its

@@ -28,7 +28,7 @@ double doubled_area(const std::vector<Vec2>& line) {
 
 std::vector<Vec2> sampled(const Loop& loop) {
   std::vector<Vec2> line;
-  for (const Piece& piece : loop) {
+  for (const OutlinePiece& piece : loop) {
     const int parts = piece.curve.straight() ? 1 : 64;
     for (int i = 0; i < parts; ++i) line.push_back(piece.curve.at(piece.curve.length() * i / parts));
   }
@@ -72,13 +72,13 @@ void check_closed(const Loop& loop, const std::string& field, const std::string&
   const std::string of = words.empty() ? "" : words + ": ";
   if (loop.empty()) refuse_panel(field, of + "expected at least one piece, got none");
   for (std::size_t i = 0; i < loop.size(); ++i) {
-    const Curve& curve = loop[i].curve;
+    const PlaneCurve& curve = loop[i].curve;
     if (!curve.start().allFinite() || !curve.end().allFinite() || !std::isfinite(curve.length()))
       refuse_panel(field, of + piece_words("", i, loop[i].edge) + ": expected finite coordinates, m");
     if (curve.length() <= near * extent)
       refuse_panel(field,
                    of + piece_words("", i, loop[i].edge) + " has no length, at " + place_text(curve.start()));
-    const Curve& next = loop[(i + 1) % loop.size()].curve;
+    const PlaneCurve& next = loop[(i + 1) % loop.size()].curve;
     if (const double gap = (next.start() - curve.end()).norm(); gap > 1e-9 * extent)
       refuse_panel(field, of + "open: it ends at " + place_text(curve.end()) + ", " + number(gap) +
                               " m from where it goes on, " + place_text(next.start()));
@@ -89,7 +89,7 @@ std::vector<Side> sides_of(const Loop& loop, double size, const std::string& fie
                            bool counter_clockwise) {
   std::vector<Side> sides;
   for (std::size_t i = 0; i < loop.size(); ++i) {
-    const Piece& piece = loop[i];
+    const OutlinePiece& piece = loop[i];
     const double step =
         piece.elements > 0 ? piece.curve.length() / static_cast<double>(piece.elements) : size;
     sides.push_back(
@@ -122,10 +122,10 @@ Spot nearest_spot(const Border& border, const std::string& edge, const Vec2& x) 
 }
 
 // The pieces of an edge in the order in which they were drawn.
-std::vector<const Curve*> pieces_of(const Panel& shape, const std::string& edge) {
-  std::vector<const Curve*> curves;
+std::vector<const PlaneCurve*> pieces_of(const Panel& shape, const std::string& edge) {
+  std::vector<const PlaneCurve*> curves;
   const auto look = [&](const Loop& loop) {
-    for (const Piece& piece : loop)
+    for (const OutlinePiece& piece : loop)
       if (piece.edge == edge) curves.push_back(&piece.curve);
   };
   look(shape.outline);
@@ -141,12 +141,12 @@ Vec2 along_edge(const Panel& shape, const Notch& notch) {
   if (curves.empty())
     refuse_panel("notches", notch_words(notch) + ": no edge has the name '" + notch.edge + "'");
   double length = 0;
-  for (const Curve* curve : curves) length += curve->length();
+  for (const PlaneCurve* curve : curves) length += curve->length();
   double rest = notch.at ? *notch.at : *notch.share * length;
   if (!(rest >= 0 && rest <= length))
     refuse_panel("notches", notch_words(notch) + ": expected a place from 0 to " + number(length) +
                                 " m along edge '" + notch.edge + "', got " + number(rest));
-  for (const Curve* curve : curves) {
+  for (const PlaneCurve* curve : curves) {
     if (rest <= curve->length() || curve == curves.back()) return curve->at(std::min(rest, curve->length()));
     rest -= curve->length();
   }
@@ -178,7 +178,8 @@ void cut_dart(std::vector<Side>& sides, Spot from, Spot to, const Dart& dart, do
     return side;
   };
   const auto leg = [&](const Vec2& a, const Vec2& b, const char* which) {
-    return Side{Curve::line(a, b), dart.name + which, size, false, "darts", "dart '" + dart.name + "'", {}};
+    return Side{
+        PlaneCurve::line(a, b), dart.name + which, size, false, "darts", "dart '" + dart.name + "'", {}};
   };
   std::vector<Side> left;  // what stays, from `to` around to `from`
   const std::size_t n = sides.size();
@@ -250,7 +251,7 @@ void stop_at(Border& border, const Notch& notch, const Vec2& x, double extent) {
 void check_names(const Panel& shape) {
   std::set<std::string> edges, others;
   const auto add_loop = [&edges](const Loop& loop) {
-    for (const Piece& piece : loop) edges.insert(piece.edge);
+    for (const OutlinePiece& piece : loop) edges.insert(piece.edge);
   };
   add_loop(shape.outline);
   for (const Loop& hole : shape.holes) add_loop(hole);

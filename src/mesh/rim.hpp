@@ -16,7 +16,7 @@ std::string place_text(const Vec2& x);
 
 // A piece of the border with what messages about it say.
 struct Side {
-  Curve curve;
+  PlaneCurve curve;
   std::string edge;
   double step;                // distance of its nodes, m
   bool even;                  // whatever the lattice: its number of elements was given
@@ -42,12 +42,12 @@ struct Weave {
 Weave weave_of(const Panel& shape, const Border& border);
 
 struct Rim {
-  struct Link {
+  struct RimEdge {
     Index first, second;  // nodes; the cloth is to the left
     std::size_t loop, side;
   };
   std::vector<Vec2> nodes;  // m
-  std::vector<Link> links;
+  std::vector<RimEdge> links;
   std::map<std::string, NodeSet> sets;
 };
 Rim lay_nodes(const Border& border, const Weave& weave);

@@ -38,9 +38,10 @@ struct Polar {
   double angle, radius, height;
 };
 
-class Surface {
+class UnrolledSurface {
  public:
-  explicit Surface(const Wrap& shape) : shape_(shape), sine_(std::sin(std::abs(shape.angle) * degree)) {
+  explicit UnrolledSurface(const Wrap& shape)
+      : shape_(shape), sine_(std::sin(std::abs(shape.angle) * degree)) {
     if (sine_ > 0) slant_ = shape.radius / sine_;
   }
   bool cone() const { return sine_ > 0; }
@@ -84,7 +85,7 @@ bool encloses(const Mesh& mesh, const std::array<Index, 4>& ids, const Vec2& x) 
 
 // The apex of a cone is in no element, and the panel does not reach around it: then the angle about it would
 // jump within an element.
-void check_apex(const Mesh& mesh, const Surface& surface) {
+void check_apex(const Mesh& mesh, const UnrolledSurface& surface) {
   for (std::size_t e = 0; surface.cone() && e < mesh.elements.size(); ++e)
     if (encloses(mesh, mesh.elements[e], surface.apex()))
       refuse("field 'cone': its apex lies in the panel, at (" + number(surface.apex().x()) + ", " +
@@ -93,7 +94,7 @@ void check_apex(const Mesh& mesh, const Surface& surface) {
 }
 
 // No element bends by more than 60 degrees.
-void check_elements(const Mesh& mesh, const std::vector<Polar>& places, const Surface& surface) {
+void check_elements(const Mesh& mesh, const std::vector<Polar>& places, const UnrolledSurface& surface) {
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
     const auto& ids = mesh.elements[e];
     const auto angle = [&](std::size_t i) { return places[static_cast<std::size_t>(ids[i])].angle; };
@@ -130,7 +131,7 @@ void wrap(Mesh& mesh, const Wrap& shape) {
   if (!shape.from.allFinite()) refuse("field 'from': expected finite coordinates, m");
   check_flat(mesh);
   const Frame frame = frame_of(shape);
-  const Surface surface(shape);
+  const UnrolledSurface surface(shape);
   std::vector<Polar> places;
   for (const Vec3& x : mesh.nodes) places.push_back(surface.place(x));
   check_apex(mesh, surface);

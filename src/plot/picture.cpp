@@ -22,7 +22,7 @@ std::string line(const char* name, std::string value) {
   return std::string(name) + " " + value + "\n";
 }
 
-Panel& last(Picture& p) { return p.panels.at(p.panels.size() - 1); }
+PicturePanel& last(Picture& p) { return p.panels.at(p.panels.size() - 1); }
 
 using Setter = std::function<void(Picture&, const std::string&)>;
 
@@ -57,7 +57,7 @@ const std::vector<std::pair<std::string, Setter>>& setters() {
 
 std::string picture_text(const Picture& p) {
   std::string text = line("png", p.png);
-  for (const Panel& panel : p.panels)
+  for (const PicturePanel& panel : p.panels)
     text += line("panel", panel.vtu) + line("label", panel.label) +
             line("azimuth", full_number(panel.azimuth)) + line("elevation", full_number(panel.elevation));
   text += line("columns", std::to_string(p.columns)) + line("title", p.title) + line("array", p.array) +

@@ -7,16 +7,16 @@
 
 namespace fabricsh::plot {
 
-struct Panel {
+struct PicturePanel {
   std::string vtu;                     // path of the file
   std::string label = {};              // shown above the panel
   double azimuth = 0, elevation = 90;  // viewing direction, degrees: 0, 90 from above; 0, 0 along +y
 };
 
 struct Picture {
-  std::string png;            // path of the file to write
-  std::vector<Panel> panels;  // arranged in `columns` columns
-  int columns = 0;            // 0: chosen by the shape of the picture
+  std::string png;                   // path of the file to write
+  std::vector<PicturePanel> panels;  // arranged in `columns` columns
+  int columns = 0;                   // 0: chosen by the shape of the picture
   std::string title;
   std::string array,
       component;      // field of cells, else of points; without a component its magnitude; empty: none

@@ -6,12 +6,13 @@
 
 namespace fabricsh::plot {
 
-// Everything but the terminal. canvas: size of the drawing in points; the page is its lower left part. Bands
-// are transparent, or opaque in the same shade, the wider behind the narrower (EPS has no transparency).
+// All commands of a page but `set terminal` and `set output`. canvas: size of the drawing in points; the page
+// is its lower left part. Bands are transparent, or opaque in the same shade, the wider behind the narrower
+// (EPS has no transparency).
 std::string script_of(const Page& page, const PageLayout& layout, double canvas_width, double canvas_height,
                       bool opaque = false);
 
-// One panel in text mode.
+// The commands that draw one panel with characters, for a terminal (gnuplot's `dumb`).
 std::string letters_script(const Figure& figure);
 
 }  // namespace fabricsh::plot

@@ -72,7 +72,7 @@ Bounds common(const std::vector<ClothSurface>& sheets) {
 }
 
 double extent(const Bounds& b) { return std::max({b[1] - b[0], b[3] - b[2], b[5] - b[4]}); }
-bool from_above(const plot::Panel& p) { return p.elevation > 89.9; }
+bool from_above(const plot::PicturePanel& p) { return p.elevation > 89.9; }
 
 Ref<vtkActor> actor(const DrawnScene& scene, const ClothSurface& sheet, bool lit) {
   const auto mapper = Ref<vtkDataSetMapper>::New();
@@ -218,11 +218,11 @@ Point panel_size(const DrawnScene& scene, std::size_t i) {
 // Space for labels, the same in all panels.
 double above_panels(const Picture& p) {
   const bool labelled = std::any_of(p.panels.begin(), p.panels.end(),
-                                    [](const plot::Panel& panel) { return !panel.label.empty(); });
+                                    [](const plot::PicturePanel& panel) { return !panel.label.empty(); });
   return labelled ? 2 * font_size(p) : 0;
 }
 
-View view_of(const plot::Panel& panel) { return view_from(panel.azimuth, panel.elevation); }
+View view_of(const plot::PicturePanel& panel) { return view_from(panel.azimuth, panel.elevation); }
 
 ViewLayout panel_layout(const DrawnScene& scene, std::size_t i, const Bounds& bounds) {
   const Picture& p = scene.picture;
@@ -240,7 +240,7 @@ ViewLayout panel_layout(const DrawnScene& scene, std::size_t i, const Bounds& bo
 
 void add_panel(DrawnScene& scene, std::size_t i, const Bounds& bounds) {
   const Picture& p = scene.picture;
-  const plot::Panel& panel = p.panels[i];
+  const plot::PicturePanel& panel = p.panels[i];
   const int letter = font_size(p);
   const Viewport place = panel_place(scene, i);
   const auto renderer = viewport(scene, place.x0, place.y0, place.x1, place.y1);
@@ -310,7 +310,7 @@ void save(DrawnScene& scene) {
 std::vector<std::string> draw(const Picture& picture) {
   if (picture.panels.empty()) throw Error("render: expected at least one file");
   DrawnScene scene{picture};
-  for (const plot::Panel& panel : picture.panels) {
+  for (const plot::PicturePanel& panel : picture.panels) {
     scene.sheets.push_back(read_sheet(panel.vtu, picture));
     if (picture.smooth) make_smooth(scene.sheets.back());
   }

@@ -39,7 +39,11 @@ const char* name(Isa isa) {
     case Isa::avx2:
       return "avx2";
     default:
+#if defined(__aarch64__)
+      return "neon";  // what every such processor has; checkpoints of other processors are refused by this name
+#else
       return "baseline";
+#endif
   }
 }
 

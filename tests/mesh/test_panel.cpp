@@ -20,7 +20,7 @@ Loop polygon(const std::vector<Vec2>& points, const std::vector<std::string>& na
   Loop loop;
   for (std::size_t i = 0; i < points.size(); ++i)
     loop.push_back(
-        {Curve::line(points[i], points[(i + 1) % points.size()]), i < names.size() ? names[i] : ""});
+        {PlaneCurve::line(points[i], points[(i + 1) % points.size()]), i < names.size() ? names[i] : ""});
   return loop;
 }
 
@@ -114,7 +114,7 @@ TEST_CASE("straight outlines keep their area, holes and darts theirs", "[mesh][p
 TEST_CASE("arcs: area of the polygon on the circle, which converges to that of the circle", "[mesh][panel]") {
   double before = 0;
   for (const double size : {0.02, 0.01, 0.005}) {
-    const Mesh mesh = panel({.outline = {{Curve::circle({0.03, -0.01}, 0.1), "rim"}}, .size = size});
+    const Mesh mesh = panel({.outline = {{PlaneCurve::circle({0.03, -0.01}, 0.1), "rim"}}, .size = size});
     sound(mesh);
     const auto n = static_cast<double>(mesh.set("rim").size());
     CHECK(n == std::round(0.2 * pi / size));
@@ -125,8 +125,8 @@ TEST_CASE("arcs: area of the polygon on the circle, which converges to that of t
     for (const Index id : mesh.set("rim"))
       CHECK((mesh.nodes[id] - Vec3(0.03, -0.01, 0)).norm() == Approx(0.1));
   }
-  const Mesh ring = panel({.outline = {{Curve::circle({0, 0}, 0.1), "outer"}},
-                           .holes = {{{Curve::circle({0, 0}, 0.04), "inner", 24}}},
+  const Mesh ring = panel({.outline = {{PlaneCurve::circle({0, 0}, 0.1), "outer"}},
+                           .holes = {{{PlaneCurve::circle({0, 0}, 0.04), "inner", 24}}},
                            .size = 0.008,
                            .grain = 30});
   sound(ring);
@@ -135,25 +135,26 @@ TEST_CASE("arcs: area of the polygon on the circle, which converges to that of t
 }
 
 TEST_CASE("curves: length, ends, the nearest place; splines pass through their points", "[mesh][panel]") {
-  const Curve arc = Curve::arc_through({0, 0}, {1, 1}, {2, 0});
+  const PlaneCurve arc = PlaneCurve::arc_through({0, 0}, {1, 1}, {2, 0});
   CHECK(arc.length() == Approx(pi));
   CHECK((arc.at(pi / 2) - Vec2(1, 1)).norm() < 1e-14);
-  const Curve about = Curve::arc_about({1, 0}, {0, 0}, {2, 0}, true);
+  const PlaneCurve about = PlaneCurve::arc_about({1, 0}, {0, 0}, {2, 0}, true);
   CHECK((about.at(pi / 2) - Vec2(1, 1)).norm() < 1e-14);
-  CHECK((Curve::arc_about({1, 0}, {0, 0}, {2, 0}, false).at(pi / 2) - Vec2(1, -1)).norm() < 1e-14);
+  CHECK((PlaneCurve::arc_about({1, 0}, {0, 0}, {2, 0}, false).at(pi / 2) - Vec2(1, -1)).norm() < 1e-14);
   CHECK(arc.nearest({1 - 3 * std::cos(1), 3 * std::sin(1)}) == Approx(1).epsilon(1e-12));
   // The parabola y = x^2 from 0 to 1 as a Bezier curve; its length in closed form.
-  const Curve parabola = Curve::bezier({{0, 0}, {1.0 / 3, 0}, {2.0 / 3, 1.0 / 3}, {1, 1}});
+  const PlaneCurve parabola = PlaneCurve::bezier({{0, 0}, {1.0 / 3, 0}, {2.0 / 3, 1.0 / 3}, {1, 1}});
   CHECK(parabola.length() == Approx(std::sqrt(5) / 2 + std::asinh(2) / 4).epsilon(1e-12));
   const auto until = [](double x) { return x * std::sqrt(1 + 4 * x * x) / 2 + std::asinh(2 * x) / 4; };
   CHECK((parabola.at(until(0.3)) - Vec2(0.3, 0.09)).norm() < 1e-12);
   CHECK((parabola.reversed().at(parabola.length() - until(0.3)) - Vec2(0.3, 0.09)).norm() < 1e-12);
   CHECK(parabola.nearest({0.3 - 0.6 * 0.1, 0.09 + 0.1}) == Approx(until(0.3)).epsilon(1e-11));
   const std::vector<Vec2> points{{0, 0}, {1, 0.4}, {1.5, 1.7}, {3, 2}};
-  const Curve spline = Curve::spline(points);
+  const PlaneCurve spline = PlaneCurve::spline(points);
   for (const Vec2& x : points) CHECK((spline.at(spline.nearest(x)) - x).norm() < 1e-11);
-  CHECK(Curve::spline({{0, 0}, {2, 1}}).length() == Approx(std::sqrt(5)).epsilon(1e-13));
-  CHECK(Curve::spline({{0, 0}, {1, 2}, {2, 4}, {5, 10}}).length() == Approx(5 * std::sqrt(5)).epsilon(1e-13));
+  CHECK(PlaneCurve::spline({{0, 0}, {2, 1}}).length() == Approx(std::sqrt(5)).epsilon(1e-13));
+  CHECK(PlaneCurve::spline({{0, 0}, {1, 2}, {2, 4}, {5, 10}}).length() ==
+        Approx(5 * std::sqrt(5)).epsilon(1e-13));
   // Smooth: the tangents on both sides of a point agree.
   const double s = spline.nearest(points[1]);
   CHECK((spline.tangent(s - 1e-9) - spline.tangent(s + 1e-9)).norm() < 1e-7);
@@ -165,7 +166,7 @@ TEST_CASE("notches are nodes, however the outline was drawn", "[mesh][panel]") {
     Loop loop = polygon(points, {"hem", "right", "top", "left"});
     if (turned) {
       std::reverse(loop.begin(), loop.end());
-      for (Piece& piece : loop) piece.curve = piece.curve.reversed();
+      for (OutlinePiece& piece : loop) piece.curve = piece.curve.reversed();
     }
     const double at = turned ? 0.3 - 0.0777 : 0.0777;
     const Mesh mesh = panel({.outline = loop,
@@ -189,12 +190,12 @@ TEST_CASE("notches are nodes, however the outline was drawn", "[mesh][panel]") {
 
 TEST_CASE("a bodice with armhole and neck, narrow places and sharp corners", "[mesh][panel]") {
   const Vec2 a{0, 0}, b{0.24, 0}, c{0.25, 0.2}, d{0.2, 0.4}, e{0.09, 0.43}, f{0, 0.36};
-  const Loop bodice{{Curve::line(a, b), "waist"},
-                    {Curve::line(b, c), "side"},
-                    {Curve::spline({c, {0.205, 0.25}, {0.195, 0.33}, d}), "armhole"},
-                    {Curve::line(d, e), "shoulder"},
-                    {Curve::arc_about({0, 0.45}, e, {0, 0.45 - std::hypot(0.09, 0.02)}, true), "neck"},
-                    {Curve::line({0, 0.45 - std::hypot(0.09, 0.02)}, a), "front"}};
+  const Loop bodice{{PlaneCurve::line(a, b), "waist"},
+                    {PlaneCurve::line(b, c), "side"},
+                    {PlaneCurve::spline({c, {0.205, 0.25}, {0.195, 0.33}, d}), "armhole"},
+                    {PlaneCurve::line(d, e), "shoulder"},
+                    {PlaneCurve::arc_about({0, 0.45}, e, {0, 0.45 - std::hypot(0.09, 0.02)}, true), "neck"},
+                    {PlaneCurve::line({0, 0.45 - std::hypot(0.09, 0.02)}, a), "front"}};
   for (const double size : {0.03, 0.015, 0.006})
     sound(panel({.outline = bodice, .size = size, .grain = 90}), 12);
   const Mesh again = panel({.outline = bodice, .size = 0.015, .grain = 90});
@@ -251,7 +252,7 @@ TEST_CASE("any star of straight lines is covered", "[mesh][panel]") {
 }
 
 TEST_CASE("equilateral triangles", "[mesh][panel]") {
-  const Mesh mesh = panel({.outline = {{Curve::circle({0, 0}, 0.1)}}, .size = 0.01, .triangles = true});
+  const Mesh mesh = panel({.outline = {{PlaneCurve::circle({0, 0}, 0.1)}}, .size = 0.01, .triangles = true});
   sound(mesh, 23);
   CHECK(check(mesh).measures.quadrilaterals == 0);
   CHECK(mesh.elements.size() == 2 * mesh.nodes.size() - 2 - mesh.set("boundary").size());  // Euler
@@ -263,7 +264,8 @@ TEST_CASE("wrong panels are refused with their place", "[mesh][panel]") {
   says(
       refused({.outline = polygon({{0, 0}, {0.2, 0.2}, {0.2, 0}, {0, 0.25}}, {"a", "b", "c"}), .size = 0.05}),
       "panel: field 'outline': edge 'a' crosses or touches edge 'c' near (");
-  says(refused({.outline = {{Curve::line({0, 0}, {1, 0})}, {Curve::line({1, 0}, {1, 1}), "b"}}, .size = 0.1}),
+  says(refused({.outline = {{PlaneCurve::line({0, 0}, {1, 0})}, {PlaneCurve::line({1, 0}, {1, 1}), "b"}},
+                .size = 0.1}),
        "panel: field 'outline': open: it ends at (1, 1), 1.41421 m from where it goes on, (0, 0)");
   says(refused({.outline = {}, .size = 0.1}),
        "panel: field 'outline': expected at least one piece, got none");
@@ -280,10 +282,10 @@ TEST_CASE("wrong panels are refused with their place", "[mesh][panel]") {
   };
   says(hole(polygon({{0.3, 0}, {0.4, 0}, {0.4, 0.1}})),
        "panel: field 'holes': hole 1 lies outside of the outline, at (0.3, 0)");
-  says(hole({{Curve::circle({0.1, 0.15}, 0.08)}}),
+  says(hole({{PlaneCurve::circle({0.1, 0.15}, 0.08)}}),
        "panel: field 'holes': hole 1, piece 1 crosses or touches edge 'c'");
   says(refused({.outline = square,
-                .holes = {{{Curve::circle({0.1, 0.1}, 0.08)}}, {{Curve::circle({0.1, 0.1}, 0.03)}}},
+                .holes = {{{PlaneCurve::circle({0.1, 0.1}, 0.08)}}, {{PlaneCurve::circle({0.1, 0.1}, 0.03)}}},
                 .size = 0.05}),
        "panel: field 'holes': hole 2 lies in hole 1, at (");
   const auto dart = [&](std::vector<Dart> darts) {
@@ -316,11 +318,11 @@ TEST_CASE("wrong panels are refused with their place", "[mesh][panel]") {
                 .size = 0.02}),
        "notch 'n': (0.07, 0) lies in the mouth of a dart");
   says(message_of([] {
-         Curve::arc_through({0, 0}, {1, 1}, {2, 2});
+         PlaneCurve::arc_through({0, 0}, {1, 1}, {2, 2});
        }),
        "arc: expected three points that do not lie on a line");
   says(message_of([] {
-         Curve::arc_about({0, 0}, {1, 0}, {0, 1.1}, false);
+         PlaneCurve::arc_about({0, 0}, {1, 0}, {0, 1.1}, false);
        }),
        "arc: expected both ends at one distance from 'centre', got 1 and 1.1 m");
 }

@@ -79,7 +79,7 @@ int poly(Call& call) {
 }
 
 // Copies the string-keyed fields of the table on top to globals that do not exist yet, and pops the table.
-void spill(lua_State* L) {
+void copy_to_globals(lua_State* L) {
   lua_pushglobaltable(L);
   lua_pushnil(L);
   while (lua_next(L, -3) != 0) {
@@ -104,8 +104,8 @@ int globals(Call& call) {
   lua_rawget(L, -2);
   want_table(L, -1, "fabric.units");
   lua_insert(L, -2);
-  spill(L);
-  spill(L);
+  copy_to_globals(L);
+  copy_to_globals(L);
   lua_getglobal(L, "fabric");
   if (lua_isnil(L, -1)) {
     lua_getfield(L, LUA_REGISTRYINDEX, "fabric");

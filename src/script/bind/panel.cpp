@@ -15,7 +15,7 @@
 
 namespace fabricsh::script {
 
-using mesh::Curve;
+using mesh::PlaneCurve;
 using mesh::Vec2;
 
 namespace {
@@ -101,8 +101,8 @@ class LineReader {
  private:
   void read_piece(const std::string& path);
   void add(const Fields& given, const std::string& path, bool straight_to, const Vec2& to);
-  Curve arc(const Fields& given, const std::string& path) const;
-  Curve curve(const Fields& given, const std::string& path) const;
+  PlaneCurve arc(const Fields& given, const std::string& path) const;
+  PlaneCurve curve(const Fields& given, const std::string& path) const;
   void close();
 
   lua_State* L_;
@@ -165,35 +165,35 @@ void LineReader::add(const Fields& given, const std::string& path, bool straight
     return;
   }
   if (started_ && circle) refuse_at(path, "expected a circle to be the only piece of its line");
-  const Curve made = straight_to ? Curve::line(now_, to) : curve(given, path);
+  const PlaneCurve made = straight_to ? PlaneCurve::line(now_, to) : curve(given, path);
   loop_.push_back({made, given.text("name"), given.has("elements") ? given.integer("elements") : 0});
   now_ = made.end();
   done_ = circle || (straight_to && to == start_);
 }
 
-Curve LineReader::arc(const Fields& given, const std::string& path) const {
+PlaneCurve LineReader::arc(const Fields& given, const std::string& path) const {
   const std::string inside = path + ".arc.";
   const Fields arc = given.fields("arc");
   if (arc.has("through") == arc.has("centre"))
     refuse_at(path + ".arc", "expected either through={x, y} or centre={x, y}");
   const Vec2 to = point_in(arc, "to", inside);
-  if (arc.has("through")) return Curve::arc_through(now_, point_in(arc, "through", inside), to);
-  return Curve::arc_about(point_in(arc, "centre", inside), now_, to, arc.flag("clockwise"));
+  if (arc.has("through")) return PlaneCurve::arc_through(now_, point_in(arc, "through", inside), to);
+  return PlaneCurve::arc_about(point_in(arc, "centre", inside), now_, to, arc.flag("clockwise"));
 }
 
-Curve LineReader::curve(const Fields& given, const std::string& path) const {
+PlaneCurve LineReader::curve(const Fields& given, const std::string& path) const {
   try {
     if (given.has("arc")) return arc(given, path);
     if (given.has("circle"))
-      return Curve::circle(point_in(given, "circle", path + "."), given.number("radius"));
+      return PlaneCurve::circle(point_in(given, "circle", path + "."), given.number("radius"));
     const bool spline = given.has("spline");
     std::vector<Vec2> points{now_};
     const auto more = points_in(given, spline ? "spline" : "bezier", path + ".", spline ? 1 : 3);
     points.insert(points.end(), more.begin(), more.end());
-    if (spline) return Curve::spline(points);
+    if (spline) return PlaneCurve::spline(points);
     if (more.size() != 3)
       refuse_at(path + ".bezier", "expected 3 points, got " + std::to_string(more.size()));
-    return Curve::bezier(points);
+    return PlaneCurve::bezier(points);
   } catch (const Error& error) {
     const std::string words = error.what();
     if (words.starts_with("field ")) throw;
@@ -207,14 +207,14 @@ void LineReader::close() {
   if (loop_.empty())
     refuse_at(path_, "expected at least three pieces, got " + std::to_string(started_ ? 1 : 0));
   double length = 0;
-  for (const mesh::Piece& piece : loop_) length += piece.curve.length();
+  for (const mesh::OutlinePiece& piece : loop_) length += piece.curve.length();
   const double gap = (now_ - start_).norm();
   if (gap <= 1e-9 * length) return;
   if (gap < 1e-2 * length)
     refuse_at(path_, "open: it ends at " + mesh::place_text(now_) + ", " + fabricsh::number(gap) +
                          " m from its start " + mesh::place_text(start_) +
                          " (end it there, or close it with {name='...'})");
-  loop_.push_back({Curve::line(now_, start_)});
+  loop_.push_back({PlaneCurve::line(now_, start_)});
 }
 
 mesh::Loop read_line(lua_State* L, const std::string& path) { return LineReader(L, path).read(); }
