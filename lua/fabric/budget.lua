@@ -205,23 +205,26 @@ local function variance_of(list)
   return sum / (#list - 1)
 end
 
--- The same with 95 % bands by the bootstrap over rows.
+-- The same with 95 % bands by the bootstrap over rows; and whether inputs act together, which the sums of both orders, 1 without, must show beyond their bands.
 local function indices_with_bands(rows, inputs, seed)
-  local draw, out = random(seed), {}
+  local draw, out, alone, all = random(seed), {}, {}, {}
   local resampled = {}
   for b = 1, boots do
     local list = {}
     for i = 1, #rows do list[i] = rows[math.min(#rows, 1 + math.floor(#rows * draw.uniform()))] end
-    resampled[b] = list
+    resampled[b], alone[b], all[b] = list, 0, 0
   end
   for k = 1, #inputs do
     local first, total = {}, {}
-    for b = 1, boots do first[b], total[b] = indices(resampled[b], k) end
+    for b = 1, boots do
+      first[b], total[b] = indices(resampled[b], k)
+      alone[b], all[b] = alone[b] + first[b], all[b] + total[b]
+    end
     local s, st, variance = indices(rows, k)
     out[k] = { first = s, total = st, variance = variance,
       first_band = { quantile(first, 0.025), quantile(first, 0.975) }, total_band = { quantile(total, 0.025), quantile(total, 0.975) } }
   end
-  return out
+  return out, quantile(alone, 0.975) < 1 and quantile(all, 0.025) > 1
 end
 
 -- The budget of one number. rows: of the samples, without those that failed.
@@ -253,20 +256,22 @@ local function budget_of(t, inputs, base, numerical, rows)
   if #rows > 0 then
     for _, row in ipairs(rows) do all[#all + 1], all[#all + 2] = row[1], row[2] end
     below, above = base - quantile(all, (1 - level) / 2), quantile(all, (1 + level) / 2) - base
-    for k, index in ipairs(t.shares and indices_with_bands(rows, inputs, t.seed) or {}) do
-      variance = index.variance
-      own = own + math.max(index.first, 0)
+    local found, together = {}, false
+    if t.shares then found, together = indices_with_bands(rows, inputs, t.seed) end
+    for k, index in ipairs(found) do
+      local part = together and math.max(index.first, 0) or index.total
+      variance, own = index.variance, own + part
       index.range, index.why = inputs[k].range, inputs[k].why
-      add(inputs[k].name, math.sqrt(math.max(index.first, 0) * variance), index)
+      add(inputs[k].name, math.sqrt(part * variance), index)
     end
     if not t.shares then
       variance = variance_of(all)
       local only = #inputs == 1 and inputs[1] -- all of the variance is its own
       add(only and only.name or "inputs", math.sqrt(variance), { range = only and only.range or "all together", why = only and only.why })
-    elseif own > 1 then -- indices of first order have errors of their own: they share the variance
+    elseif own > 0 and (own > 1 or not together) then -- indices have errors of their own: they share the variance
       for _, c in ipairs(out.contributions) do if c.first then c.deviation = c.deviation / math.sqrt(own) end end
     elseif variance > 0 then
-      add("together", math.sqrt((1 - own) * variance), { range = "interactions, and with few samples the scatter of the indices" })
+      add("together", math.sqrt((1 - own) * variance), { range = "interactions" })
     end
   end
   local whole = from_numbers + variance

@@ -76,7 +76,10 @@ local pool = lab.pool { parameters = parameters, tests = tests, model = strains,
 print "crimp that goes from one yarn to the other, seven numbers; strains in %:"
 print(pool.text)
 local checks = {}
-local function end_of(p, k) return p.low and ("%.2f, %.2f to %.2f"):format(p.predicted[k], p.low[k], p.high[k]) or ("%.2f, no band: %s"):format(p.predicted[k], p.reason) end
+local function end_of(p, k, far)
+  if far ~= "" then return ("%.2f, no band: %s"):format(p.predicted[k], far) end
+  return p.low and ("%.2f, %.2f to %.2f"):format(p.predicted[k], p.low[k], p.high[k]) or ("%.2f, no band: %s"):format(p.predicted[k], p.reason)
+end
 -- The direction of the loads in degrees, 0: warp alone, 90: weft alone. Beyond those of the others nothing was pulled straight that is pulled there.
 local function direction(ratio)
   local w, f = ratio:match "^([%d.]+):([%d.]+)$"
@@ -88,13 +91,14 @@ local function beyond(ratio)
     if other ~= ratio then low, high = math.min(low, direction(other)), math.max(high, direction(other)) end
   end
   local own = direction(ratio)
-  return (own < low - 1e-9 or own > high + 1e-9) and "; beyond the ratios of the others, where the band does not hold" or ""
+  return (own < low - 1e-9 or own > high + 1e-9) and "this ratio lies beyond those of the others" or ""
 end
 for _, held in ipairs(pool.left_out_by.ratio) do
   for _, yarn in ipairs { "warp", "weft" } do
     local own, n = held.tests[held.label .. " " .. yarn], #rows[held.label].load
-    print(("%s from the others, %s: at the end %s, measured %.2f%s%s"):format(held.label, yarn, end_of(own, n), rows[held.label][yarn][n], own.inside
-      and (", %.0f %% of the points in the band"):format(100 * own.inside) or "", beyond(held.label)))
+    local far = beyond(held.label)
+    print(("%s from the others, %s: at the end %s, measured %.2f%s"):format(held.label, yarn, end_of(own, n, far), rows[held.label][yarn][n], own.inside
+      and (", %.0f %% of the points in the band%s"):format(100 * own.inside, far ~= "" and " of ratios between the others, which is not given here" or "") or ""))
   end
 end
 
@@ -106,8 +110,10 @@ for _, yarn in ipairs { "warp", "weft" } do
   local test = { yarn = yarn, ratio = asked, x = first.load, scale = scale_of(first.load), n_w = {}, n_f = {} }
   for k, n in ipairs(first.load) do test.n_w[k], test.n_f[k] = n * share_w / most, n * share_f / most end
   local p = pool:predict(test)
-  print(("%s predicted, %s: at the end %s%s"):format(asked, yarn, end_of(p, #first.load), beyond(asked)))
-  curves[#curves + 1] = { x = first.load, y = p.predicted, label = asked .. " " .. yarn .. (p.low and beyond(asked) == "" and ", predicted, 95 % band" or p.low and ", predicted, band of other ratios" or ", predicted"),
+  local far = beyond(asked)
+  if far ~= "" then p.low, p.high = nil, nil end
+  print(("%s predicted, %s: at the end %s"):format(asked, yarn, end_of(p, #first.load, far)))
+  curves[#curves + 1] = { x = first.load, y = p.predicted, label = asked .. " " .. yarn .. (p.low and ", predicted, 95 % band" or ", predicted"),
     style = yarn == "weft" and "dashed" or "line", band = p.low and { low = p.low, high = p.high } or nil }
   if rows[asked] then curves[#curves + 1] = { x = rows[asked].load, y = rows[asked][yarn], label = asked .. " " .. yarn .. ", measured", style = "points" } end
 end
