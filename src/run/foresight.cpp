@@ -4,7 +4,9 @@
 #include <variant>
 #include <vector>
 
+#include "base/error.hpp"
 #include "base/number.hpp"
+#include "geometry/box.hpp"
 #include "law/check_parts.hpp"
 #include "run/diagnosis.hpp"
 #include "run/place_text.hpp"
@@ -169,6 +171,48 @@ std::vector<std::string> idle_loads(const model::Model& model, const mechanics::
   for (const auto& f : model.forces()) look("the force on", f, f.total);
   for (const auto& t : model.tractions()) look("the traction on", t, t.intensity);
   return lines;
+}
+
+// --- loads on a part of something symmetric
+
+namespace {
+
+bool cuts(const model::SymmetryPlane& plane, const model::Rigid& body, double extent) {
+  const auto facets = model::shown(body, extent);
+  double low = plane.at, high = plane.at;
+  for (const Vec3& x : facets.vertices) {
+    low = std::min(low, x[plane.axis]);
+    high = std::max(high, x[plane.axis]);
+  }
+  const double near = 1e-6 * extent;
+  return low < plane.at - near && high > plane.at + near;
+}
+
+bool moves_across(const model::BodyMotion& motion, int axis, double duration) {
+  const auto& along = motion.displacement[static_cast<std::size_t>(axis)];
+  if (along && !is_zero(*along, duration)) return true;
+  if (!motion.turn || is_zero(motion.turn->angle, duration)) return false;
+  return Vec3::Unit(axis).cross(motion.turn->axis.normalized()).norm() > kAlong;
+}
+
+}  // namespace
+
+void check_symmetric_loads(const model::Model& model, double duration) {
+  const double extent = box_of(model.mesh().nodes).size().norm();
+  for (const auto& plane : model::symmetry_planes(model)) {
+    if (model.mesh().set(plane.set).size() == model.mesh().nodes.size()) continue;
+    const auto& across = model.gravity()[static_cast<std::size_t>(plane.axis)];
+    if (across && !is_zero(*across, duration))
+      throw Error(
+          "gravity: its " + std::string(1, "xyz"[plane.axis]) + " points across " + plane.words() +
+          ", and would pull the part that is left out the other way: expected gravity in the plane, or "
+          "the whole model");
+    for (const model::BodyMotion& motion : model.interactions().motions())
+      if (moves_across(motion, plane.axis, duration) && cuts(plane, *motion.body, extent))
+        throw Error("move: the " + model.interactions().name_of(*motion.body) + " is cut by " +
+                    plane.words() +
+                    ": expected a motion in the plane and a turn about its normal alone, or the whole model");
+  }
 }
 
 // --- bending

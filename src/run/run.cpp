@@ -45,6 +45,7 @@ Run::Run(std::shared_ptr<model::Model> model, double duration, std::shared_ptr<N
     throw Error(std::string(kind) + ": field 'duration': expected a positive time in s, got " +
                 number(duration));
   model_->validate();
+  check_symmetric_loads(*model_, duration_);
   model_->divide_zones();
   assembly_ = std::make_unique<mechanics::Assembly>(*model_);
   model_->seal();

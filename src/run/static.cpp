@@ -104,7 +104,7 @@ Static::Static(std::shared_ptr<model::Model> model, const StaticOptions& options
         "with a card whose stress changes in time");
   if (options_.control == Control::arc)
     arc_ = std::make_unique<solver::ArcLength>(std::move(linear));
-  else if (has_energy_)
+  else
     stable_ = std::make_unique<solver::TrustRegion>(std::move(linear), assembly_->symmetric());
   if (!arc_) newton_ = std::make_unique<solver::Newton>(make_solver(options_.solver, !takes_unsymmetric()));
   if (options_.method != Method::newton) {
@@ -268,7 +268,7 @@ bool Static::attempt(double size, StepReport& report) {
   }
   problem_->set_time(size);
   const auto solve = [&] {
-    if (!has_energy_) return newton_->solve(*problem_, options);
+    if (!has_energy_) return left_if_unstable(newton_->solve(*problem_, options), options);
     auto result = stable_->solve(*problem_, options);
     if (result.status != solver::NewtonStatus::too_many_iterations || report.cuts < kOtherWay) return result;
     const auto other = newton_->solve(*problem_, {options_.tolerance, kNewtonIterations});
@@ -335,6 +335,8 @@ solver::NewtonResult Static::relax(solver::NewtonOptions options) {
     problem_->save_iterate();
     auto polished = newton_->correct(*problem_, options);
     polished.iterations += result.iterations;
+    polished = left_if_unstable(
+        polished, {options_.tolerance, options_.max_iterations, options_.line_search, options.most_unstable});
     if (polished.status == solver::NewtonStatus::converged) return polished;
     problem_->restore_iterate();
     coarse.tolerance = std::max(options_.tolerance, 1e-2 * coarse.tolerance);
@@ -346,8 +348,19 @@ solver::NewtonResult Static::relax(solver::NewtonOptions options) {
 
 solver::NewtonResult Static::complete(const solver::NewtonResult& relaxed,
                                       const solver::NewtonOptions& options) {
-  auto result = has_energy_ ? stable_->correct(*problem_, options) : newton_->correct(*problem_, options);
+  auto result = has_energy_ ? stable_->correct(*problem_, options)
+                            : left_if_unstable(newton_->correct(*problem_, options), options);
   result.iterations += relaxed.iterations;
+  return result;
+}
+
+// Newton's method, which solves for laws without energy and completes dynamic relaxation, takes whatever
+// equilibrium it meets.
+solver::NewtonResult Static::left_if_unstable(const solver::NewtonResult& found,
+                                              const solver::NewtonOptions& options) {
+  if (found.status != solver::NewtonStatus::converged) return found;
+  auto result = stable_->correct(*problem_, options);
+  result.iterations += found.iterations;
   return result;
 }
 

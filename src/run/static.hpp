@@ -88,6 +88,8 @@ class Static final : public Run {
   void grow(const StepReport& report);                // sets the size of the next step
   void grow_arc(const StepReport& report);
   solver::NewtonResult relax(solver::NewtonOptions options);
+  solver::NewtonResult left_if_unstable(const solver::NewtonResult& found,
+                                        const solver::NewtonOptions& options);
   solver::NewtonResult complete(const solver::NewtonResult& relaxed, const solver::NewtonOptions& options);
   bool finish(solver::NewtonResult result, double end, StepReport& report);
   void report_notices(const StepReport& report);  // gives notices

@@ -78,10 +78,10 @@ class Walk final : public Downhill {
   bool definite_ = false;  // whether K near the present configuration is known to be positive definite
 };
 
-// With the least regularisation that makes it positive definite.
+// With the least regularisation that leaves no pivot negative.
 bool Walk::factorise_definite() {
   for (double m = 0; m < kMost; m = m == 0 ? kFirst : 8 * m)
-    if (factorise(m)) return true;
+    if (factorise(m) && result_.negative_pivots == 0) return true;
   return false;
 }
 
@@ -176,7 +176,7 @@ void Walk::adapt(const TrialStep& step) {
   fallen_ += step.drop;
   if (step.ratio > kGood) radius_ = std::min(kWidest, 2 * radius_);
   if (step.ratio < kPoor && !watches_) radius_ = std::min(radius_, step.turn) / 2;
-  definite_ = m_ == 0 && step.turn < 1e-3;
+  definite_ = m_ == 0 && step.turn < 1e-3 && result_.negative_pivots == 0;
   if (m_ > 0) next_m_ = m_ / 4;
   m_ = step.ratio > kExact && step.turn < radius_ / 3 ? 0 : m_ * std::clamp(step.turn / radius_, 0.1, 4.0);
 }
@@ -251,12 +251,16 @@ Answer Walk::follow_supports() {
   return answer;
 }
 
-// Whether the tangent at this equilibrium has no negative pivot. Decided for symmetric tangents only.
+// Whether the tangent at this equilibrium has no negative pivot. Of one that is not symmetric, as with
+// sliding friction, an odd number of them means a negative determinant and so a direction in which the shape
+// leaves its place by itself; an even number may mislead, and then neither side of the softest direction is
+// lower.
 bool Walk::stable() {
-  if (definite_ || !symmetric_ || K_.size() == 0) return true;
+  if (definite_ || K_.size() == 0) return true;
   if (problem_.tangent(K_) != Answer::ok) return true;
   linear::absolute_sums(K_, D_);
-  return factorise(0) || result_.negative_pivots == 0;
+  factorise(0);
+  return result_.negative_pivots == 0;
 }
 
 // J, of the forces at the end of a step along delta_.

@@ -77,3 +77,28 @@ says("model: the sphere is not symmetric about the plane of symmetry x = 0 m of 
 says("velocity: the sphere is cut by the plane of symmetry x = 0 m of set 'left': expected a velocity in the plane and a spin about its normal alone", function() half_with(ball(0), { x = 0.1, z = -1 }) end)
 says("expected a velocity in the plane", function() half_with(ball(0), { spin = { 0, 0, 90 } }) end)
 half_with(ball(0.02), { x = 0.1 }):solve() -- one that the plane does not cut is free
+
+-- What pushes is symmetric, too: gravity across the plane would pull the part that is left out the other way.
+local function hung(gravity, planes)
+  local mesh = fabric.mesh.rectangle { width = 0.03, height = 0.06, nx = 3, ny = 6 }
+  local m = fabric.model { mesh = mesh, card = card, warp = 0 }
+  for set, normal in pairs(planes) do m:symmetry(set, normal) end
+  return fabric.static { model = m:gravity(gravity), duration = 1 }
+end
+says("gravity: its x points across the plane of symmetry x = 0 m of set 'left', and would pull the part that is left out the other way: expected gravity in the plane, or the whole model",
+  function() hung({ fabric.ramp(9.81, 1), 0, -9.81 }, { left = "x" }) end)
+says("gravity: its y points across the plane of symmetry y = 0.06 m of set 'top'", function() hung({ 0, function(t) return 3 * math.sin(t) end, 0 }, { left = "x", top = "y" }) end)
+hung({ 0, 3, -9.81 }, { left = "x" })
+hung({ 0, 3, -9.81 }, { all = "z" }) -- a sheet in its plane is whole
+-- So is a body that is moved.
+local function pressed(x, motion)
+  local mesh = fabric.mesh.rectangle { width = 0.03, height = 0.06, nx = 3, ny = 6 }
+  local m = fabric.model { mesh = mesh, card = card, points = 1, warp = 0 }
+  local rod = fabric.rigid.cylinder { radius = 0.004, from = { x - 0.01, 0.03, 0.006 }, to = { x + 0.01, 0.03, 0.006 } }
+  return fabric.static { model = m:symmetry("left", "x"):contact { between = { rod, "all" } }:move(rod, motion), duration = 1 }
+end
+local moved = "move: the cylinder is cut by the plane of symmetry x = 0 m of set 'left': expected a motion in the plane and a turn about its normal alone, or the whole model"
+says(moved, function() pressed(0, { z = fabric.ramp(-0.01, 1), x = function(t) return 0.01 * t end }) end)
+says(moved, function() pressed(0, { turn = { axis = { 1, 0, 0.1 }, angle = fabric.ramp(20, 1) } }) end)
+pressed(0, { y = fabric.ramp(0.01, 1), turn = { axis = { -2, 0, 0 }, angle = fabric.ramp(20, 1) } })
+pressed(0.02, { x = fabric.ramp(0.001, 1) }) -- the plane does not cut it

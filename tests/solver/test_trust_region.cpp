@@ -113,6 +113,22 @@ TEST_CASE("an unstable equilibrium is left for a stable one, whatever the side")
   }
 }
 
+TEST_CASE("a tangent that is not symmetric shows an unstable equilibrium by the sign of its determinant") {
+  for (const double p : {0.0, 0.1, -0.1}) {
+    // At the middle equilibrium from the beginning: nothing but the tangent tells that it is unstable.
+    Scalar problem = double_well(p);
+    problem.committed = 0;
+    for (int i = 0; i < 50; ++i)
+      problem.committed = problem.committed * problem.committed * problem.committed - p;
+    TrustRegion unsymmetric(fabricsh::linear::make_unsymmetric_solver(), false);
+    const auto result = unsymmetric.solve(problem, {.max_iterations = 100});
+    REQUIRE(result.status == NewtonStatus::converged);
+    const double u = problem.trial();
+    CHECK(std::abs(p + u - u * u * u) < 1e-9);
+    CHECK(3 * u * u > 1);
+  }
+}
+
 TEST_CASE("where Newton's method climbs to the top of the energy, this goes down into the well") {
   // At u = 0.4 the tangent is negative: Newton's step is uphill, towards 0.
   Scalar problem = double_well(0);
