@@ -32,8 +32,11 @@ foreach(target ${FABRICSH_ROOM_TARGETS})
       FILES_MATCHING PATTERN "*.hpp")
   endif()
 endforeach()
-install(FILES ${CMAKE_BINARY_DIR}/generated/rheology/list.hpp
-  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/fabricsh/rheology COMPONENT dev)
+foreach(header rheology/list card/laws law/laws)
+  get_filename_component(room ${header} DIRECTORY)
+  install(FILES ${CMAKE_BINARY_DIR}/generated/${header}.hpp
+    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/fabricsh/${room} COMPONENT dev)
+endforeach()
 foreach(target ${exported})
   string(REPLACE "fabricsh_" "" name ${target})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})

@@ -46,20 +46,34 @@ function(fabricsh_isa_sources target)
   endforeach()
 endfunction()
 
-# generated/rheology/list.hpp: the rheological elements, one in each folder of the room.
-function(fabricsh_rheology folder)
-  file(GLOB headers CONFIGURE_DEPENDS RELATIVE ${CMAKE_SOURCE_DIR}/${folder} ${folder}/*/*.hpp)
+# The folders NAME of a room that hold a header NAME/NAME.hpp: `includes`, a line for each, and `names`, X(NAME) for each.
+function(fabricsh_folders room)
+  file(GLOB headers CONFIGURE_DEPENDS RELATIVE ${CMAKE_SOURCE_DIR}/src/${room} src/${room}/*/*.hpp)
   set(includes)
   set(names)
   foreach(header ${headers})
     get_filename_component(name ${header} NAME_WE)
     if(header STREQUAL "${name}/${name}.hpp")
-      string(APPEND includes "#include \"rheology/${header}\"\n")
+      string(APPEND includes "#include \"${room}/${header}\"\n")
       string(APPEND names " X(${name})")
     endif()
   endforeach()
+  set(includes "${includes}" PARENT_SCOPE)
+  set(names "${names}" PARENT_SCOPE)
+endfunction()
+
+# generated/rheology/list.hpp: the rheological elements, one in each folder of the room. generated/card/laws.hpp:
+# the names of the laws that take the woven card, one in each folder of the room law; generated/law/laws.hpp: the
+# laws themselves.
+function(fabricsh_material_folders)
+  fabricsh_folders(rheology)
   file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/generated/rheology/list.hpp CONTENT
     "// The folders of the room rheology, by the build.\n#pragma once\n${includes}#define FABRICSH_RHEOLOGY(X)${names}\n" @ONLY)
+  fabricsh_folders(law)
+  file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/generated/card/laws.hpp CONTENT
+    "// The folders of the room law, by the build.\n#pragma once\n#define FABRICSH_WOVEN_LAWS(X)${names}\n" @ONLY)
+  file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/generated/law/laws.hpp CONTENT
+    "// The folders of the room law, by the build.\n#pragma once\n#include \"card/laws.hpp\"\n${includes}" @ONLY)
 endfunction()
 
 function(fabricsh_rooms layers)

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "card/laws.hpp"
 #include "rheology/elements.hpp"
 
 namespace fabricsh::card {
@@ -84,7 +85,13 @@ struct Bands {
   Band warp, weft, shear;
 };
 
-enum class LawKind { potential, incremental, thesis };
+// The woven law, and those of folders of the room law that take its card in its place.
+#define FABRICSH_NAME(name) name,
+enum class LawKind { potential, FABRICSH_WOVEN_LAWS(FABRICSH_NAME) };
+#undef FABRICSH_NAME
+#define FABRICSH_NAME(name) #name,
+inline constexpr const char* law_words[] = {"potential", FABRICSH_WOVEN_LAWS(FABRICSH_NAME)};
+#undef FABRICSH_NAME
 enum class Transverse { elastic, follow };
 
 struct Woven {
@@ -95,7 +102,7 @@ struct Woven {
   Transverse transverse = Transverse::elastic;  // comparison laws only
   bool shear_hysteresis = true;                 // comparison laws only
   std::optional<Biaxial> biaxial;
-  rheology::Given parallel;  // law "potential" only: elements in parallel to its springs
+  rheology::Given parallel;  // law "potential" only: elements on its springs and in parallel to them
   std::optional<Bands> bands;
 };
 

@@ -1,5 +1,6 @@
 #include "card/fields.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/number.hpp"
@@ -148,7 +149,16 @@ Rows<Parameters> element_rows(const std::vector<rheology::ParameterRow<Parameter
     if (!r.name.starts_with(inside) || r.name.find('.', inside.size()) != std::string::npos) continue;
     const std::string name = r.name.substr(inside.size());
     if (r.place == nullptr) {
-      out.push_back(grouped<Parameters>(name, element_rows(rows, r.name + "."), same, r.sentence));
+      auto group = grouped<Parameters>(name, element_rows(rows, r.name + "."), same, r.sentence);
+      if (!r.required) {
+        group = group.optional();
+        group.there = [rows, inside = r.name + "."](const Parameters& p) {
+          return std::any_of(rows.begin(), rows.end(), [&](const auto& other) {
+            return other.place != nullptr && other.name.starts_with(inside) && p.*other.place != 0;
+          });
+        };
+      }
+      out.push_back(std::move(group));
       continue;
     }
     auto f = number(name, r.place, r.unit, r.range, r.sentence);
@@ -324,7 +334,7 @@ Rows<Woven> woven_rows() {
             "along the weft"),
       group("shear", &Woven::shear, shear_rows(), "in-plane shear"),
       group("tested", &Woven::tested, tested_rows(), "strains up to which it was measured").optional(),
-      word("law", &Woven::law, {"potential", "incremental", "thesis"},
+      word("law", &Woven::law, {std::begin(law_words), std::end(law_words)},
            "the law that is compiled from the card")
           .printed("#"),
       word("transverse", &Woven::transverse, {"elastic", "follow"}, "transverse shear of the comparison laws")

@@ -89,7 +89,7 @@ std::string at_field(const Card& card, const std::string& path) {
 std::optional<Clash> clash(const Card& card) {
   const auto* woven = std::get_if<Woven>(&card.law);
   if (woven == nullptr || woven->law == LawKind::potential) return {};
-  const char* kind = woven->law == LawKind::thesis ? "thesis" : "incremental";
+  const char* kind = law_words[static_cast<std::size_t>(woven->law)];
   const auto of = [&](const char* field) {
     return Clash{
         field,

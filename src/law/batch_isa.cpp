@@ -21,15 +21,15 @@ unsigned run_part(int state, const double* E, const double* s0, double* s1, doub
 }
 
 // Numbers that curved loops add to a state at most.
-template <bool curved>
-inline constexpr int loop_numbers = curved ? 2 * loop_state::count : 0;
+template <Yarns yarns>
+inline constexpr int loop_numbers = yarns == Yarns::curved ? 2 * loop_state::count : 0;
 
-template <bool rubs, bool curved>
+template <bool rubs, Yarns yarns>
 [[gnu::flatten]] unsigned potential_part(const Law& law, const Step& step, const double* E, const double* s0,
                                          double* s1, double* S, double* C) {
-  return run_part<potential_state::count + 2 + loop_numbers<curved>>(
+  return run_part<potential_state::count + 2 + loop_numbers<yarns>>(
       law.state_size, E, s0, s1, S, C, [&](const Pack* e, const Pack* old, Pack* trial) {
-        return potential_update<rubs, curved>(law.woven, step.at, e, old, trial);
+        return potential_update<rubs, yarns>(law.woven, step.at, e, old, trial);
       });
 }
 
@@ -41,23 +41,28 @@ template <bool rubs, bool curved>
                                           });
 }
 
-template <bool rubs, bool curved>
+template <bool rubs, Yarns yarns>
 [[gnu::flatten]] unsigned parallel_part(const Law& law, const Step& step, const double* E, const double* s0,
                                         double* s1, double* S, double* C) {
-  return run_part<potential_state::count + 2 + rheology::most_numbers + loop_numbers<curved>>(
+  constexpr int numbers = yarns == Yarns::factored ? rheology::most_numbers
+                                                   : rheology::most_parallel_numbers + loop_numbers<yarns>;
+  return run_part<potential_state::count + 2 + numbers>(
       law.state_size, E, s0, s1, S, C, [&](const Pack* e, const Pack* old, Pack* trial) {
-        return parallel_update<rubs, curved>(law.woven, step, e, old, trial);
+        return parallel_update<rubs, yarns>(law.woven, step, e, old, trial);
       });
 }
 
-template <bool exact>
-[[gnu::flatten]] unsigned rate_part(const Law& law, const Step& step, const double* E, const double* s0,
-                                    double* s1, double* S, double* C) {
-  return run_part<rate_state::count>(law.state_size, E, s0, s1, S, C,
-                                     [&](const Pack* e, const Pack* old, Pack* trial) {
-                                       return rate_update<exact>(law.woven, step.at, e, old, trial);
-                                     });
-}
+// The laws that take the woven card in the place of the springs.
+#define FABRICSH_PART(name)                                                                                  \
+  [[gnu::flatten]] unsigned name##_part(const Law& law, const Step& step, const double* E, const double* s0, \
+                                        double* s1, double* S, double* C) {                                  \
+    return run_part<name::Kind::numbers>(law.state_size, E, s0, s1, S, C,                                    \
+                                         [&](const Pack* e, const Pack* old, Pack* trial) {                  \
+                                           return name::update(law.woven, step, e, old, trial);              \
+                                         });                                                                 \
+  }
+FABRICSH_WOVEN_LAWS(FABRICSH_PART)
+#undef FABRICSH_PART
 
 unsigned elastic_part(const Law& law, const Step&, const double* E, const double* s0, double* s1, double* S,
                       double* C) {
@@ -66,26 +71,31 @@ unsigned elastic_part(const Law& law, const Step&, const double* E, const double
 }
 
 // Selects the kernel of law "potential" by the features that the card uses, so that unused ones cost nothing.
-template <bool curved>
+template <Yarns yarns>
 BatchFunction woven_part_for(const WovenData& w) {
-  if (rheology::any(w.parallel))
-    return w.friction.on ? parallel_part<true, curved> : parallel_part<false, curved>;
-  return w.friction.on ? potential_part<true, curved> : potential_part<false, curved>;
+  if (rheology::any(w.elements))
+    return w.friction.on ? parallel_part<true, yarns> : parallel_part<false, yarns>;
+  return w.friction.on ? potential_part<true, yarns> : potential_part<false, yarns>;
 }
 
 BatchFunction potential_part_for(const Law& law) {
   if (law.is_plain) return plain_part;
-  return is_curved(law.woven) ? woven_part_for<true>(law.woven) : woven_part_for<false>(law.woven);
+  if (rheology::any_on_springs(law.woven.elements))
+    return law.woven.friction.on ? parallel_part<true, Yarns::factored>
+                                 : parallel_part<false, Yarns::factored>;
+  return is_curved(law.woven) ? woven_part_for<Yarns::curved>(law.woven)
+                              : woven_part_for<Yarns::straight>(law.woven);
 }
 
 BatchFunction part_for(const Law& law) {
   switch (law.kind) {
     case CompiledKind::potential:
       return potential_part_for(law);
-    case CompiledKind::incremental:
-      return rate_part<true>;
-    case CompiledKind::thesis:
-      return rate_part<false>;
+#define FABRICSH_CASE(name) \
+  case CompiledKind::name:  \
+    return name##_part;
+      FABRICSH_WOVEN_LAWS(FABRICSH_CASE)
+#undef FABRICSH_CASE
     default:
       return elastic_part;
   }
@@ -105,8 +115,9 @@ void energies_of_part(int states, const double* E, const double* s, double* out,
   for (int i = 0; i < 5; ++i) e[i] = load(E + i * lanes);
   for (int i = 0; i < states; ++i) state[i] = load(s + i * lanes);
   const EnergyOf<Pack> energy = kernel(e, state);
-  const Pack all[energy_values] = {energy.stored, energy.warp, energy.weft, energy.shear, energy.created};
-  for (int i = 0; i < energy_values; ++i) store(out + i * lanes, all[i]);
+  store(out, energy.stored);
+  for (int i = 0; i < dissipations; ++i) store(out + (1 + i) * lanes, energy.dissipated[i]);
+  store(out + (1 + dissipations) * lanes, energy.created);
 }
 
 [[gnu::flatten]] void plain_energies(const Law& law, const double* E, const double* s, double* out) {

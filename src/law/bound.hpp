@@ -1,5 +1,8 @@
 // The stiffest that a law can become, for bounds of frequencies.
 #pragma once
+#include <algorithm>
+#include <cmath>
+
 #include "law/law.hpp"
 
 namespace fabricsh::law {
@@ -10,5 +13,11 @@ struct Bound {
   double axial = 0, shear = 0, transverse = 0;
 };
 Bound bound(const Law& law);
+
+// The larger eigenvalue of a 2x2 matrix with real eigenvalues.
+inline double larger_eigenvalue(double a, double b, double c, double d) {
+  const double half = 0.5 * (a - d);
+  return 0.5 * (a + d) + std::sqrt(std::max(half * half + b * c, 0.0));
+}
 
 }  // namespace fabricsh::law

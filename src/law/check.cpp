@@ -102,6 +102,13 @@ CheckReport check(const card::Card& card, double element_size) {
     check_continuity(*law, report);
   }
   check_definite(*law, report);
+  if (softens(*law))
+    report.items.push_back(
+        {"softens",
+         Severity::note,
+         "beyond their strength yarns soften: there the tangent is not positive definite, and "
+         "a static run may jump",
+         {}});
   if (woven != nullptr) check_criterion(*woven, *law, report);
   check_bending(card, *law, report);
   check_step(card, *law, element_size, report);

@@ -7,6 +7,7 @@
 #include "card/fields.hpp"
 #include "law/curve.hpp"
 #include "law/data.hpp"
+#include "law/laws.hpp"
 #include "law/potential.hpp"
 #include "law/text.hpp"
 
@@ -94,10 +95,17 @@ void compile_friction(const card::Card& card, const card::Woven& woven, WovenDat
   }
 }
 
-void compile_elements(const card::Woven& woven, rheology::Compiled& out) {
+// Elements on the springs of the yarns take these as straight unloading and two yarns make them.
+void compile_elements(const card::Card& card, const card::Woven& woven, rheology::Compiled& out) {
   const double measure = woven.shear.measure == card::StrainMeasure::tensor ? 0.5 : 1;
+  const char* other = woven.warp.loop ? "warp.loop" : woven.weft.loop ? "weft.loop" : "biaxial";
   rheology::for_each([&](auto element, auto given, auto compiled) {
-    if (const auto& parameters = woven.parallel.*given) out.*compiled = element.compile(*parameters, measure);
+    const auto& parameters = woven.parallel.*given;
+    if (!parameters) return;
+    if (element.acts == rheology::Acts::on_springs && (woven.warp.loop || woven.weft.loop || woven.biaxial))
+      throw Error(card::at_field(card, element.name) + "expected a card without " + other +
+                  ", whose stress it does not change");
+    out.*compiled = element.compile(*parameters, measure);
   });
 }
 
@@ -147,9 +155,20 @@ void compile_coupling(WovenData& w) {
   weft.slack = nu12 > 0 ? w.coupling / nu12 : k;
 }
 
-int woven_state(const Law& law) {
-  if (law.kind != CompiledKind::potential) return rate_state::count;
-  return loop_slot(law.woven, 1) + (law.woven.loop[1].on ? loop_state::count : 0);
+// The length of the state and the symmetry of the law of a woven card.
+void compile_state(Law& law) {
+  switch (law.kind) {
+#define FABRICSH_CASE(name)                \
+  case CompiledKind::name:                 \
+    law.state_size = name::Kind::numbers;  \
+    law.symmetric = name::Kind::symmetric; \
+    break;
+    FABRICSH_WOVEN_LAWS(FABRICSH_CASE)
+#undef FABRICSH_CASE
+    default:
+      law.state_size = loop_slot(law.woven, 1) + (law.woven.loop[1].on ? loop_state::count : 0);
+      law.symmetric = true;
+  }
 }
 
 std::optional<CubicBackbone> cubic(const Backbone& curve) {
@@ -167,7 +186,7 @@ void compile_plain(Law& law) {
   const WovenData& w = law.woven;
   const auto warp = cubic(w.axis[0].curve), weft = cubic(w.axis[1].curve), shear = cubic(w.shear.curve);
   law.is_plain = law.kind == CompiledKind::potential && warp && weft && shear && !w.shear.fading &&
-                 !w.biaxial.on && !rheology::any(w.parallel) && !w.friction.on && !is_curved(w);
+                 !w.biaxial.on && !rheology::any(w.elements) && !w.friction.on && !is_curved(w);
   if (!law.is_plain) return;
   const auto axis = [&](int i, const CubicBackbone& curve) {
     const AxisData& a = w.axis[i];
@@ -187,9 +206,7 @@ void compile_woven(const card::Card& card, const card::Woven& woven, Law& law) {
   compile_shear(card, woven.shear, woven.tested.shear, w.shear, law.shear_pieces);
   compile_coupling(w);
   w.transverse = 5.0 / 6.0 * w.shear.curve.initial;
-  law.kind = woven.law == card::LawKind::potential     ? CompiledKind::potential
-             : woven.law == card::LawKind::incremental ? CompiledKind::incremental
-                                                       : CompiledKind::thesis;
+  law.kind = static_cast<CompiledKind>(woven.law);  // both list the folders in the same order
   if (law.kind != CompiledKind::potential) {
     w.follow = woven.transverse == card::Transverse::follow;
     w.shear.hysteresis = woven.shear_hysteresis;
@@ -198,13 +215,12 @@ void compile_woven(const card::Card& card, const card::Woven& woven, Law& law) {
   if (law.kind == CompiledKind::potential && woven.biaxial)
     compile_biaxial(*woven.biaxial, w.biaxial, law.biaxial_pieces);
   if (woven.shear.friction) compile_friction(card, woven, w);
-  compile_elements(woven, w.parallel);
+  compile_elements(card, woven, w.elements);
   for (int i = 0; i < 2; ++i) compile_loop(card, woven, i, w);
   w.axis[0].softness = 1 / w.axis[0].unloading;
   w.axis[1].softness = 1 / w.axis[1].unloading;
   w.shear.softness = 1 / w.shear.unloading;
-  law.symmetric = law.kind == CompiledKind::potential;
-  law.state_size = woven_state(law);
+  compile_state(law);
   compile_plain(law);
 }
 
@@ -278,6 +294,7 @@ std::shared_ptr<const Law> compile(const card::Card& card, bool transverse_shear
   card::require(card);
   require_compression(card);
   auto law = std::make_shared<Law>();
+  law->thickness = card.thickness;
   if (const auto* woven = std::get_if<card::Woven>(&card.law))
     compile_woven(card, *woven, *law);
   else

@@ -3,6 +3,7 @@
 #pragma once
 #include <vector>
 
+#include "card/laws.hpp"
 #include "law/law.hpp"
 #include "rheology/elements.hpp"
 
@@ -89,7 +90,7 @@ struct WovenData {
   ShearData shear;
   FrictionData friction;
   BiaxialData biaxial;
-  rheology::Compiled parallel;
+  rheology::Compiled elements;
   double coupling = 0;    // c, Pa
   double transverse = 0;  // G_t, Pa
   bool follow = false;    // transverse shear uses the in-plane branch [williams2010, eq. 6.30]
@@ -110,7 +111,10 @@ struct ElasticData {  // constant symmetric tangent, Pa
   double young1 = 0, young2 = 0;  // uniaxial moduli
 };
 
-enum class CompiledKind { potential, incremental, thesis, elastic };
+// potential: the woven law; then the laws of folders that take its card in its place (card/laws.hpp).
+#define FABRICSH_NAME(name) name,
+enum class CompiledKind { potential, FABRICSH_WOVEN_LAWS(FABRICSH_NAME) elastic };
+#undef FABRICSH_NAME
 
 class Law {
  public:
@@ -121,6 +125,7 @@ class Law {
   CompiledKind kind = CompiledKind::elastic;
   int state_size = 0;
   bool symmetric = true;
+  double thickness = 0;  // m, of its card
   WovenData woven;
   ElasticData elastic;
   bool is_plain = false;  // law "potential" with all data in `plain`
@@ -146,21 +151,8 @@ namespace loop_state {
 inline constexpr int slack = 0, lost = loop_strands, count = loop_strands + 1;
 }
 
-// Length of the longest state of any law.
+// Length of the longest state of any law; law.cpp makes sure that those of all folders fit in.
 inline constexpr int most_states =
     potential_state::count + 2 + rheology::most_numbers + 2 * loop_state::count;
-
-// State of the comparison laws.
-namespace rate_state {
-inline constexpr int E = 0;                      // 5-vector, strain at the last commit
-inline constexpr int S = 5;                      // 5-vector, stress at the last commit, Pa
-inline constexpr int m1 = 10, m2 = 11;           // largest strains so far, not below 0
-inline constexpr int g0 = 12, gp = 13;           // E5*, largest |E5 - E5*| [williams2010, eq. 6.28]
-inline constexpr int sg = 14;                    // sign of the shear branch; 0 means +1
-inline constexpr int W1 = 15, W2 = 16, W3 = 17;  // work on warp, weft and both kinds of shear, J/m^3
-inline constexpr int dissipated = 18;            // J/m^3, work less stored energy
-inline constexpr int created = 19;               // J/m^3, sum of the decreases of `dissipated`
-inline constexpr int count = 20;
-}  // namespace rate_state
 
 }  // namespace fabricsh::law

@@ -1,4 +1,6 @@
 // Stored and dissipated energy, and the outputs of a point, as functions of strain and state only.
+#include <algorithm>
+
 #include "law/data.hpp"
 #include "law/energy_kernel.hpp"
 
@@ -6,42 +8,15 @@ namespace fabricsh::law {
 
 namespace {
 
-Internal rate_internal(const WovenData& w, const double E[5], const double* s) {
-  using namespace rate_state;
-  const auto yarn = [](double x, double m) {
-    return x >= m - switch_width ? LoadBranch::virgin : x < 0 ? LoadBranch::slack : LoadBranch::unloading;
-  };
-  Internal out;
-  out.residual1 = s[m1] - backbone_at(w.axis[0].curve, s[m1]).P * w.axis[0].softness;
-  out.residual2 = s[m2] - backbone_at(w.axis[1].curve, s[m2]).P * w.axis[1].softness;
-  out.slack1 = max(-E[0], 0.0);
-  out.slack2 = max(-E[1], 0.0);
-  out.warp = yarn(E[0], s[m1]);
-  out.weft = yarn(E[1], s[m2]);
-  const bool virgin = !w.shear.hysteresis || abs(E[4] - s[g0]) >= s[gp] - switch_width;
-  out.shear = virgin ? LoadBranch::virgin : LoadBranch::unloading;
-  return out;
-}
-
 LoadBranch yarn_branch(double E, double m, double zero) {
   if (E >= m - switch_width) return LoadBranch::virgin;
   return E < zero ? LoadBranch::slack : LoadBranch::unloading;
 }
 
-}  // namespace
-
-EnergyDensity energy(const Law& law, const double E[5], const double* s) {
-  const auto e = energy_at(law, E, s);
-  return {e.stored, e.warp, e.weft, e.shear, e.created};
-}
-
-Internal internal(const Law& law, const double E[5], const double* s) {
+Internal potential_internal(const WovenData& w, const double E[5], const double* s) {
   Internal out;
-  if (law.kind == CompiledKind::elastic) return out;
-  const WovenData& w = law.woven;
-  if (law.kind != CompiledKind::potential) return rate_internal(w, E, s);
-  const auto warp = yarn_point(w.axis[0], w.coupling, E[0], s[0]);
-  const auto weft = yarn_point(w.axis[1], w.coupling, E[1], s[1]);
+  const auto warp = yarn_point(w, 0, E[0], s);
+  const auto weft = yarn_point(w, 1, E[1], s);
   out.residual1 = warp.residual;
   out.residual2 = weft.residual;
   out.slack1 = max(warp.residual - E[0], 0.0);
@@ -60,6 +35,30 @@ Internal internal(const Law& law, const double E[5], const double* s) {
   out.shear =
       r >= before - switch_width || branch.peak <= switch_width ? LoadBranch::virgin : LoadBranch::unloading;
   return out;
+}
+
+}  // namespace
+
+EnergyDensity energy(const Law& law, const double E[5], const double* s) {
+  const auto e = energy_at(law, E, s);
+  EnergyDensity out{e.stored, {}, e.created};
+  std::copy_n(e.dissipated, dissipations, out.lost.begin());
+  return out;
+}
+
+Internal internal(const Law& law, const double E[5], const double* s) {
+  const WovenData& w = law.woven;
+  switch (law.kind) {
+    case CompiledKind::potential:
+      return potential_internal(w, E, s);
+#define FABRICSH_CASE(name) \
+  case CompiledKind::name:  \
+    return name::internal(w, E, s);
+      FABRICSH_WOVEN_LAWS(FABRICSH_CASE)
+#undef FABRICSH_CASE
+    default:
+      return {};
+  }
 }
 
 }  // namespace fabricsh::law

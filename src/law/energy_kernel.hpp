@@ -1,18 +1,11 @@
 // Stored and dissipated energy per reference volume as functions of
 // strain and state only (share/doc/theory.md, 4), over a number type T.
 #pragma once
+#include "law/laws.hpp"
 #include "law/potential.hpp"
-#include "law/rate_laws.hpp"
 
 namespace fabricsh::law {
 inline namespace FABRICSH_ISA {
-
-// J/m^3.
-template <class T>
-struct EnergyOf {
-  T stored, warp, weft, shear;  // dissipated in warp, weft and shear, besides stored
-  T created;                    // energy created by a law that is not dissipative
-};
 
 // Stored energy of one yarn, including its part c nu E^2 / 2 of the coupling.
 template <class Curve, class T>
@@ -37,9 +30,21 @@ YarnPoint<T> yarn_point(const AxisOf<Curve>& axis, double coupling, T E, T m) {
   return {yarn_stored(axis, coupling, E, residual), branch_loss(curve, T(axis.unloading)), residual};
 }
 
-// The same of a yarn with a loop, if it has one; s: the whole state.
+// The same of a yarn on whose spring elements act; s: the whole state.
+template <class T>
+YarnPoint<T> factored_point(const WovenData& w, int i, T E, const T* s) {
+  const T largest = s[i], factor = rheology::yarn_factors_at(w.elements, i, s + elements_slot(w));
+  const auto curve = backbone_at(w.axis[i].curve, largest);
+  const T residual = largest - curve.P * T(w.axis[i].softness), x = E - residual;
+  const T lost = T(0.5 * w.axis[i].unloading) * x * x * (T(1.0) - factor);
+  return {yarn_stored(w.axis[i], w.coupling, E, residual) - select(x >= T(0.0), lost, T(0.0)),
+          branch_loss(curve, T(w.axis[i].unloading)), residual};
+}
+
+// The same of any yarn.
 template <class T>
 YarnPoint<T> yarn_point(const WovenData& w, int i, T E, const T* s) {
+  if (rheology::any_on_springs(w.elements)) return factored_point(w, i, E, s);
   auto out = yarn_point(w.axis[i], w.coupling, E, s[i]);
   if (!w.loop[i].on) return out;
   const auto loop = loop_energy(w.axis[i], w.loop[i], E, s[i], s + loop_slot(w, i));
@@ -57,8 +62,8 @@ void add_biaxial_energy(const WovenData& w, const T E[5], const T* s, EnergyOf<T
       biaxial_spring(w.biaxial, AtSwitch::loading, E[0] + T(alpha) * E[1] - T(w.biaxial.offset), m);
   const T unloading(w.biaxial.unloading), lost = branch_loss(backbone_at(w.biaxial.curve, m), unloading);
   out.stored += t.S * t.S / (T(2.0) * unloading);
-  out.warp += lost / T(1 + alpha);
-  out.weft += lost * T(alpha) / T(1 + alpha);
+  out.dissipated[0] += lost / T(1 + alpha);
+  out.dissipated[1] += lost * T(alpha) / T(1 + alpha);
 }
 
 template <class T>
@@ -90,10 +95,9 @@ EnergyOf<T> sum_of_parts(const Woven& w, const T E[5], const YarnPoint<T>& warp,
   out.stored = warp.stored + weft.stored + T(w.coupling) * E[0] * E[1];
   out.stored += shear.stored;
   out.stored += T(0.5 * w.transverse) * (E[2] * E[2] + E[3] * E[3]);
-  out.warp = warp.dissipated;
-  out.weft = weft.dissipated;
-  out.shear = shear.dissipated;
-  out.created = T(0.0);
+  out.dissipated[0] = warp.dissipated;
+  out.dissipated[1] = weft.dissipated;
+  out.dissipated[2] = shear.dissipated;
   return out;
 }
 
@@ -103,7 +107,7 @@ EnergyOf<T> potential_energy(const WovenData& w, const T E[5], const T* s) {
   const auto shear = w.friction.on ? rubbing_point(w, E[4], s) : hysteretic_point(w, E[4], s);
   auto out = sum_of_parts(w, E, yarn_point(w, m1, E[0], s), yarn_point(w, m2, E[1], s), shear);
   if (w.biaxial.on) add_biaxial_energy(w, E, s, out);
-  rheology::add_energies(w.parallel, s + parallel_slot(w), out);
+  rheology::add_energies(w.elements, s + elements_slot(w), out.stored, out.dissipated);
   return out;
 }
 
@@ -116,26 +120,24 @@ EnergyOf<T> plain_energy(const PlainWoven& w, const T E[5], const T* s) {
 
 template <class T>
 EnergyOf<T> elastic_energy(const ElasticData& e, const T E[5]) {
-  const T half(0.5), none(0.0);
-  return {half * (T(e.C11) * E[0] * E[0] + T(e.C22) * E[1] * E[1]) + T(e.C12) * E[0] * E[1] +
-              half * (T(e.G23) * E[2] * E[2] + T(e.G13) * E[3] * E[3] + T(e.G12) * E[4] * E[4]),
-          none, none, none, none};
-}
-
-// The comparison laws record the work; the part that is not stored counts as dissipated.
-template <class T>
-EnergyOf<T> rate_energy(const WovenData& w, const T* s) {
-  using namespace rate_state;
-  const auto stored = rate_stored(w, s + S);
-  return {stored.warp + stored.weft + stored.shear, s[W1] - stored.warp, s[W2] - stored.weft,
-          s[W3] - stored.shear, s[created]};
+  const T half(0.5);
+  return EnergyOf<T>(half * (T(e.C11) * E[0] * E[0] + T(e.C22) * E[1] * E[1]) + T(e.C12) * E[0] * E[1] +
+                     half * (T(e.G23) * E[2] * E[2] + T(e.G13) * E[3] * E[3] + T(e.G12) * E[4] * E[4]));
 }
 
 template <class T>
 EnergyOf<T> energy_at(const Law& law, const T E[5], const T* s) {
-  if (law.kind == CompiledKind::elastic) return elastic_energy(law.elastic, E);
-  if (law.kind != CompiledKind::potential) return rate_energy(law.woven, s);
-  return potential_energy(law.woven, E, s);
+  switch (law.kind) {
+    case CompiledKind::potential:
+      return potential_energy(law.woven, E, s);
+#define FABRICSH_CASE(name) \
+  case CompiledKind::name:  \
+    return name::energy(law.woven, E, s);
+      FABRICSH_WOVEN_LAWS(FABRICSH_CASE)
+#undef FABRICSH_CASE
+    default:
+      return elastic_energy(law.elastic, E);
+  }
 }
 
 }  // namespace FABRICSH_ISA

@@ -18,7 +18,23 @@ FABRICSH_DECLARE_COPIES(unsigned batch(const Law&, const Step&, const double*, c
 int state_size(const Law& law) { return law.state_size; }
 bool symmetric(const Law& law) { return law.symmetric; }
 bool linear(const Law& law) { return law.kind == CompiledKind::elastic; }
-bool is_rate_dependent(const Law& law) { return rheology::is_rate_dependent(law.woven.parallel); }
+bool is_rate_dependent(const Law& law) { return rheology::is_rate_dependent(law.woven.elements); }
+bool has_initial(const Law& law) { return rheology::depends_on_site(law.woven.elements); }
+bool softens(const Law& law) { return rheology::softens(law.woven.elements); }
+
+void set_initial(const Law& law, const Site& site, double* s) {
+  std::fill_n(s, law.state_size, 0.0);
+  if (!has_initial(law)) return;
+  Site own = site;
+  if (own.thickness <= 0) own.thickness = law.thickness;
+  std::array<rheology::YarnSpring, 2> yarns;
+  for (int i = 0; i < 2; ++i) {
+    const AxisData& axis = law.woven.axis[i];
+    yarns[static_cast<std::size_t>(i)] = {[&axis](double E) { return backbone_at(axis.curve, E).P; },
+                                          axis.unloading};
+  }
+  rheology::set_initial(law.woven.elements, yarns, own, s + elements_slot(law.woven));
+}
 
 BatchEnergy batch_energy(Isa isa) { return FABRICSH_COPY_FOR(isa, energies); }
 BatchFunction batch_function(Isa isa) { return FABRICSH_COPY_FOR(isa, batch); }
@@ -33,11 +49,27 @@ Evaluation evaluate(const Law& law, const Step& step, const double E[5], const d
   return is_finite ? Evaluation::cut : Evaluation::broken;
 }
 
-static_assert(most_states >= rate_state::count);
+namespace {
+
+// Where a law keeps the stress in its state; -1: it is a function of strain and state.
+int stored_stress(CompiledKind kind) {
+  switch (kind) {
+#define FABRICSH_CASE(name)                            \
+  case CompiledKind::name:                             \
+    static_assert(most_states >= name::Kind::numbers); \
+    return name::Kind::stored_stress;
+    FABRICSH_WOVEN_LAWS(FABRICSH_CASE)
+#undef FABRICSH_CASE
+    default:
+      return -1;
+  }
+}
+
+}  // namespace
 
 void stress(const Law& law, const double E[5], const double* s, double S[5]) {
-  if (law.kind == CompiledKind::incremental || law.kind == CompiledKind::thesis) {
-    std::copy_n(s + rate_state::S, 5, S);
+  if (const int at = stored_stress(law.kind); at >= 0) {
+    std::copy_n(s + at, 5, S);
     return;
   }
   double scratch[most_states];
@@ -46,12 +78,6 @@ void stress(const Law& law, const double E[5], const double* s, double S[5]) {
 }
 
 namespace {
-
-// Larger eigenvalue of a 2x2 matrix with real eigenvalues.
-double larger_eigenvalue(double a, double b, double c, double d) {
-  const double half = 0.5 * (a - d);
-  return 0.5 * (a + d) + std::sqrt(std::max(half * half + b * c, 0.0));
-}
 
 double stiffest_potential(const WovenData& w) {
   const double c = w.coupling;
@@ -63,11 +89,16 @@ double stiffest_potential(const WovenData& w) {
   return larger_eigenvalue(axial(0) + T, c + alpha * T, c + alpha * T, axial(1) + alpha * alpha * T);
 }
 
-// The coupling of [williams2010, eq. 6.24] adds to Du_max / (1 - nn); the eigenvalue includes it.
-double stiffest_rate(const WovenData& w) {
-  const double D1 = w.axis[0].unloading, D2 = w.axis[1].unloading;
-  const double nu12 = w.axis[0].poisson, nu21 = w.axis[1].poisson;
-  return larger_eigenvalue(D1, nu21 * D1, nu12 * D2, D2) / (1.0 - nu12 * nu21);
+Bound bound_of_springs(const Law& law) {
+  switch (law.kind) {
+#define FABRICSH_CASE(name) \
+  case CompiledKind::name:  \
+    return name::Kind::bound(law.woven);
+    FABRICSH_WOVEN_LAWS(FABRICSH_CASE)
+#undef FABRICSH_CASE
+    default:
+      return {stiffest_potential(law.woven), law.woven.shear.unloading, 0};
+  }
 }
 
 }  // namespace
@@ -83,10 +114,9 @@ Bound bound(const Law& law) {
     const auto& e = law.elastic;
     return {larger_eigenvalue(e.C11, e.C12, e.C12, e.C22), e.G12, transverse};
   }
-  const double axial =
-      law.kind == CompiledKind::potential ? stiffest_potential(law.woven) : stiffest_rate(law.woven);
-  const rheology::Stiffest parallel = rheology::stiffest(law.woven.parallel);
-  return {axial + parallel.axial, law.woven.shear.unloading + law.woven.friction.stiffness + parallel.shear,
+  const Bound springs = bound_of_springs(law);
+  const rheology::Stiffest elements = rheology::stiffest(law.woven.elements);
+  return {springs.axial + elements.axial, springs.shear + law.woven.friction.stiffness + elements.shear,
           transverse};
 }
 

@@ -3,11 +3,12 @@
 // E   5-vector (E11 E22 2E23 2E13 2E12), Green-Lagrange, material axes (1 = warp, 2 = weft, 3 = normal)
 // S   5-vector (S11 S22 S23 S13 S12), second Piola-Kirchhoff, Pa, material axes
 // C   5x5 dS/dE, row-major
-// s0  committed state, s1 trial state: state_size(law) numbers each, all zero for virgin cloth
+// s0  committed state, s1 trial state: state_size(law) numbers each; virgin cloth: set_initial()
 //
 // A law does not commit, allocate or throw. Its outcome can
 // say that the step must be cut, or that no step is possible.
 #pragma once
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -28,6 +29,13 @@ int state_size(const Law& law);
 bool symmetric(const Law& law);          // whether the consistent tangent is symmetric in every state
 bool linear(const Law& law);             // whether the tangent is constant
 bool is_rate_dependent(const Law& law);  // whether the stress changes at constant strain
+bool softens(const Law& law);            // whether the stress can fall while the strain grows
+
+// The state of virgin cloth at a point, state_size(law) numbers: all zero, but for elements that keep there
+// what they need of the site. Error: a site that an element cannot bear.
+using Site = rheology::PointSite;
+bool has_initial(const Law& law);  // false: zeros, whatever the site
+void set_initial(const Law& law, const Site& site, double* s);
 
 // The tangent to use where loading and unloading meet (E = m exactly): the
 // virgin one, or the unloading one for the first iteration after a reversal.
@@ -61,17 +69,23 @@ Evaluation evaluate(const Law& law, const Step& step, const double E[5], const d
 void stress(const Law& law, const double E[5], const double* s, double S[5]);
 
 // Energies per reference volume, J/m^3, from strain and committed state alone (share/doc/theory.md, 4).
+// Those dissipated have names, rheology::dissipation_names: those of the springs, and those of elements.
+using rheology::dissipation_names, rheology::dissipations;
 struct EnergyDensity {
   double stored = 0;
-  double dissipated_warp = 0, dissipated_weft = 0,
-         dissipated_shear = 0;  // the biaxial spring is divided by its weights
-  double created = 0;           // comparison laws: sum of all decreases of the dissipation
-  double dissipated() const { return dissipated_warp + dissipated_weft + dissipated_shear; }
+  std::array<double, dissipations>
+      lost{};          // by dissipation_names; the biaxial spring is divided by its weights
+  double created = 0;  // comparison laws: sum of all decreases of the dissipation
+  double dissipated() const {
+    double sum = 0;
+    for (const double one : lost) sum += one;
+    return sum;
+  }
 };
 EnergyDensity energy(const Law& law, const double E[5], const double* s);
-// The same for a batch of `lanes` points: stored, dissipated in warp,
-// weft and shear, created; entry i of lane l at [i * lanes + l].
-inline constexpr int energy_values = 5;
+// The same for a batch of `lanes` points: stored, dissipated by dissipation_names, created; entry i of lane l
+// at [i * lanes + l].
+inline constexpr int energy_values = dissipations + 2;
 using BatchEnergy = void (*)(const Law& law, const double* E, const double* s, double* energies);
 BatchEnergy batch_energy(Isa isa);
 

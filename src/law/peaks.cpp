@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "law/data.hpp"
+#include "law/laws.hpp"
 #include "simd/copies.hpp"
 
 namespace fabricsh::law {
@@ -32,12 +33,22 @@ std::array<double, 3> tested_strains(const card::Card& card) {
 
 std::array<double, 3> peak_strains(const Law& law, const double* s, int stride) {
   const auto entry = [=](int i) { return s[i * stride]; };
-  if (law.kind == CompiledKind::elastic) return {};
-  if (law.kind != CompiledKind::potential)
-    return {entry(rate_state::E), entry(rate_state::E + 1), 0.5 * std::abs(entry(rate_state::E + 4))};
-  namespace at = potential_state;
-  const double sign = entry(at::sg) < 0 ? -1 : 1;
-  return {entry(at::m1), entry(at::m2), 0.5 * std::abs(entry(at::g0) + sign * entry(at::gp))};
+  switch (law.kind) {
+    case CompiledKind::potential: {
+      namespace at = potential_state;
+      const double sign = entry(at::sg) < 0 ? -1 : 1;
+      return {entry(at::m1), entry(at::m2), 0.5 * std::abs(entry(at::g0) + sign * entry(at::gp))};
+    }
+#define FABRICSH_CASE(name)                   \
+  case CompiledKind::name: {                  \
+    const auto peak = name::peaks(entry);     \
+    return {peak[0], peak[1], 0.5 * peak[2]}; \
+  }
+      FABRICSH_WOVEN_LAWS(FABRICSH_CASE)
+#undef FABRICSH_CASE
+    default:
+      return {};
+  }
 }
 
 }  // namespace fabricsh::law

@@ -11,8 +11,8 @@ namespace fabricsh::law {
 // card states, otherwise the last point of a curve given by points. 0: not known.
 std::array<double, 3> tested_strains(const card::Card& card);
 
-// The largest E11 and E22 so far, and the largest |E12| on the present shear branch (for laws "incremental"
-// and "thesis" the strains themselves). Zeros for a law without state. Entry i of the state is s[i * stride].
+// The largest E11 and E22 so far, and the largest |E12| on the present shear branch (for laws that keep no
+// such strains the strains themselves). Zeros for a law without state. Entry i of the state is s[i * stride].
 std::array<double, 3> peak_strains(const Law& law, const double* s, int stride);
 
 // For a batch of `lanes` elements: the largest ratio, of all lanes, of the three strains to the tested ones

@@ -1,6 +1,7 @@
 // Relative peak strains for a whole batch: compiled once per
 // instruction set, selected at run time by strain_ratio_function().
 #include "law/data.hpp"
+#include "law/laws.hpp"
 #include "simd/pack.hpp"
 
 namespace fabricsh::law {
@@ -18,10 +19,14 @@ Pack potential_ratio(const Pack inverse[3], const double* s) {
   return max(max(inverse[0] * entry(at::m1), inverse[1] * entry(at::m2)), inverse[2] * gamma);
 }
 
-Pack rate_ratio(const Pack inverse[3], const double* s) {
-  const double* E = s + rate_state::E * lanes;
-  return max(max(inverse[0] * load(E), inverse[1] * load(E + lanes)), inverse[2] * abs(load(E + 4 * lanes)));
-}
+// For the other laws of woven cards.
+#define FABRICSH_RATIO(name)                                                           \
+  Pack name##_ratio(const Pack inverse[3], const double* s) {                          \
+    const auto peak = name::peaks([s](int i) { return load(s + i * lanes); });         \
+    return max(max(inverse[0] * peak[0], inverse[1] * peak[1]), inverse[2] * peak[2]); \
+  }
+FABRICSH_WOVEN_LAWS(FABRICSH_RATIO)
+#undef FABRICSH_RATIO
 
 // The result stays in registers: an array of a caller that has just been cleared in small pieces would be
 // waited for until all stores before it are done.
@@ -40,8 +45,17 @@ double largest(const double inverse[3], const double* s, long stride, int count,
 
 double largest_strain_ratio(const Law& law, const double inverse[3], const double* s, long stride,
                             int count) {
-  if (law.kind == CompiledKind::potential) return largest(inverse, s, stride, count, potential_ratio);
-  return law.kind == CompiledKind::elastic ? 0 : largest(inverse, s, stride, count, rate_ratio);
+  switch (law.kind) {
+    case CompiledKind::potential:
+      return largest(inverse, s, stride, count, potential_ratio);
+#define FABRICSH_CASE(name) \
+  case CompiledKind::name:  \
+    return largest(inverse, s, stride, count, name##_ratio);
+      FABRICSH_WOVEN_LAWS(FABRICSH_CASE)
+#undef FABRICSH_CASE
+    default:
+      return 0;
+  }
 }
 
 }  // namespace FABRICSH_ISA

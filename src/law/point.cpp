@@ -13,10 +13,14 @@ std::array<double, 5> voigt(const std::array<double, 3>& e) { return {e[0], e[1]
 
 }  // namespace
 
-PointDriver::PointDriver(std::shared_ptr<const law::Law> law) : law_(std::move(law)) { reset(); }
+PointDriver::PointDriver(std::shared_ptr<const law::Law> law, const law::Site& site)
+    : law_(std::move(law)), site_(site) {
+  reset();
+}
 
 void PointDriver::reset() {
-  committed_.assign(law::state_size(*law_), 0.0);
+  committed_.resize(law::state_size(*law_));
+  law::set_initial(*law_, site_, committed_.data());
   trial_ = committed_;
   strain_ = {};
   sample_ = {};
@@ -49,9 +53,7 @@ void PointDriver::commit(const std::array<double, 3>& e) {
   sample_.E12 = e[2];
   sample_.stored = energy.stored;
   sample_.dissipated = energy.dissipated();
-  sample_.dissipated_warp = energy.dissipated_warp;
-  sample_.dissipated_weft = energy.dissipated_weft;
-  sample_.dissipated_shear = energy.dissipated_shear;
+  sample_.lost = energy.lost;
   sample_.created = energy.created;
 }
 

@@ -12,17 +12,20 @@ namespace fabricsh::law {
 
 // One committed point of a curve.
 struct StressPoint {
-  double time = 0;                    // s
-  double S11 = 0, S22 = 0, S12 = 0;   // Pa
-  double E11 = 0, E22 = 0, E12 = 0;   // tensor
-  double stored = 0, dissipated = 0;  // J/m^3
-  double dissipated_warp = 0, dissipated_weft = 0, dissipated_shear = 0, created = 0;
-  double S = 0, E = 0, E_lateral = 0;  // in the load frame, after uniaxial(); otherwise 0
+  double time = 0;                          // s
+  double S11 = 0, S22 = 0, S12 = 0;         // Pa
+  double E11 = 0, E22 = 0, E12 = 0;         // tensor
+  double stored = 0, dissipated = 0;        // J/m^3
+  std::array<double, dissipations> lost{};  // J/m^3, dissipated, by dissipation_names
+  double created = 0;                       // J/m^3
+  double S = 0, E = 0, E_lateral = 0;       // in the load frame, after uniaxial(); otherwise 0
 };
 
 class PointDriver {
  public:
-  explicit PointDriver(std::shared_ptr<const law::Law> law);
+  // site: of the cloth that the point stands for, see law::set_initial. Error: a site that the law cannot
+  // bear.
+  explicit PointDriver(std::shared_ptr<const law::Law> law, const law::Site& site = {});
 
   // Reaches the given total strain in one straight increment of the given duration (s) and commits;
   // components without a value are kept. Throws NumericalFailure if the law fails (strain not finite).
@@ -53,6 +56,7 @@ class PointDriver {
   std::array<double, 3> solve_uniaxial(double angle, double E);
 
   std::shared_ptr<const law::Law> law_;
+  law::Site site_;
   std::vector<double> committed_, trial_;
   std::array<double, 5> strain_{}, stress_{};  // order of law.hpp; of the last commit, last update
   std::array<double, 25> tangent_{};           // of the last update, Pa

@@ -30,18 +30,31 @@ inline int biaxial_slot(const WovenData& law) {
 }
 
 // Index at which the states of the rheological elements begin, if there are any.
-inline int parallel_slot(const WovenData& law) { return biaxial_slot(law) + (law.biaxial.on ? 1 : 0); }
+inline int elements_slot(const WovenData& law) { return biaxial_slot(law) + (law.biaxial.on ? 1 : 0); }
 
 // Index at which the state of a yarn's loop begins, if it has one.
 inline int loop_slot(const WovenData& law, int axis) {
-  return parallel_slot(law) + rheology::numbers(law.parallel) +
+  return elements_slot(law) + rheology::numbers(law.elements) +
          (axis == 1 && law.loop[0].on ? loop_state::count : 0);
 }
 
-// One yarn; s1 holds its committed largest strain on entry. curved: a yarn has a loop.
-template <bool curved, class Woven, class T>
+// What a kernel is compiled for, beside straight unloading and hysteretic shear.
+enum class Yarns {
+  straight,
+  curved,
+  factored
+};  // curved: a yarn has a loop; factored: elements on the springs
+
+// One yarn; s1 holds its committed largest strain on entry.
+template <Yarns yarns, class Woven, class T>
 SpringValue<T> yarn_of(const Woven& law, int i, AtSwitch at, T E, const T* s0, T* s1) {
-  if constexpr (curved) {
+  if constexpr (yarns == Yarns::factored) {
+    const int slot = elements_slot(law);
+    const auto factor =
+        rheology::yarn_factors(law.elements, i, at == AtSwitch::loading, E, s0 + slot, s1 + slot);
+    return factored_yarn(law.axis[i], law.coupling, at, factor, E, s1[i]);
+  }
+  if constexpr (yarns == Yarns::curved) {
     const int slot = loop_slot(law, i);
     if (law.loop[i].on)
       return looped_yarn(law.axis[i], law.loop[i], law.coupling, at, E, s0 + slot, s1 + slot, s1[i]);
@@ -90,16 +103,16 @@ SpringValue<T> rubbing_shear(const WovenData& law, AtSwitch at, T gamma, const T
   return {side * elastic.P + rubs.S, elastic.D + rubs.C};
 }
 
-// Woven: WovenData, or PlainWoven for a plain law; rubs: shear has friction; curved: a yarn has a loop.
-template <bool rubs = false, bool curved = false, class Woven, class T>
+// Woven: WovenData, or PlainWoven for a plain law; rubs: shear has friction.
+template <bool rubs = false, Yarns yarns = Yarns::straight, class Woven, class T>
 Response<T> potential_update(const Woven& law, AtSwitch at, const T E[5], const T* s0, T* s1) {
   using namespace potential_state;
   Response<T> out;
   const T c(law.coupling);
   s1[m1] = s0[m1];
   s1[m2] = s0[m2];
-  const auto warp = yarn_of<curved>(law, m1, at, E[0], s0, s1);
-  const auto weft = yarn_of<curved>(law, m2, at, E[1], s0, s1);
+  const auto warp = yarn_of<yarns>(law, m1, at, E[0], s0, s1);
+  const auto weft = yarn_of<yarns>(law, m2, at, E[1], s0, s1);
   SpringValue<T> shear;
   if constexpr (rubs)
     shear = rubbing_shear(law, at, E[4], s0, s1);

@@ -14,6 +14,18 @@ struct Response {
   T C33, C35, C44, C45;
 };
 
+// Energies per reference volume, J/m^3: stored; dissipated, by rheology::dissipation_names; created by a law
+// that is not dissipative.
+template <class T>
+struct EnergyOf {
+  T stored{0.0};
+  T dissipated[rheology::dissipations];
+  T created{0.0};
+  explicit EnergyOf(T stored_ = T(0.0)) : stored(stored_) {
+    for (T& one : dissipated) one = T(0.0);
+  }
+};
+
 template <class T>
 void transverse_elastic(const T& G23, const T& G13, const T E[5], Response<T>& out) {
   out.S[2] = G23 * E[2];

@@ -42,6 +42,27 @@ SpringValue<T> yarn_spring(const AxisOf<Curve>& axis, double coupling, AtSwitch 
   return {select(is_slack, slack, yarn), select(slack_slope, h, slope)};
 }
 
+// H(E) of a yarn on whose spring elements act: beyond the factor's limit the spring goes on along its
+// unloading line, and its stress is multiplied by the factor; the coupling is not.
+template <class Curve, class T>
+SpringValue<T> factored_yarn(const AxisOf<Curve>& axis, double coupling, AtSwitch at,
+                             const rheology::YarnFactor<T>& factor, T E, T& m) {
+  const T m0 = m;
+  m = max(min(E, factor.limit), m0);
+  const auto curve = backbone_at(axis.curve, m);
+  const T Du(axis.unloading), h(axis.slack), cross(coupling * axis.poisson);
+  const T residual = m - curve.P * T(axis.softness);
+  const T own = select((E >= m0) & (E <= factor.limit), curve.P, Du * (E - residual));
+  const auto on_curve = virgin_tangent(E, m0, at) & (E < factor.limit);
+  const auto is_slack = E < residual;
+  const auto slack_slope = at == AtSwitch::loading
+                               ? is_slack & !on_curve
+                               : is_slack | ((m <= T(switch_width)) & (E <= T(switch_width)));
+  const T slope = factor.value * select(on_curve, curve.D, Du) + factor.rate * own + cross;
+  return {select(is_slack, cross * residual + h * (E - residual), factor.value * own + cross * E),
+          select(slack_slope, h, slope)};
+}
+
 // Whether the shear spring keeps the previous branch; a plain law never does.
 inline bool fades(const ShearData& shear) { return shear.fading; }
 constexpr bool fades(const ShearOf<CubicBackbone>&) { return false; }

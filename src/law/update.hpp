@@ -1,45 +1,45 @@
 // One update of any law over a number type T: selects the kernel by the kind of law.
 #pragma once
 #include "law/elastic.hpp"
+#include "law/laws.hpp"
 #include "law/potential.hpp"
-#include "law/rate_laws.hpp"
 
 namespace fabricsh::law {
 inline namespace FABRICSH_ISA {
 
-// Law "potential" with the rheological elements that act in parallel to its springs.
-template <bool rubs, bool curved, class T>
+// Law "potential" with the rheological elements that act in parallel to its springs, and on them if factored.
+template <bool rubs, Yarns yarns, class T>
 Response<T> parallel_update(const WovenData& law, const Step& step, const T E[5], const T* s0, T* s1) {
-  Response<T> out = potential_update<rubs, curved>(law, step.at, E, s0, s1);
-  const int slot = parallel_slot(law);
-  rheology::add_stresses(law.parallel, step.dt, E, s0 + slot, s1 + slot, out);
+  Response<T> out = potential_update<rubs, yarns>(law, step.at, E, s0, s1);
+  const int slot = elements_slot(law);
+  rheology::add_stresses(law.elements, step.dt, E, s0 + slot, s1 + slot, out);
   return out;
 }
 
 // Selects the kernel of law "potential" by the features used.
-template <bool rubs, bool curved, class T>
+template <bool rubs, class T>
 Response<T> woven_update(const WovenData& law, const Step& step, const T E[5], const T* s0, T* s1) {
-  return rheology::any(law.parallel) ? parallel_update<rubs, curved>(law, step, E, s0, s1)
-                                     : potential_update<rubs, curved>(law, step.at, E, s0, s1);
-}
-
-template <bool curved, class T>
-Response<T> woven_update(const WovenData& law, const Step& step, const T E[5], const T* s0, T* s1) {
-  return law.friction.on ? woven_update<true, curved>(law, step, E, s0, s1)
-                         : woven_update<false, curved>(law, step, E, s0, s1);
+  if (rheology::any_on_springs(law.elements))
+    return parallel_update<rubs, Yarns::factored>(law, step, E, s0, s1);
+  const bool curved = is_curved(law);
+  if (rheology::any(law.elements))
+    return curved ? parallel_update<rubs, Yarns::curved>(law, step, E, s0, s1)
+                  : parallel_update<rubs, Yarns::straight>(law, step, E, s0, s1);
+  return curved ? potential_update<rubs, Yarns::curved>(law, step.at, E, s0, s1)
+                : potential_update<rubs, Yarns::straight>(law, step.at, E, s0, s1);
 }
 
 template <class T>
 Response<T> update(const Law& law, const Step& step, const T E[5], const T* s0, T* s1) {
-  const AtSwitch at = step.at;
   switch (law.kind) {
     case CompiledKind::potential:
-      return is_curved(law.woven) ? woven_update<true>(law.woven, step, E, s0, s1)
-                                  : woven_update<false>(law.woven, step, E, s0, s1);
-    case CompiledKind::incremental:
-      return rate_update<true>(law.woven, at, E, s0, s1);
-    case CompiledKind::thesis:
-      return rate_update<false>(law.woven, at, E, s0, s1);
+      return law.woven.friction.on ? woven_update<true>(law.woven, step, E, s0, s1)
+                                   : woven_update<false>(law.woven, step, E, s0, s1);
+#define FABRICSH_CASE(name) \
+  case CompiledKind::name:  \
+    return name::update(law.woven, step, E, s0, s1);
+      FABRICSH_WOVEN_LAWS(FABRICSH_CASE)
+#undef FABRICSH_CASE
     default:
       return elastic_update(law.elastic, E);
   }

@@ -39,6 +39,11 @@ class LawStates {
   }
   bool in_place() const { return !changed_.empty(); }
 
+  // Sets committed numbers of one lane, from the index of the first on, before the first evaluation.
+  void set(std::size_t first, std::span<const double> numbers) {
+    for (std::size_t i = 0; i < numbers.size(); ++i) now_[first + i * lanes] = numbers[i];
+  }
+
   std::span<const double> current() const { return evaluated_ && !in_place() ? other_ : now_; }
   // In place: not to be called between an evaluation and the commit or rollback after it.
   std::span<const double> committed() const { return now_; }

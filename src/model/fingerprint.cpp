@@ -249,6 +249,10 @@ Fingerprint fingerprint(const Model& model, double duration) {
         if (zone.keep) part.add(zone.keep);
       }
     });
+  if (!model.strengths().empty())
+    add("strengths", "", [&](PartCollector& part) {
+      for (const auto& s : model.strengths()) part.add_set(s.set).add(s.factor, s.modulus).add(s.seed);
+    });
   if (!model.seams().empty())
     add("seams", "", [&](PartCollector& part) {
       for (const auto& s : model.seams()) {

@@ -285,6 +285,24 @@ void Model::tearable(Zone zone) {
   zones_.push_back(std::move(zone));
 }
 
+void Model::strength(StrengthGiven strength) {
+  check_open("strength");
+  const auto elements = mesh_->elements_in(mesh_->set(strength.set));
+  if (elements.empty()) throw Error("strength: set " + quoted(strength.set) + " holds no whole element");
+  const auto softens = [this](Index e) {
+    const auto& points = sections_[static_cast<std::size_t>(region_of(e))].points;
+    return std::any_of(points.begin(), points.end(), [](const auto& p) { return law::softens(*p.law); });
+  };
+  if (std::none_of(elements.begin(), elements.end(), softens))
+    throw Error("strength: set " + quoted(strength.set) +
+                ": expected elements of a card whose yarns soften (its field 'damage'), got none");
+  if (!(strength.factor > 0) || !std::isfinite(strength.factor))
+    throw Error("strength: field 'factor': expected a number above 0, got " + number(strength.factor));
+  if (!(strength.modulus >= 0) || !std::isfinite(strength.modulus))
+    throw Error("strength: field 'modulus': expected a number above 0, got " + number(strength.modulus));
+  strengths_.push_back(std::move(strength));
+}
+
 void Model::seam(Seam seam) {
   check_open("seam");
   mesh_->set(seam.first);
@@ -379,6 +397,8 @@ void Model::remove(DeclarationKind kind, std::size_t i) {
       return take(zones_);
     case DeclarationKind::seam:
       return take(seams_);
+    case DeclarationKind::strength:
+      return take(strengths_);
     case DeclarationKind::band:
       return take(bands_of_edges_);
     case DeclarationKind::force:

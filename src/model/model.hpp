@@ -168,6 +168,14 @@ struct Zone {
   bool keep = false;
 };
 
+// The strength of the yarns at the elements of a set, over that of their card: for cards whose yarns soften.
+struct StrengthGiven {
+  std::string set;
+  double factor = 1;       // mean over the set
+  double modulus = 0;      // of Weibull, with which it differs from element to element; 0: it does not
+  std::uint64_t seed = 1;  // of that
+};
+
 class Model {
  public:
   // Errors: points outside 1..9; a thickness that is not positive; no warp on a mesh that is not flat; a card
@@ -206,6 +214,11 @@ class Model {
   void tearable(Zone zone);
   const std::vector<Zone>& zones() const { return zones_; }
 
+  // Where sets overlap, the factors multiply. Errors: a set without a whole element, or of cards none of
+  // which has a law that softens; a number out of range.
+  void strength(StrengthGiven strength);
+  const std::vector<StrengthGiven>& strengths() const { return strengths_; }
+
   // Sews two edges together: see Seam. Errors: unknown set; a time, ease, stiffness, strength or energy out
   // of range; strength without energy, or energy without strength; later, in validate(): those of
   // work_out_seams.
@@ -236,7 +249,8 @@ class Model {
     body_velocity,
     tearable,
     seam,
-    band
+    band,
+    strength
   };
   void remove(DeclarationKind kind, std::size_t i);
   // Contacts and rigid bodies: see Interactions.
@@ -316,6 +330,7 @@ class Model {
   std::vector<PrescribedTurn> turns_;
   std::vector<Tie> ties_;
   std::vector<Zone> zones_;
+  std::vector<StrengthGiven> strengths_;
   std::vector<Seam> seams_;
   std::vector<Band> bands_of_edges_;
   Components gravity_;

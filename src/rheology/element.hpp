@@ -1,19 +1,34 @@
-// A rheological element acts in parallel to the springs of the woven law: its stress is added to theirs.
-// Every folder of this room holds one, which the build finds by its folder alone. The folder NAME has a
-// header NAME.hpp that defines, in the namespace fabricsh::rheology::NAME,
+// A rheological element acts on the springs of the woven law, or in parallel to them. The stress of a point
+// is
+//   springs -> elements on the springs -> elements in parallel
+// that is, the yarn springs' stresses are multiplied by factors, and further stresses are added. Every folder
+// of this room holds one element, which the build finds by its folder alone. The folder NAME has a header
+// NAME.hpp that defines, in the namespace fabricsh::rheology::NAME,
 //
 //   struct Parameters    what a card states: numbers, and operator==
 //   struct Data          what the kernels use; its member `on` is false in a card without the element
-//   struct Element       description, as viscous::Element
+//   struct Element       description, as viscous::Element and damage::Element
+//
+// and kernels over a number type T, in the namespace FABRICSH_ISA. s0, s1: the element's own numbers of the
+// committed and of the trial state. E: the strain at the end of the step; conventions of law/law.hpp. In
+// parallel:
 //   add_stress(data, dt, E, s0, s1, out)
-//     A kernel over a number type T, in the namespace FABRICSH_ISA. dt: the length of the step, s. E: the
-//     strain at its end. s0, s1: the element's own numbers of the committed and of the trial state. It adds
-//     to out.S (5-vector, Pa) and to the entries out.C11, C12, C21, C22, C55 of dS/dE, with C12 = C21, since
-//     cards with law "potential" go to the solver of symmetric matrices; conventions of law/law.hpp.
-//   add_energy(data, s, out)
-//     Likewise: adds to out.stored and to out.warp, .weft and .shear, the energies dissipated in warp, weft
-//     and shear, J/m^3, functions of the state alone.
+//     dt: the length of the step, s. It adds to out.S (5-vector, Pa) and to the entries out.C11, C12, C21,
+//     C22, C55 of dS/dE, with C12 = C21, since cards with law "potential" go to the solver of symmetric
+//     matrices.
+//   add_energy(data, s, stored, lost)
+//     Adds to the energy stored, and to that dissipated under the name Element::dissipation, J/m^3, functions
+//     of the state alone.
+// On the springs:
+//   yarn_factor(data, yarn, loading, E, s0, s1) -> YarnFactor
+//     yarn: 0 warp, 1 weft, whose strain is E. loading: which tangent holds where loading and unloading meet.
+//   yarn_factor_at(data, yarn, s) -> T
+//     The factor in a committed state.
+//   add_energy(data, s, stored, lost)
+//     As above; what the springs store is multiplied by the factor already.
 #pragma once
+#include <array>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -48,6 +63,13 @@ struct ParameterRow {
     return copy;
   }
 
+  // Of a group that a card may leave out; its numbers are then zero.
+  ParameterRow not_needed() const {
+    ParameterRow copy = *this;
+    copy.required = false;
+    return copy;
+  }
+
   std::string name;
   double Parameters::*place = nullptr;
   std::string unit, sentence;
@@ -55,6 +77,31 @@ struct ParameterRow {
   std::string question;  // empty: none is asked
   std::string phrase;    // of a printed card, "over # s"; the number is multiplied by `scale`
   double scale = 1;
+  bool required = true;
+};
+
+// How an element acts on the stress.
+enum class Acts { in_parallel, on_springs };
+
+// What distinguishes a point from the others of its card: uniform over a sheet, or each element's own. A law
+// reads it once, when it makes the initial state of the point, which keeps what it needs of it.
+struct PointSite {
+  std::array<double, 2> size{};  // m, extent along warp and weft of the cloth that the point stands for
+  double thickness = 0;          // m, of its ply; 0: that of the card
+  std::array<double, 2> strength{1, 1};  // of its warp and weft yarns, over that of the card
+};
+
+// The spring of a yarn, without its coupling to the other yarn.
+struct YarnSpring {
+  std::function<double(double)> stress;  // Pa, virgin, of the strain
+  double unloading = 0;                  // Pa
+};
+
+// The factor of a yarn's spring in a step. Up to the strain `limit` the spring follows its virgin curve; from
+// there on it continues along its unloading line, and is multiplied by value; rate is d value / dE.
+template <class T>
+struct YarnFactor {
+  T limit, value, rate;
 };
 
 // What an element adds to the largest eigenvalue of the stiffest tangent, Pa.

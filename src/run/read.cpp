@@ -3,7 +3,6 @@
 #include <cmath>
 #include <map>
 #include <numeric>
-#include <set>
 
 #include "base/error.hpp"
 #include "geometry/node_view.hpp"
@@ -55,10 +54,19 @@ void add_point(ElementValues& v, double w, double turn, const law::Law& law, con
   v.S12 += w * S[4];
   v.stored += w * energy.stored;
   v.dissipated += w * energy.dissipated();
+  for (std::size_t i = 0; i < energy.lost.size(); ++i) v.lost[i] += w * energy.lost[i];
   v.residual1 += w * in.residual1;
   v.residual2 += w * in.residual2;
   v.slack1 += w * in.slack1;
   v.slack2 += w * in.slack2;
+}
+
+// Of an element without the ply that was asked for.
+ElementValues no_values() {
+  ElementValues out;
+  for (const auto member : element_members()) out.*member = std::nan("");
+  out.lost.fill(std::nan(""));
+  return out;
 }
 
 }  // namespace
@@ -114,6 +122,7 @@ ElementValues Run::average(mesh::Index e, int ply) const {
     add_point(sum, w, together ? point.angle - common : 0, law, E, state);
   });
   for (const auto member : element_members()) sum.*member /= volume;
+  for (double& one : sum.lost) one /= volume;
   return sum;
 }
 
@@ -128,7 +137,7 @@ const std::vector<ElementValues>& Run::elements(const std::string& ply) const {
     if (ply.empty() || number >= 0)
       known.values[e] = average(e, number);
     else
-      for (const auto member : element_members()) known.values[e].*member = std::nan("");
+      known.values[e] = no_values();
   }
   known.version = version;
   return known.values;
@@ -209,33 +218,70 @@ std::vector<double> Run::field(const std::string& name) const {
   return values_of(*this, find_field(*this, name));
 }
 
+double EnergyAccount::lost_in(std::string_view name) const {
+  double sum = 0;
+  for (const EnergyPart& part : lost)
+    if (part.name == name) sum += part.value;
+  return sum;
+}
+
+namespace {
+
+bool is_of_cloth(const std::string& name) {
+  return law::dissipation_names.index(name) >= 0 || name == "bending";
+}
+
+// The sum of all; what is neither of cloth nor of contact is added up apart, so that the rounding of a run
+// does not depend on where among them a further term stands.
+double sum_of(const std::vector<EnergyPart>& parts) {
+  double sum = 0, others = 0;
+  for (const EnergyPart& part : parts) {
+    const bool usual = is_of_cloth(part.name) || part.name == "friction" || part.name == "impact";
+    (usual ? sum : others) += part.value;
+  }
+  return sum + others;
+}
+
+}  // namespace
+
+std::vector<EnergyPart> energies(const EnergyAccount& e) {
+  std::vector<EnergyPart> out = {{"kinetic", e.kinetic},   {"scaled", e.scaled},
+                                 {"stored", e.stored},     {"dissipated", e.dissipated},
+                                 {"damping", e.damping},   {"relaxed", e.relaxed},
+                                 {"external", e.external}, {"contact", e.contact},
+                                 {"guard", e.guard},       {"directors", e.directors},
+                                 {"stick", e.stick},       {"rigid", e.rigid},
+                                 {"created", e.created},   {"internal", e.internal()},
+                                 {"initial", e.initial},   {"error", e.error}};
+  const auto add = [&out](const std::string& name, double value) {
+    const auto there =
+        std::find_if(out.begin(), out.end(), [&](const EnergyPart& p) { return p.name == name; });
+    if (there == out.end())
+      out.push_back({name, value});
+    else
+      there->value += value;
+  };
+  for (const EnergyPart& part : e.lost)
+    add((is_of_cloth(part.name) ? "dissipated_" : "") + part.name, part.value);
+  for (const char* name : {"friction", "impact", "joints", "fracture"}) add(name, 0);
+  return out;
+}
+
 EnergyAccount Run::energy() const {
-  static const std::set<std::string> named = {"friction", "impact", "warp", "weft", "shear", "bending"};
   EnergyAccount sum;
-  double others = 0;  // J, dissipated by terms that a program has added
   for (const auto& energy : assembly_->energies()) {
     if (energy.account == mechanics::Account::stored) sum.stored += energy.value;
     if (energy.account == mechanics::Account::created) sum.created += energy.value;
     if (energy.account == mechanics::Account::kinetic) sum.kinetic += energy.value;
     if (energy.account == mechanics::Account::damping) sum.damping += energy.value;
     if (energy.account == mechanics::Account::moving) sum.rigid += energy.value;
+    if (energy.account == mechanics::Account::dissipated) sum.lost.push_back({energy.name, energy.value});
     if (energy.name == "contact") sum.contact += energy.value;
     if (energy.name == "guard") sum.guard += energy.value;
     if (energy.name == "stick") sum.stick += energy.value;
     if (energy.name == "directors") sum.directors += energy.value;
-    if (energy.account != mechanics::Account::dissipated) continue;
-    if (energy.name == "joints") sum.joints += energy.value;
-    if (energy.name == "fracture") sum.fracture += energy.value;
-    if (energy.name == "friction") sum.friction += energy.value;
-    if (energy.name == "impact") sum.impact += energy.value;
-    if (energy.name == "warp") sum.dissipated_warp += energy.value;
-    if (energy.name == "weft") sum.dissipated_weft += energy.value;
-    if (energy.name == "shear") sum.dissipated_shear += energy.value;
-    if (energy.name == "bending") sum.dissipated_bending += energy.value;
-    if (!named.contains(energy.name)) others += energy.value;
   }
-  sum.dissipated = sum.dissipated_warp + sum.dissipated_weft + sum.dissipated_shear + sum.dissipated_bending +
-                   sum.friction + sum.impact + others;
+  sum.dissipated = sum_of(sum.lost);
   sum.kinetic = sum.kinetic + driven_kinetic() + sum.rigid;
   sum.scaled = scaled_kinetic();
   sum.damping += scheme_loss();

@@ -98,6 +98,22 @@ struct ResultFieldTable {
                     std::move(components), values, std::move(labels)});
     rows.back().by_ply = true;
   }
+  // What dissipated energy consists of, by the names that springs and elements of the law give.
+  void dissipated(std::size_t i) {
+    const std::string part(law::dissipation_names.name[i]);
+    const auto values = [i](const Run& run, mesh::Index e, const std::string& ply, double* out) {
+      *out = run.elements(ply)[e].lost[i];
+    };
+    rows.push_back({"dissipated_" + part,
+                    "J/m^3",
+                    FieldShape::scalar,
+                    FieldPlace::element,
+                    "per reference volume: dissipated so far in " + part,
+                    {"dissipated_" + part},
+                    values});
+    rows.back().usual = false;
+    rows.back().by_ply = true;
+  }
   // Of yarns, which plies with different axes have each for itself.
   void of_yarns(std::string name, std::string sentence, Names components, const Members& what) {
     average(std::move(name), "", FieldShape::pair, std::move(sentence), std::move(components), what,
@@ -211,6 +227,7 @@ ResultFieldTable make_table() {
              {&V::slack1, &V::slack2});
   t.average("energy", "J/m^3", FieldShape::pair, "per reference volume: stored, and dissipated so far",
             {"stored", "dissipated"}, {&V::stored, &V::dissipated}, {"stored", "dissipated"});
+  for (std::size_t i = 0; i < law::dissipations; ++i) t.dissipated(i);
   t.direction("warp", "unit vector along the deformed warp", &std::pair<Vec3, Vec3>::first);
   t.direction("weft", "unit vector along the deformed weft", &std::pair<Vec3, Vec3>::second);
   t.computed("shear_angle", "degrees", "90 degrees less the angle between warp and weft; has the sign of E12",

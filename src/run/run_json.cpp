@@ -51,6 +51,12 @@ format::Json warnings_json(const Run& run) {
   return list;
 }
 
+format::Json energies_json(const EnergyAccount& account) {
+  format::Json json = format::Json::object();
+  for (const auto& [name, value] : energies(account)) json.set(name, value);
+  return json;
+}
+
 format::Json report(const Job& job, const std::string& status) {
   const Run& run = job.run();
   const model::Model& model = run.model();
@@ -61,7 +67,9 @@ format::Json report(const Job& job, const std::string& status) {
       .set("time", run.time())
       .set("duration", run.duration())
       .set("seconds", job.seconds());
-  mine.set("steps", steps_json(run)).set("energy_error", run.energy().error);
+  const EnergyAccount energy = run.energy();
+  mine.set("steps", steps_json(run)).set("energy_error", energy.error);
+  mine.set("energies", energies_json(energy));
   mine.set("beyond", beyond_json(run)).set("warnings", warnings_json(run));
   if (run.moves()) mine.set("scaled_inertia", run.scaled_share());
   format::Json outputs = format::Json::array();

@@ -1,11 +1,14 @@
 // The values that can be read from a run.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/archive.hpp"
 #include "geometry/vec.hpp"
+#include "law/law.hpp"
 
 namespace fabricsh::run {
 
@@ -15,11 +18,18 @@ struct ElementValues {
   double E11 = 0, E22 = 0, E23 = 0, E13 = 0, E12 = 0;
   double S11 = 0, S22 = 0, S23 = 0, S13 = 0, S12 = 0;
   double stored = 0, dissipated = 0;  // J/m^3
+  std::array<double, law::dissipations>
+      lost{};  // J/m^3, what dissipated consists of, by law::dissipation_names
   double residual1 = 0, residual2 = 0, slack1 = 0, slack2 = 0;
 };
 
 struct NodeValues {
   Vec3 x, X, u, v, n;  // current, reference, displacement (m), velocity (m/s; zero in statics), director
+};
+
+struct EnergyPart {
+  std::string name;
+  double value = 0;  // J
 };
 
 struct EnergyAccount {  // J
@@ -30,12 +40,14 @@ struct EnergyAccount {  // J
   double contact = 0, guard = 0;  // part of stored: contact, and the guard above its floor
   double directors = 0;           // part of stored: the guard of the directors
   double stick = 0;               // part of stored: elastic slip of friction
-  double friction = 0;            // part of dissipated: friction of contact
-  double impact = 0;              // part of dissipated: lost where surfaces meet
-  double joints = 0;              // part of dissipated: lost as joints closed or opened
-  double fracture = 0;            // part of dissipated: broken yarns
   double rigid = 0;               // part of kinetic: free rigid bodies
-  double dissipated_warp = 0, dissipated_weft = 0, dissipated_shear = 0, dissipated_bending = 0, created = 0;
+  double created = 0;             // by a law that is not dissipative
+  // What dissipated consists of: of the cloth "warp", "weft", "shear" and those of the elements of its law
+  // (law::dissipation_names), and "bending"; "friction" and "impact" of contact, "joints", lost as they
+  // closed or opened, "fracture" of broken yarns; and those of terms that a program has added. A name may be
+  // there twice.
+  std::vector<EnergyPart> lost;
+  double lost_in(std::string_view name) const;  // J, the sum of those with this name
   double internal() const { return stored + dissipated; }
   double initial = 0;  // kinetic, stored and dissipated energy at the beginning
   // kinetic + stored + dissipated + damping + relaxed - external - initial; zero if no energy is created.
@@ -44,6 +56,10 @@ struct EnergyAccount {  // J
   // than loads and supports can have given, whatever the way from one state to the next.
   double error = 0;
 };
+
+// All energies by the names that decks and run.json give them: those of the cloth that are dissipated as
+// "dissipated_warp", those of other terms as "friction". The usual ones are there even where they are 0.
+std::vector<EnergyPart> energies(const EnergyAccount& account);
 
 // Where a run exceeded the tested range of its card most.
 struct Beyond {

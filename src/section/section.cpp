@@ -97,6 +97,13 @@ law::CompressionCurve pressed(const card::Card& card, double thickness) {
 
 }  // namespace
 
+double Section::thickness_of(int ply) const {
+  double weights = 0;
+  for (const Point& p : points)
+    if (p.ply == ply) weights += p.weight;
+  return thickness * weights / 2;
+}
+
 bool Section::turned_plies() const {
   return std::any_of(points.begin(), points.end(),
                      [this](const Point& p) { return p.angle != points.front().angle; });

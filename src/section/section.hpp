@@ -47,6 +47,8 @@ struct Section {
   int bending_state = -1;  // -1: no friction
   int bending_states = 2;  // numbers of each of warp and weft
 
+  double thickness_of(int ply) const;  // m
+
   // Whether the plies have different axes. Then no warp is that of all of them.
   bool turned_plies() const;
   // rad, from the section's warp to the axes in which components of all plies together are given: those that

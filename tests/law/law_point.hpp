@@ -17,7 +17,10 @@ struct LawPoint {
   std::array<double, 25> C{};
   double over = 0;  // s that a leg of a loop takes
 
-  explicit LawPoint(const card::Card& card) : law(law::compile(card)) {}
+  // The point stands for a millimetre of cloth, where the law asks for that.
+  explicit LawPoint(const card::Card& card) : law(law::compile(card)) {
+    law::set_initial(*law, {{1e-3, 1e-3}}, s.data());
+  }
   bool evaluate(const Strain& e, const law::Step& step = {}) {
     return law::evaluate(*law, step, e.data(), s.data(), trial.data(), S.data(), C.data()) ==
            law::Evaluation::ok;

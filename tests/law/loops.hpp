@@ -88,6 +88,7 @@ inline void no_energy_from_nothing(const card::Card& card, unsigned seed, int lo
   const auto& w = std::get<card::Woven>(card.law);
   const char* option = w.warp.loop                                   ? "curved"
                        : w.shear.friction                            ? "friction"
+                       : w.parallel.damage                           ? "damage"
                        : w.parallel.viscous                          ? "viscous"
                        : w.biaxial                                   ? "biaxial"
                        : w.shear.memory == card::ShearMemory::fading ? "fading"
@@ -151,7 +152,7 @@ inline void comparison_loops(int loops) {
               0);  // why they are no default
 }
 
-// The potential law on one card: as it is, with the biaxial spring, with fading memory.
+// The potential law on one card: as it is, and with its options.
 inline void potential_loops(int f, int loops) {
   no_energy_from_nothing(thesis_card(f), 100 + f, loops);
   no_energy_from_nothing(with_biaxial(thesis_card(f)), 200 + f, loops);
@@ -162,6 +163,8 @@ inline void potential_loops(int f, int loops) {
   no_energy_from_nothing(with_friction(thesis_card(f)), 600 + f, loops);
   no_energy_from_nothing(with_viscous(with_friction(thesis_card(f), -0.2)), 700 + f, loops);
   no_energy_from_nothing(with_loops(thesis_card(f)), 800 + f, loops);
+  no_energy_from_nothing(with_damage(thesis_card(f)), 1000 + f, loops);
+  no_energy_from_nothing(with_damage(with_viscous(with_friction(thesis_card(f)))), 1100 + f, loops);
   no_energy_from_nothing(with_loops(with_biaxial(with_viscous(with_friction(thesis_card(f))))), 900 + f,
                          loops);
 }

@@ -114,7 +114,7 @@ TEST_CASE("paths: one call, the same as many; components without a value stay", 
   CHECK(curve.back().S11 == last.S11);
   CHECK(curve.back().S12 == last.S12);
   CHECK(curve.back().E22 == 0.03);
-  CHECK(last.dissipated == last.dissipated_warp + last.dissipated_weft + last.dissipated_shear);
+  CHECK(last.dissipated == last.lost[0] + last.lost[1] + last.lost[2]);
   const auto biaxial = PointDriver(law::compile(thesis_card(0))).biaxial(1.0, {0.05, 0.1, 0.125});
   CHECK(biaxial.back().E11 == biaxial.back().E22);
 }

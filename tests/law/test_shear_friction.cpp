@@ -104,6 +104,6 @@ TEST_CASE("single points and batches agree on shear with friction and on shear t
       CHECK(lane.S(4) == Approx(point.S[4]).epsilon(1e-11).margin(1e-3));
       CHECK(lane.C(24) == Approx(point.C[24]).epsilon(1e-11));
       CHECK(lane.energy(0) == Approx(point.energy().stored).epsilon(1e-11).margin(1e-6));
-      CHECK(lane.energy(3) == Approx(point.energy().dissipated_shear).epsilon(1e-11).margin(1e-6));
+      CHECK(lane.energy(3) == Approx(point.energy().lost[2]).epsilon(1e-11).margin(1e-6));
     });
 }

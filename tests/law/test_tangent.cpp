@@ -114,6 +114,10 @@ TEST_CASE("tangent of the potential law with curved loops", "[law][tangent][loop
   for (int i = 0; i < 4; ++i) walk(with_loops(thesis_card(i)), 2500, 53 + i);
 }
 
+TEST_CASE("tangent of the potential law with yarns that break", "[law][tangent][damage]") {
+  for (int i = 0; i < 4; ++i) walk(with_damage(thesis_card(i)), 10000, 63 + i);
+}
+
 TEST_CASE("tangents of the comparison laws against differences", "[law][tangent]") {
   for (const auto law : {card::LawKind::incremental, card::LawKind::thesis})
     for (const auto transverse : {card::Transverse::elastic, card::Transverse::follow})

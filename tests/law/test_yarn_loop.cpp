@@ -201,8 +201,8 @@ TEST_CASE("single points and batches agree on curved loops", "[law][batch][loop]
       for (int i = 0; i < law::state_size(*point.law); ++i)
         CHECK(lane.s(i) == Approx(point.s[i]).epsilon(1e-9).margin(1e-9));
       CHECK(lane.energy(0) == Approx(energy.stored).epsilon(1e-9).margin(1e-6));
-      CHECK(lane.energy(1) == Approx(energy.dissipated_warp).epsilon(1e-9).margin(1e-6));
-      CHECK(lane.energy(2) == Approx(energy.dissipated_weft).epsilon(1e-9).margin(1e-6));
+      CHECK(lane.energy(1) == Approx(energy.lost[0]).epsilon(1e-9).margin(1e-6));
+      CHECK(lane.energy(2) == Approx(energy.lost[1]).epsilon(1e-9).margin(1e-6));
     });
 }
 

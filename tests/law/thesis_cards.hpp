@@ -112,6 +112,24 @@ inline card::Card with_friction(card::Card c, double share = 0.5) {
   return c;
 }
 
+// Yarns that break at half their tested strain, over which they soften, in a millimetre of cloth.
+inline card::Card with_damage(card::Card c) {
+  constexpr double size = 1e-3;
+  auto& w = woven(c);
+  const auto of = [&](const card::Yarn& yarn, double tested, double& strength, double& energy) {
+    double f = 0, x = tested / 2;
+    for (std::size_t k = 0; k < yarn.loading.coefficients.size(); ++k)
+      f += yarn.loading.coefficients[k] * std::pow(x, k + 1) / (k + 1);
+    strength = c.thickness * f * std::sqrt(1 + 2 * x);
+    energy = c.thickness * size * (f * f / (2 * yarn.unloading) + f * tested / 2);
+  };
+  rheology::damage::Parameters given;
+  of(w.warp, w.tested.warp, given.warp_strength, given.warp_energy);
+  of(w.weft, w.tested.weft, given.weft_strength, given.weft_energy);
+  w.parallel.damage = given;
+  return c;
+}
+
 // Both yarns unload along curves.
 inline card::Card with_loops(card::Card c) {
   woven(c).warp.loop = card::YarnLoop{0.35, 0.6, 0.5};

@@ -158,7 +158,7 @@ TEST_CASE("contact: an implicit run with friction has the same bits for two thre
     const std::string kept = run->kept();
     run->solve();
     const auto energy = run->energy();
-    CHECK(energy.friction > 0);
+    CHECK(energy.lost_in("friction") > 0);
     CHECK(energy.error < 1e-2);
     if (first.empty()) first = bits(*run);
     CHECK(bits(*run) == first);
@@ -346,7 +346,7 @@ TEST_CASE("contact: a spinning ball comes to roll as friction asks, explicit and
     // About the place of contact nothing turns it.
     const double inertia = 0.4 * 0.02 * r * r;
     CHECK(0.02 * late.velocity.x() * r + inertia * late.spin.y() == Approx(inertia * spin).epsilon(5e-3));
-    CHECK(run->energy().friction == Approx(inertia * spin * spin / 2 * 5 / 7).epsilon(0.03));
+    CHECK(run->energy().lost_in("friction") == Approx(inertia * spin * spin / 2 * 5 / 7).epsilon(0.03));
     // Friction of an implicit step is that at its end: first order.
     CHECK(run->energy().error < (implicit ? 5e-3 : 1e-3));
   }
@@ -392,7 +392,7 @@ TEST_CASE("contact: implicit steps of a sheet and a free ball keep momentum") {
   m->velocity(model::BodyVelocity{ball, Vec3(0.1, 0, -0.5), Vec3(0, 50, 20)});
   const auto run = moving_run(m, 4e-3, 5e-5, true);
   run->solve();
-  REQUIRE(run->energy().friction > 0);
+  REQUIRE(run->energy().lost_in("friction") > 0);
   Vec3 momentum = mass * run::body_state(*run, *ball).velocity;
   const auto& nodes = std::as_const(*run).assembly().cloth().mass();
   for (std::size_t i = 0; i < nodes.size(); ++i)
@@ -420,7 +420,7 @@ TEST_CASE("contact: cloth that slides on itself has the same bits for any thread
       omp_set_num_threads(threads);
       const auto run = make(implicit);
       run->advance(1.6e-4);
-      CHECK(run->energy().friction > 0);
+      CHECK(run->energy().lost_in("friction") > 0);
       const std::string kept = run->kept();
       run->solve();
       if (first.empty()) first = bits(*run);
@@ -564,7 +564,7 @@ TEST_CASE("contact: statics lay a strip over a rod, with friction, and relaxatio
     CHECK(energy.initial > 0);
     CHECK(energy.relaxed > 0.9 * energy.initial);
     CHECK(std::abs(energy.surplus()) < 0.02 * std::abs(energy.external));
-    CHECK((run->energy().friction > 0) == (friction > 0));
+    CHECK((run->energy().lost_in("friction") > 0) == (friction > 0));
     return run->node(0).x;
   };
   const Vec3 newton = sheet_over_rod(run::Method::newton, 0),

@@ -4,8 +4,8 @@ local u = require("fabric").units
 local fabric = require "fabric"
 local motion = {}
 
-local ledger = { "kinetic", "stored", "dissipated", "dissipated_warp", "dissipated_weft", "dissipated_shear", "dissipated_bending",
-                 "damping", "external", "created", "error" }
+local ledger = { "kinetic", "stored", "dissipated", "dissipated_warp", "dissipated_weft", "dissipated_shear", "dissipated_damage",
+                 "dissipated_bending", "damping", "external", "created", "error" }
 
 -- A square of n x n elements at the origin, warp along x; its model with gravity along -z.
 function motion.square(t)

@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "geometry/node_view.hpp"
+#include "mechanics/scatter.hpp"
 
 namespace fabricsh::mechanics {
 
@@ -25,6 +26,7 @@ Cloth::Cloth(const model::Model& model, const Configuration& configuration,
     law += numbers;
   }
   states_ = LawStates(law);
+  set_initial_states();
   make_geometry(directors);
   make_force_slots();
   order_batches();
@@ -34,6 +36,69 @@ Cloth::Cloth(const model::Model& model, const Configuration& configuration,
 }
 
 Cloth::~Cloth() = default;
+
+// Extent of an element along warp and weft, m; its strength, as the model declares it.
+law::Site Cloth::site_of(Index element) const {
+  const auto& nodes = model_.mesh().elements[static_cast<std::size_t>(element)];
+  Vec3 corner[4], middle = Vec3::Zero();
+  const int corners = nodes[3] < 0 ? 3 : 4;
+  for (int a = 0; a < corners; ++a) middle += corner[a] = X_[nodes[a]];
+  const Vec3 normal = corners == 3 ? (corner[1] - corner[0]).cross(corner[2] - corner[0])
+                                   : (corner[2] - corner[0]).cross(corner[3] - corner[1]);
+  const Vec3 n = normal.normalized(), w = model_.warp_at(element, middle / corners, n);
+  const Vec3 warp = (w - w.dot(n) * n).normalized(), axes[2] = {warp, n.cross(warp)};
+  law::Site site;
+  for (std::size_t i = 0; i < 2; ++i) {
+    double low = axes[i].dot(corner[0]), high = low;
+    for (int a = 1; a < corners; ++a) {
+      low = std::min(low, axes[i].dot(corner[a]));
+      high = std::max(high, axes[i].dot(corner[a]));
+    }
+    site.size[i] = high - low;
+  }
+  return site;
+}
+
+// Virgin cloth. Most laws start from zeros, which are there.
+void Cloth::set_initial_states() {
+  const auto starts_from_zero = [](const section::Point& p) { return !law::has_initial(*p.law); };
+  if (std::all_of(model_.sections().begin(), model_.sections().end(), [&](const section::Section& s) {
+        return std::all_of(s.points.begin(), s.points.end(), starts_from_zero);
+      }))
+    return;
+  const auto strengths = strengths_of_elements();
+  std::vector<double> numbers;
+  for (const Batch& batch : batches_)
+    for (int l = 0; l < lanes; ++l) {
+      const Index e = batch.element[l];
+      law::Site site = site_of(e);
+      site.strength = strengths[static_cast<std::size_t>(e)];
+      for (const auto& point : batch.section->points) {
+        site.thickness = batch.section->thickness_of(point.ply);
+        numbers.resize(static_cast<std::size_t>(law::state_size(*point.law)));
+        try {
+          law::set_initial(*point.law, site, numbers.data());
+        } catch (const Error& refusal) {
+          throw Error("card '" + model_.card_of(e).name + "', element " + std::to_string(e + 1) + ": " +
+                      refusal.what());
+        }
+        for (int g = 0; g < batch.kind->in_plane; ++g)
+          states_.set(batch.law + (g * batch.section->state_size + point.state) * lanes + l, numbers);
+      }
+    }
+}
+
+std::vector<std::array<double, 2>> Cloth::strengths_of_elements() const {
+  const auto& mesh = model_.mesh();
+  std::vector<std::array<double, 2>> out(mesh.elements.size(), {1, 1});
+  for (const auto& given : model_.strengths())
+    for (const Index e : mesh.elements_in(mesh.set(given.set)))
+      for (int family = 0; family < 2; ++family)
+        out[static_cast<std::size_t>(e)][static_cast<std::size_t>(family)] *=
+            given.factor *
+            (given.modulus > 0 ? weibull_strength(given.modulus, draw(given.seed, e, family)) : 1);
+  return out;
+}
 
 void Cloth::update_in_place() {
   std::vector<std::size_t> starts;
@@ -583,11 +648,10 @@ void Cloth::add_energies(const Trial&, std::vector<Energy>& out) const {
     bent += bending[e].lost;
   }
   out.push_back({"cloth", Account::stored, sum[0]});
-  out.push_back({"warp", Account::dissipated, sum[1]});
-  out.push_back({"weft", Account::dissipated, sum[2]});
-  out.push_back({"shear", Account::dissipated, sum[3]});
+  for (std::size_t i = 0; i < law::dissipations; ++i)
+    out.push_back({std::string(law::dissipation_names.name[i]), Account::dissipated, sum[1 + i]});
   out.push_back({"bending", Account::dissipated, bent});
-  out.push_back({"cloth", Account::created, sum[4]});
+  out.push_back({"cloth", Account::created, sum[1 + law::dissipations]});
 }
 
 void Cloth::watch_directors(double cosine, std::vector<double> bent) {

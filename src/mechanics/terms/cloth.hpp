@@ -34,7 +34,8 @@ struct BendingEnergy {
 
 class Cloth final : public Term, public ElementTerm {
  public:
-  // Errors: a degenerate element (named); warp without a direction. directors: of the nodes, unit.
+  // Errors: a degenerate element (named); warp without a direction; an element that its law cannot bear (see
+  // law::set_initial). directors: of the nodes, unit.
   Cloth(const model::Model& model, const Configuration& configuration, const std::vector<Vec3>& directors);
   ~Cloth() override;
 
@@ -109,6 +110,9 @@ class Cloth final : public Term, public ElementTerm {
 
  private:
   void set_kinds();  // before the batches, which refer to them
+  void set_initial_states();
+  law::Site site_of(Index element) const;  // of a section's points, but for strength and thickness
+  std::vector<std::array<double, 2>> strengths_of_elements() const;
   void make_batches();
   void add_batches(const std::vector<int>& colours, int colour, bool triangles, int region);
   void make_geometry(const std::vector<Vec3>& directors);
@@ -137,8 +141,8 @@ class Cloth final : public Term, public ElementTerm {
   void fetch_nodes(const Batch& batch) const;
   void gather(const Batch& batch, double* x, double* d, double* b) const;
   void gather(const Batch& batch, std::span<const double> from, double* to) const;
-  // Energies (J) of the elements of one batch at x, d with the law's states: stored, dissipated in warp, weft
-  // and shear, created, as law::BatchEnergy; entry i of lane l at [i * lanes + l].
+  // Energies (J) of the elements of one batch at x, d with the law's states: stored, dissipated by name,
+  // created, as law::BatchEnergy; entry i of lane l at [i * lanes + l].
   void batch_energies(const Batch& batch, const double* x, const double* d, const double* law,
                       double* sum) const;
   std::vector<double> all_batch_energies() const;

@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "law/point.hpp"
+#include "mechanics/scatter.hpp"
 #include "mechanics/terms/tears.hpp"
 
 namespace fabricsh::mechanics {
@@ -24,25 +25,12 @@ const std::optional<card::YarnBreak>& of_family(const card::Rupture& rupture, in
   return family == 0 ? rupture.warp : rupture.weft;
 }
 
-// A number from 0 to 1, neither included, that depends on nothing but these three: the mixing steps of
-// splitmix64 [steele2014].
-double draw(std::uint64_t seed, Index place, int family) {
-  std::uint64_t z = seed;
-  for (const auto part : {static_cast<std::uint64_t>(place), static_cast<std::uint64_t>(family)}) {
-    z += 0x9e3779b97f4a7c15u * (part + 1);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    z ^= z >> 31;
-  }
-  return (static_cast<double>(z >> 12) + 0.5) * 0x1p-52;
-}
-
 // Strength over its mean: after Weibull, for a length of yarn in m.
 double scattered(const card::YarnBreak& yarn, double length, double chance) {
   if (!yarn.scatter) return 1;
   const card::StrengthScatter& s = *yarn.scatter;
   const double size = s.length ? std::pow(*s.length / length, s.exponent.value_or(1 / s.modulus)) : 1;
-  return size * std::pow(-std::log(chance), 1 / s.modulus) / std::tgamma(1 + 1 / s.modulus);
+  return weibull_strength(s.modulus, chance, size);
 }
 
 // Tension stiffness per width (N/m) at the strain at which a family carries `strength`, N/m; and that of

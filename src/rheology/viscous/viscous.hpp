@@ -22,14 +22,19 @@ struct Data {
 struct Element {
   static constexpr const char* name = "viscous";
   static constexpr const char* sentence = "stress that relaxes with time, law potential only";
-  static constexpr int numbers = 3;                // of the state
-  static constexpr bool is_rate_dependent = true;  // the stress changes at constant strain
+  static constexpr Acts acts = Acts::in_parallel;
+  static constexpr const char* dissipation = "shear";  // the name of the energy that it dissipates
+  static constexpr int numbers = 3;                    // of the state
+  static constexpr bool is_rate_dependent = true;      // the stress changes at constant strain
+  static constexpr bool softens = false;               // the stress never falls while the strain grows
+  static constexpr bool depends_on_site = false;       // the state of virgin cloth is zero
   static std::vector<ParameterRow<Parameters>> rows();
   // measure: d(strain of the card's shear)/d(gamma), 1/2 for the tensor E12.
   static Data compile(const Parameters& given, double measure) {
     return {true, given.modulus * measure, given.time};
   }
   static Stiffest stiffest(const Data& data) { return {0, data.modulus}; }
+  static void set_initial(const std::array<YarnSpring, 2>&, const PointSite&, const Data&, double*) {}
 };
 
 // The state: gamma and its stress q at the last step, and the energy lost so far.
@@ -62,10 +67,10 @@ void add_stress(const Data& data, double dt, const T E[5], const T* s0, T* s1, O
   out.C55 += T(w.factor) * G;
 }
 
-template <class T, class Out>
-void add_energy(const Data& data, const T* s, Out& out) {
-  out.stored += s[state::q] * s[state::q] / T(2 * data.modulus);
-  out.shear += s[state::lost];
+template <class T>
+void add_energy(const Data& data, const T* s, T& stored, T& lost) {
+  stored += s[state::q] * s[state::q] / T(2 * data.modulus);
+  lost += s[state::lost];
 }
 
 }  // namespace FABRICSH_ISA

@@ -201,33 +201,9 @@ int field(Call& call) {
 }
 
 int energy(Call& call) {
-  const run::EnergyAccount e = call.self<DeckRun>()->analysis->energy();
-  const std::pair<const char*, double> values[] = {{"kinetic", e.kinetic},
-                                                   {"scaled", e.scaled},
-                                                   {"stored", e.stored},
-                                                   {"dissipated", e.dissipated},
-                                                   {"damping", e.damping},
-                                                   {"relaxed", e.relaxed},
-                                                   {"external", e.external},
-                                                   {"dissipated_warp", e.dissipated_warp},
-                                                   {"dissipated_weft", e.dissipated_weft},
-                                                   {"dissipated_shear", e.dissipated_shear},
-                                                   {"dissipated_bending", e.dissipated_bending},
-                                                   {"contact", e.contact},
-                                                   {"guard", e.guard},
-                                                   {"directors", e.directors},
-                                                   {"friction", e.friction},
-                                                   {"stick", e.stick},
-                                                   {"impact", e.impact},
-                                                   {"joints", e.joints},
-                                                   {"fracture", e.fracture},
-                                                   {"rigid", e.rigid},
-                                                   {"created", e.created},
-                                                   {"internal", e.internal()},
-                                                   {"initial", e.initial},
-                                                   {"error", e.error}};
   lua_newtable(call.L());
-  for (const auto& [name, value] : values) set_number(call.L(), name, value);
+  for (const auto& [name, value] : run::energies(call.self<DeckRun>()->analysis->energy()))
+    set_number(call.L(), name.c_str(), value);
   return 1;
 }
 
@@ -513,9 +489,10 @@ std::vector<Entry> reading() {
        "stored: contact, guard (the barrier that keeps surfaces from passing), stick (elastic slip of "
        "friction that holds), directors (what keeps the directors by the normal where the elements' shear "
        "does "
-       "not). Parts of dissipated: dissipated_warp, _weft, _shear, _bending, friction (of contact), impact "
-       "(of "
-       "surfaces that meet), joints (motion lost as joints closed, see analysis:join, and what directors had "
+       "not). Parts of dissipated: dissipated_warp, _weft, _shear, _damage (yarns that softened, see damage "
+       "of a "
+       "card), _bending, friction (of contact), impact (of surfaces that meet), joints (motion lost as "
+       "joints closed, see analysis:join, and what directors had "
        "stored where they opened), fracture "
        "(broken yarns of tearable zones). Parts of kinetic: "
        "rigid "

@@ -136,6 +136,10 @@ void add_supports(const Model& m, std::vector<Declared>& all) {
     zones.add(zone.set,
               "its joints may open" +
                   (zone.path.empty() ? "" : "; yarns break at the nodes of " + zone.path + " only"));
+  DeclaredRows strengths(all, "strength", DeclarationKind::strength);
+  for (const auto& s : m.strengths())
+    strengths.add(s.set, brief_number(s.factor) + " times the card's" +
+                             (s.modulus > 0 ? ", Weibull modulus " + brief_number(s.modulus) : ""));
   DeclaredRows banded(all, "band", DeclarationKind::band);
   for (const auto& b : m.bands())
     banded.add(b.set, brief_number(b.stiffness) + " N, " + brief_number(100 * b.ease) + " % shorter" +

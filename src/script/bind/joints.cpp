@@ -25,6 +25,14 @@ int tearable(Call& call) {
   return return_self(call);
 }
 
+int strength(Call& call) {
+  model::StrengthGiven given{call.text("set"), call.number("factor")};
+  if (call.has("modulus")) given.modulus = call.number("modulus");
+  given.seed = static_cast<std::uint64_t>(call.integer("seed"));
+  call.self<Model>()->strength(std::move(given));
+  return return_self(call);
+}
+
 std::vector<Vec3> read_line(const Call& call) {
   lua_State* L = call.L();
   call.push("line");
@@ -150,6 +158,23 @@ std::vector<Entry> rows() {
        "card has in rupture. The further nodes are numbered after those of the mesh.",
        sample(""),
        tearable},
+      {"model:strength",
+       Style::fields,
+       {value_("set", text, "the elements meant").or_else("all"),
+        number_("factor", "", positive, "strength of the yarns there over that of the card, the mean")
+            .or_else(1.0),
+        number_("modulus", "", positive,
+                "Weibull modulus, with which it differs from element to element; without it it does not")
+            .optional(),
+        integer_("seed", {0, 9007199254740992.0}, "of that").or_else(1)},
+       "The strength of yarns that soften (see damage of a card) where it is not that of the card: weakened "
+       "lines, scatter. Where sets overlap, the factors multiply.",
+       "local fabric = require 'fabric'\n"
+       "local mesh = fabric.mesh.rectangle{ width=0.05, height=0.1, nx=10, ny=20 }\n"
+       "local card = fabric.card('blend'):with{ damage={ warp={ strength=15e3, energy=60 } } }\n"
+       "local m = fabric.model{ mesh=mesh, card=card, warp=90 }\n"
+       "m:strength{ factor=0.9, modulus=20, seed=3 }",
+       strength},
       {"analysis:cut", Style::fields, along_rows(),
        "Opens joints of tearable zones and stitches of seams, between two steps: in a hook, an event's "
        "action, or between calls. "

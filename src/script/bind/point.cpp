@@ -2,6 +2,7 @@
 #include "law/point.hpp"
 
 #include <cmath>
+#include <functional>
 #include <span>
 
 #include "base/number.hpp"
@@ -19,8 +20,8 @@ namespace {
 
 // A point in a deck: its law and, once it is used, its bending.
 struct DeckPoint : PointDriver {
-  explicit DeckPoint(std::shared_ptr<const card::Card> of)
-      : PointDriver(law::compile(*of)), card(std::move(of)) {}
+  DeckPoint(std::shared_ptr<const card::Card> of, const law::Site& site)
+      : PointDriver(law::compile(*of), site), card(std::move(of)) {}
   std::shared_ptr<const card::Card> card;
   std::optional<law::BendingPoint> bending;
 };
@@ -37,35 +38,43 @@ namespace {
 constexpr double radians_per_degree = 0.017453292519943295769;
 
 struct SampleColumn {
-  const char* name;
-  double StressPoint::*value;
+  std::string name;
+  std::function<double(const StressPoint&)> value;
 };
 
-// The last three are filled by uniaxial() only.
-constexpr SampleColumn columns[] = {{"S11", &StressPoint::S11},
-                                    {"S22", &StressPoint::S22},
-                                    {"S12", &StressPoint::S12},
-                                    {"E11", &StressPoint::E11},
-                                    {"E22", &StressPoint::E22},
-                                    {"E12", &StressPoint::E12},
-                                    {"stored", &StressPoint::stored},
-                                    {"dissipated", &StressPoint::dissipated},
-                                    {"dissipated_warp", &StressPoint::dissipated_warp},
-                                    {"dissipated_weft", &StressPoint::dissipated_weft},
-                                    {"dissipated_shear", &StressPoint::dissipated_shear},
-                                    {"created", &StressPoint::created},
-                                    {"time", &StressPoint::time},
-                                    {"S", &StressPoint::S},
-                                    {"E", &StressPoint::E},
-                                    {"E_lateral", &StressPoint::E_lateral}};
+std::vector<SampleColumn> make_columns() {
+  std::vector<SampleColumn> out;
+  const auto add = [&out](const char* name, double StressPoint::*value) {
+    out.push_back({name, [value](const StressPoint& s) { return s.*value; }});
+  };
+  add("S11", &StressPoint::S11);
+  add("S22", &StressPoint::S22);
+  add("S12", &StressPoint::S12);
+  add("E11", &StressPoint::E11);
+  add("E22", &StressPoint::E22);
+  add("E12", &StressPoint::E12);
+  add("stored", &StressPoint::stored);
+  add("dissipated", &StressPoint::dissipated);
+  for (std::size_t i = 0; i < law::dissipations; ++i)
+    out.push_back({"dissipated_" + std::string(law::dissipation_names.name[i]),
+                   [i](const StressPoint& s) { return s.lost[i]; }});
+  add("created", &StressPoint::created);
+  add("time", &StressPoint::time);
+  // Filled by uniaxial() only.
+  add("S", &StressPoint::S);
+  add("E", &StressPoint::E);
+  add("E_lateral", &StressPoint::E_lateral);
+  return out;
+}
 
 std::span<const SampleColumn> columns_of(bool uniaxial) {
-  return std::span(columns).first(std::size(columns) - (uniaxial ? 0 : 3));
+  static const std::vector<SampleColumn> columns = make_columns();
+  return std::span(columns).first(columns.size() - (uniaxial ? 0 : 3));
 }
 
 void push_sample(lua_State* L, const StressPoint& s, bool uniaxial) {
   lua_createtable(L, 0, 16);
-  for (const SampleColumn& column : columns_of(uniaxial)) set_number(L, column.name, s.*column.value);
+  for (const SampleColumn& column : columns_of(uniaxial)) set_number(L, column.name.c_str(), column.value(s));
 }
 
 void push_rows(lua_State* L, const std::vector<StressPoint>& samples, bool uniaxial) {
@@ -79,10 +88,10 @@ void push_rows(lua_State* L, const std::vector<StressPoint>& samples, bool uniax
 void set_column(lua_State* L, const std::vector<StressPoint>& samples, const SampleColumn& column) {
   lua_createtable(L, static_cast<int>(samples.size()), 0);
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    lua_pushnumber(L, samples[i].*column.value);
+    lua_pushnumber(L, column.value(samples[i]));
     lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
   }
-  lua_setfield(L, -2, column.name);
+  lua_setfield(L, -2, column.name.c_str());
 }
 
 const SampleColumn& column_named(const std::string& name, std::span<const SampleColumn> known) {
@@ -127,7 +136,9 @@ int push_curve(const Call& call, bool uniaxial, Drive drive) {
 }
 
 int make(Call& call) {
-  push_object(call.L(), std::make_shared<DeckPoint>(call.object<card::Card>("card")));
+  law::Site site;
+  if (call.has("size")) site.size.fill(call.number("size"));
+  push_object(call.L(), std::make_shared<DeckPoint>(call.object<card::Card>("card"), site));
   return 1;
 }
 
@@ -333,7 +344,12 @@ std::vector<Entry> rows() {
   return {
       {"fabric.point",
        Style::positional,
-       {object_("card", "card", "the fabric")},
+       {object_("card", "card", "the fabric"),
+        number_(
+            "size", "m", positive,
+            "length of cloth that the point stands for, over which yarns that soften break (see damage of a "
+            "card); without it they hold")
+            .optional()},
        "One material point of virgin cloth, to be driven by strains.",
        sample,
        make},

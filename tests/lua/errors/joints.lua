@@ -45,3 +45,19 @@ wrong("model:tearable", "model:tearable('all', { path='nowhere' })",
   "deck.lua:1: tearable: unknown set 'nowhere'; known sets: all, bottom, boundary, corners, left, right, top")
 wrong("model:tearable", "model:tearable('all', 7)",
   "deck.lua:1: tearable: argument 'options': expected a table {coarse, seed, path}, got 7")
+
+-- model:strength
+wrong("model:strength", "model:strength{ set=7 }",
+  "deck.lua:1: strength: field 'set': expected a string, got 7")
+wrong("model:strength", "model:strength{ factor='0.9' }",
+  "deck.lua:1: strength: field 'factor': expected a positive number, got '0.9'")
+wrong("model:strength", "model:strength{ modulus=-1 }",
+  "deck.lua:1: strength: field 'modulus': expected a positive number, got -1")
+wrong("model:strength", "model:strength{ seed=1.5 }",
+  "deck.lua:1: strength: field 'seed': expected an integer from 0 to 9.0072e+15, got 1.5")
+wrong("model:strength", "model:strength{ set='top' }",
+  "deck.lua:1: strength: set 'top' holds no whole element")
+wrong("model:strength", "model:strength{}",
+  "deck.lua:1: strength: set 'all': expected elements of a card whose yarns soften (its field 'damage'), got none")
+wrong("model:strength", "model:strength{ fctor=1 }",
+  "deck.lua:1: strength: unknown field 'fctor', did you mean 'factor'?")

@@ -11,6 +11,9 @@ wrong("fabric.point", "fabric.point()",
 wrong("fabric.point", "fabric.point('blend')",
   "deck.lua:1: point: argument 'card': expected a card, got 'blend'")
 
+wrong("fabric.point", "fabric.point(card, -1)",
+  "deck.lua:1: point: argument 'size': expected a positive number in m, got -1")
+
 -- fabric.ramp
 wrong("fabric.ramp", "fabric.ramp()",
   "deck.lua:1: ramp: argument 'value': expected a number, got nil (missing, or a misspelt variable)")

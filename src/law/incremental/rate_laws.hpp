@@ -1,14 +1,39 @@
-// The comparison laws, both in rate form [williams2010, eqs. 6.11-6.30] with the corrections of
+// Shared by the comparison laws, both in rate form [williams2010, eqs. 6.11-6.30] with the corrections of
 // share/doc/theory.md, 8:
 //   thesis       the modulus at the end of the increment is used for all of it [williams2010, eq. 6.31]
 //   incremental  the mean modulus along the straight strain path, with switches inside the step resolved
 // S11 += (dE1 + nu21 dE2) A1 / (1 - nn), and S22 likewise, where A is the modulus of the respective rule.
 #pragma once
-#include "law/path_mean.hpp"
+#include <algorithm>
+#include <array>
+
+#include "law/bound.hpp"
+#include "law/incremental/path_mean.hpp"
 #include "law/response.hpp"
 #include "law/springs.hpp"
 
 namespace fabricsh::law {
+
+// State of the comparison laws.
+namespace rate_state {
+inline constexpr int E = 0;                      // 5-vector, strain at the last commit
+inline constexpr int S = 5;                      // 5-vector, stress at the last commit, Pa
+inline constexpr int m1 = 10, m2 = 11;           // largest strains so far, not below 0
+inline constexpr int g0 = 12, gp = 13;           // E5*, largest |E5 - E5*| [williams2010, eq. 6.28]
+inline constexpr int sg = 14;                    // sign of the shear branch; 0 means +1
+inline constexpr int W1 = 15, W2 = 16, W3 = 17;  // work on warp, weft and both kinds of shear, J/m^3
+inline constexpr int dissipated = 18;            // J/m^3, work less stored energy
+inline constexpr int created = 19;               // J/m^3, sum of the decreases of `dissipated`
+inline constexpr int count = 20;
+}  // namespace rate_state
+
+inline Bound rate_bound(const WovenData& w) {
+  const double D1 = w.axis[0].unloading, D2 = w.axis[1].unloading;
+  const double nu12 = w.axis[0].poisson, nu21 = w.axis[1].poisson;
+  // The coupling of [williams2010, eq. 6.24] adds to Du_max / (1 - nn); the eigenvalue includes it.
+  return {larger_eigenvalue(D1, nu21 * D1, nu12 * D2, D2) / (1.0 - nu12 * nu21), w.shear.unloading, 0};
+}
+
 inline namespace FABRICSH_ISA {
 
 inline constexpr double standing = 1e-300;  // the step used for a path of zero length
@@ -252,6 +277,36 @@ Response<T> rate_update(const WovenData& law, AtSwitch at, const T E[5], const T
   const auto stored = rate_stored(law, out.S);
   s1[dissipated] = s1[W1] + s1[W2] + s1[W3] - stored.warp - stored.weft - stored.shear;
   s1[created] = s0[created] + max(s0[dissipated] - s1[dissipated], T(0.0));
+  return out;
+}
+
+// These laws record the work; the part that is not stored counts as dissipated.
+template <class T>
+EnergyOf<T> rate_energy(const WovenData& w, const T* s) {
+  using namespace rate_state;
+  const auto stored = rate_stored(w, s + S);
+  EnergyOf<T> out(stored.warp + stored.weft + stored.shear);
+  out.dissipated[0] = s[W1] - stored.warp;
+  out.dissipated[1] = s[W2] - stored.weft;
+  out.dissipated[2] = s[W3] - stored.shear;
+  out.created = s[rate_state::created];
+  return out;
+}
+
+inline Internal rate_internal(const WovenData& w, const double E[5], const double* s) {
+  using namespace rate_state;
+  const auto yarn = [](double x, double m) {
+    return x >= m - switch_width ? LoadBranch::virgin : x < 0 ? LoadBranch::slack : LoadBranch::unloading;
+  };
+  Internal out;
+  out.residual1 = s[m1] - backbone_at(w.axis[0].curve, s[m1]).P * w.axis[0].softness;
+  out.residual2 = s[m2] - backbone_at(w.axis[1].curve, s[m2]).P * w.axis[1].softness;
+  out.slack1 = max(-E[0], 0.0);
+  out.slack2 = max(-E[1], 0.0);
+  out.warp = yarn(E[0], s[m1]);
+  out.weft = yarn(E[1], s[m2]);
+  const bool virgin = !w.shear.hysteresis || abs(E[4] - s[g0]) >= s[gp] - switch_width;
+  out.shear = virgin ? LoadBranch::virgin : LoadBranch::unloading;
   return out;
 }
 
