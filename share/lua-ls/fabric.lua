@@ -57,7 +57,7 @@ local history = {}
 ---@field steps table[] Of each committed step: time, step, iterations, cuts, residuals, negative_pivots (none on a stable path).
 ---@field stopped string|false The reason it was stopped for, or false.
 ---@field time number Where the run is, s.
----@field warnings any What the run has said about how far its results can be trusted, in order: a list of {code, text, time (s), element (nil: no particular one), serious}. Also in run.json. Under --strict the serious ones raise a numerical failure. The codes: ledger (energy appears or is lost beyond what the steps explain), inverted (an element is turned inside out), director (a director has turned over to the other side of the sheet), beyond (the strain is beyond what the card was tested to; serious with limit="stop"), pivots (the path of a static run has passed a limit or bifurcation point), relaxed (relaxation took a noticeable part of a static run's work, or its first step), stabilise (stabilisation has taken a noticeable part of the work), jump (a load or motion is at full value at once, not ramped), step (the explicit step is near the stable one, or is split because stretch has shortened that), inertia (much of the kinetic energy is in rotary inertia that is scaled up for the step), guard (contact is pressed so far that a barrier keeps the surfaces apart), seam (edges that are sewn had not met when their time was over), dropped (an initial velocity is dropped along supports), idle (supports take up the whole of a load), bending (the bending rigidity of the card is far from that of cloth), card (the check of the card has a warning), units (a value of the deck is far outside the usual), mesh (the file of a mesh was cut short or holds what is left out), restart (the run was continued from the checkpoint of another deck), lost (an output of the restarted run is gone), retired (an argument of an earlier release has no effect any more), deck (the deck or a virtual test has said it with fabric.warn).
+---@field warnings any What the run has said about how far its results can be trusted, in order: a list of {code, text, time (s), element (nil: no particular one), serious}. Also in run.json. Under --strict the serious ones raise a numerical failure. The codes: ledger (energy appears or is lost beyond what the steps explain), inverted (an element is turned inside out), director (a director has turned over to the other side of the sheet), beyond (the strain is beyond what the card was tested to; serious with limit="stop"), pivots (the path of a static run has passed a limit or bifurcation point), relaxed (relaxation took a noticeable part of a static run's work, or its first step), stabilise (stabilisation has taken a noticeable part of the work), jump (a load or motion is at full value at once, not ramped), step (the explicit step is near the stable one, or is split because stretch has shortened that), inertia (much of the kinetic energy is in rotary inertia that is scaled up for the step), guard (contact is pressed so far that a barrier keeps the surfaces apart), seam (edges that are sewn had not met when their time was over), held (the cloth pulls on yarns beyond their strength where a support holds them, and none breaks there), dropped (an initial velocity is dropped along supports), idle (supports take up the whole of a load), bending (the bending rigidity of the card is far from that of cloth), card (the check of the card has a warning), units (a value of the deck is far outside the usual), mesh (the file of a mesh was cut short or holds what is left out), restart (the run was continued from the checkpoint of another deck), lost (an output of the restarted run is gone), retired (an argument of an earlier release has no effect any more), deck (the deck or a virtual test has said it with fabric.warn).
 local analysis = {}
 
 ---The whole state of a run.
@@ -370,6 +370,7 @@ function fabric.expect(rows) end
 ---@field units? "mm-t-s"|"mm-kg-ms"|"SI" that the deck is written in (default "mm-t-s")
 ---@field id? integer of the material; curves are 10 id + 1 and on (default 1)
 ---@field axis? number[] direction of the warp {x, y, z} where the material holds it (LS-DYNA); default {1, 0, 0}
+---@field element? number m: size of the elements along the yarns that break: with it the card's rupture is written where the material takes one (LAW58, LAW158: /FAIL/FABRIC)
 
 ---A card as a material of another solver, its curves in that solver's measures of strain and stress. Returns text, material, report (text), losses: a row for each path {path, worst, rms, work: per cent of the card's own peak stress and work, where, peak, strain, ours, theirs}, lost: the same by path (warp, weft, biaxial, bias, "cyclic warp", "cyclic weft", "cyclic shear"), and sentences on what no row shows.
 ---@param fields fabric_export_card_fields
@@ -409,6 +410,7 @@ function fabric.export.mesh(fields) end
 ---@field to? "ls-dyna"|"openradioss"|"abaqus" the solver; default: by the file's name
 ---@field material? string as for fabric.export.card
 ---@field units? "mm-t-s"|"mm-kg-ms"|"SI" that the deck is written in (default "mm-t-s")
+---@field element? number m: as for fabric.export.card
 ---@field histories? table { ['top.y']={{t, v}, ...} }: points {t, v}, in s and SI, of the motion or force of a set along an axis, where it is more than a ramp
 ---@field duration? number s: of the run; default: the last corner of a history, at least 1 s
 
@@ -726,7 +728,7 @@ function fabric.lab.card(fields) end
 ---@field label? string of what was measured, in the key; default: the name of its file
 ---@field title? string of the figure
 
----A measured curve beside a test's: x, measured, simulated (between the test's points in virgin loading), residual = measured less simulated; rms and worst as parts of the measured peak, largest {x, residual}, outside (points beyond the test), slack, inside, text.
+---A measured curve beside a test's: x, measured, simulated (between the test's points in virgin loading), residual = measured less simulated; rms and worst as parts of the measured peak, largest {x, residual}, outside (points beyond the test), slack, inside, text. For a result of fabric.lab.tear also tear = { measured=, simulated= }, each with mean (N, after the first quarter of the record), mean_of_peaks (N, as the test's standard takes it) and peaks (their number).
 ---@param measured table result of fabric.lab.tensile or shear_from_bias, or a record with lists of the columns
 ---@param test table result of a virtual test (fabric.lab.uniaxial and so on), its curve, or lists likewise
 ---@param options? fabric_lab_compare_fields.options what is compared, and the file of the figure
@@ -1328,13 +1330,13 @@ function fabric.lab.read(fields) end
 function fabric.lab.reduce(fields) end
 
 ---@class fabric_lab_rupture_fields.warp
----@field strips table strips pulled until they broke: largest forces (N), records { displacement=, force= }, or results of fabric.lab.tensile
+---@field strips table strips pulled until they broke: largest forces (N), records { displacement=, force= }, or results of fabric.lab.tensile (breaks at the jaws count as in ISO 13934-1); or a group of fabric.lab.breaking_strength
 ---@field width number m: of the strips
 ---@field tears? table trouser or tongue tears in which these yarns broke: mean forces (N) or records { displacement=, force= }
 ---@field energy? number J/m: in their place, from elsewhere
 
 ---@class fabric_lab_rupture_fields.weft
----@field strips table strips pulled until they broke: largest forces (N), records { displacement=, force= }, or results of fabric.lab.tensile
+---@field strips table strips pulled until they broke: largest forces (N), records { displacement=, force= }, or results of fabric.lab.tensile (breaks at the jaws count as in ISO 13934-1); or a group of fabric.lab.breaking_strength
 ---@field width number m: of the strips
 ---@field tears? table trouser or tongue tears in which these yarns broke: mean forces (N) or records { displacement=, force= }
 ---@field energy? number J/m: in their place, from elsewhere
@@ -1345,7 +1347,7 @@ function fabric.lab.reduce(fields) end
 ---@field weft? fabric_lab_rupture_fields.weft the same of the weft
 ---@field source? string who measured, when (default "")
 
----From strips pulled to break and tears to a card that breaks. Returns card (with rupture, and its origin in card.provenance), and warp and weft: strength (N/m) and energy (J/m, twice the mean force of the tears after their first quarter), strengths (of the strips), tear (N, mean force), modulus (Weibull's, of strips: no part of the card), bands of 95 % for strength and modulus.
+---From strips pulled to break and tears to a card that breaks. Returns card (with rupture, and its origin in card.provenance), and warp and weft: strength (N/m) and energy (J/m, twice the mean force of the tears after their first quarter), strengths (of the strips that count), left_out (places of breaks at the jaws), tear (N, mean force), modulus (Weibull's, of strips: no part of the card), bands of 95 % for strength, modulus and energy.
 ---@param fields fabric_lab_rupture_fields
 ---@return table<string, any>
 function fabric.lab.rupture(fields) end
@@ -1553,10 +1555,11 @@ function fabric.lab.tear(fields) end
 ---@field contact? number N: default 1 % of the largest force
 ---@field tolerance? number m: smallest way back that is a reversal; default 1 % of the largest displacement
 ---@field kept? number failed below this part of the peak, if the force stays there (default 0.8)
+---@field from_jaw? number|number[] m: where the specimen broke: distance from the nearer jaw, a number for each specimen; within 5 mm it is a break at the jaw
 ---@field outliers? "tell"|"drop"|"keep" single outlying readings of the force (a display that drops a digit). tell: left out with a warning; drop: left out silently; keep: kept (default "tell")
 ---@field softening? number yielded below this part of the largest tangent (default 0.5)
 
----A pull as stress and strain (eqs. 3.1, 3.2): E, S, displacement, force, time, branches (kind, first, last), loading (first and last row of virgin loading), yield and failure (rows or nil, on the virgin loading of all cycles), slack, area, outliers (places in the record of what was left out, or nil), warnings (preload, slip in the jaws, a late grip: each {code, text, row}; or nil). A file with several specimens gives a list of tests, each with its specimen.
+---A pull as stress and strain (eqs. 3.1, 3.2): E, S, displacement, force, time, branches (kind, first, last), loading (first and last row of virgin loading), yield and failure (rows or nil, on the virgin loading of all cycles), slack, area, outliers (places in the record of what was left out, or nil), warnings (preload, slip in the jaws, a late grip, a break at the jaw: each {code, text, row}; or nil), from_jaw and jaw (whether it broke at one). A file with several specimens gives a list of tests, each with its specimen.
 ---@param fields fabric_lab_tensile_fields
 ---@return table<string, any>
 function fabric.lab.tensile(fields) end
@@ -2430,6 +2433,12 @@ function mesh:deck_lines(format, length, membrane, elements) end
 ---@param set string name of a node set
 ---@return integer[]
 function mesh:elements(set) end
+
+---Cuts a hole along the grid: leaves out the elements inside and the nodes that no element has any more. The others are numbered anew in their order; sets keep them, boundary has the rim, too.
+---@param inside function function(x, y, z) that says whether the middle of an element is inside
+---@param rim? string name of a set to make of the nodes of its rim
+---@return any
+function mesh:hole(inside, rim) end
 
 ---Moves every node; on an error none is moved.
 ---@param f function function(x, y, z) that returns the new x, y, z

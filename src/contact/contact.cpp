@@ -12,6 +12,7 @@ namespace {
 
 constexpr double rounding = 1e-9;        // share of a skin: rounding never decides what is looked at
 constexpr double of_apart = 0.9;         // the gap of lips, as a share of how far they have been apart
+constexpr double grown_from = 0.02;      // of the whole gap: lips that were less far apart do not touch yet
 constexpr double nearly = 1 - rounding;  // of the motion that a list allows for
 
 double mean_edge(const Scene& scene) {
@@ -23,6 +24,9 @@ double mean_edge(const Scene& scene) {
     }
   return count > 0 ? sum / count : 1e-3;
 }
+
+// What lips come back with does not stop within a gap far below that of the law.
+double grown(double apart, const Law& law) { return apart < grown_from * law.gap() ? 0 : of_apart * apart; }
 
 // The corners of a pair move from x to end; the share of that motion until the pair reaches its floor.
 double pair_share(const Candidate& c, const Law& law, const Corners& x, const Corners& end) {
@@ -110,7 +114,7 @@ void Contact::mark_checked(std::span<const Vec3> x, double change) {
 void Contact::scale(Candidate& c) const {
   const double share = opened_[std::size_t(c.interaction)];
   c.pair.scale = share >= 1 ? c.whole : c.whole * (c.start + (1 - c.start) * share);
-  if (c.lips) c.pair.scale = std::min(c.pair.scale, of_apart * least_apart(c) / law(c).gap());
+  if (c.lips) c.pair.scale = std::min(c.pair.scale, grown(least_apart(c), law(c)) / law(c).gap());
 }
 
 // m, of the lips among the points of a pair of them.
@@ -171,8 +175,8 @@ void Contact::apart_changed() {
   narrowest_ = narrowest_at_first_;
   for (const double apart : scene_->apart())
     for (const Interaction& it : scene_->interactions())
-      if (apart > 0)
-        narrowest_ = std::min(narrowest_, of_apart * apart / it.law.gap() * (it.law.gap() - it.law.floor()));
+      if (const double gap = grown(apart, it.law); gap > 0)
+        narrowest_ = std::min(narrowest_, gap / it.law.gap() * (it.law.gap() - it.law.floor()));
   scale_all();
 }
 

@@ -173,6 +173,7 @@ void Dofs::apply_increment(std::span<const double> delta, double scale, std::spa
   };
 #pragma omp parallel for schedule(static) if (static_cast <Index>(n) >= 128)
   for (Index i = 0; i < static_cast<Index>(n); ++i) {
+    if (!joints_.leads(i)) continue;
     at(d, i) = at(base.subspan(3 * n), i);
     at(b1, i) = at(base.subspan(6 * n), i);
     Vec3 u = at(base, i) - X_[i];
@@ -198,6 +199,13 @@ void Dofs::apply_increment(std::span<const double> delta, double scale, std::spa
     if (q1 == 0 && q2 == 0) continue;
     turn_director(i, q1, q2);
     realign(i);
+  }
+  // The other nodes of joints are where the leaders are.
+  if (joints_.any()) {
+#pragma omp parallel for schedule(static) if (static_cast <Index>(n) >= kParallelFrom)
+    for (Index i = 0; i < static_cast<Index>(n); ++i)
+      if (const Index leader = joints_.leader(i); leader != i)
+        for (const auto& part : {x, d, b1}) at(part, i) = at(part, leader);
   }
   apply_ties(delta, scale);
   configuration_.touch();
@@ -241,19 +249,29 @@ void Dofs::residual(std::span<const double> external, std::span<const double> in
   if (has_ties()) add_tied_residual(external, internal_x, internal_d, on_d, moments, r);
 }
 
-// The forces on the nodes that do not lead their joints.
+// The forces on the nodes that do not lead their joints, whose directors are those of the leaders.
 void Dofs::add_joined_residual(std::span<const double> external, std::span<const double> internal_x,
                                std::span<const double> internal_d, std::span<const double> on_d,
                                std::span<double> r) const {
   const Configuration& s = configuration_;
   for (Index i = 0; i < static_cast<Index>(X_.size()); ++i) {
-    if (joints_.leads(i)) continue;
+    const Index leader = joints_.leader(i);
+    if (leader == i) continue;
+    const Vec3 out = at(external, i) - at(internal_x, i);
+    const auto put = [&](const auto& equation, const Vec3& f) {
+      for (int c = 0; c < 3; ++c)
+        if (equation[c] >= 0) r[equation[c]] += f[c];
+      if (equation[3] < 0 && equation[4] < 0) return;
+      const Vec3 turning = on_director(on_d, internal_d, i), b1 = at(s.b1(), i);
+      if (equation[3] >= 0) r[equation[3]] += b1.dot(turning);
+      if (equation[4] >= 0) r[equation[4]] += at(s.d(), i).cross(b1).dot(turning);
+    };
+    if (const std::int32_t* equation = plain_equations(leader)) {
+      put(equation, out);
+      continue;
+    }
     const NodeFreedoms& node = freedoms_.nodes[i];
-    const Vec3 out = node.frame * (at(external, i) - at(internal_x, i));
-    const Vec3 turning = on_director(on_d, internal_d, i), b1 = at(s.b1(), i), b2 = at(s.d(), i).cross(b1);
-    const double f[5] = {out[0], out[1], out[2], b1.dot(turning), b2.dot(turning)};
-    for (std::size_t c = 0; c < 5; ++c)
-      if (node.equation[c] >= 0) r[node.equation[c]] += f[c];
+    put(node.equation, node.oblique ? Vec3(node.frame * out) : out);
   }
 }
 

@@ -9,6 +9,7 @@
 #include "base/number.hpp"
 #include "mechanics/rate_bound.hpp"
 #include "mechanics/terms/contact.hpp"
+#include "mechanics/terms/tears.hpp"
 #include "run/step_control.hpp"
 
 namespace fabricsh::run {
@@ -38,6 +39,7 @@ Explicit::Explicit(std::shared_ptr<model::Model> model, const DynamicOptions& op
   bound_step();
   assembly_->find<mechanics::Cloth>()->update_in_place();
   if (contact_ != nullptr) contact_->go_explicit();
+  if (tears_ != nullptr) tears_->go_explicit();
   report_contacts();
   check_stable_step(undamped);
   choose_step();

@@ -15,6 +15,7 @@ namespace {
 
 using Edges = std::vector<mechanics::Joints::Edge>;
 constexpr double kOvershot = 1.02;  // force over strength to which a step may jump when a yarn breaks
+constexpr double kHeld = 1.2;       // force over strength beyond which yarns that a support holds are told of
 constexpr double kWithin = 1e-6;    // mean edges: how far apart nodes are that meet without a distance given
 
 // The number of joints at places with several nodes.
@@ -99,6 +100,12 @@ std::size_t Run::join(const Along& along, std::optional<double> within) {
 // same state. Explicit steps go on and break the next ones in theirs.
 void Run::tear() {
   if (tears_ == nullptr) return;
+  if (tears_->supports_due() && !warned("held"))
+    if (const auto worst = tears_->at_support(); worst.share > kHeld)
+      warn("held", "warning: " + std::string(kind()) + ": at time " + number(time()) +
+                       " s the cloth pulls on the " + worst.yarn + " about " + place_text(worst.at) +
+                       " with " + number(worst.share) + " times its strength, " + number(worst.strength) +
+                       " N/m, where a support holds it: nothing breaks there");
   const double step = tear_step();
   while (tears_->worst().share >= 1) {
     Edges all = tears_->let_go(step);

@@ -21,6 +21,8 @@ constexpr WarningKind kinds[] = {
     {"inertia", "much of the kinetic energy is in rotary inertia that is scaled up for the step"},
     {"guard", "contact is pressed so far that a barrier keeps the surfaces apart"},
     {"seam", "edges that are sewn had not met when their time was over"},
+    {"held",
+     "the cloth pulls on yarns beyond their strength where a support holds them, and none breaks there"},
     {"dropped", "an initial velocity is dropped along supports"},
     {"idle", "supports take up the whole of a load"},
     {"bending", "the bending rigidity of the card is far from that of cloth"},

@@ -273,6 +273,32 @@ for _, law in ipairs { "incremental", "thesis" } do
   check(law .. " law: residual strain of the warp", back.residual, residual, 1e-2)
 end
 
+-- Breaking yarns: the stress falls between two nominal strains, and an element pulled apart spends what the card says. The force per width is E t e along
+-- a straight spring in the card's own measure, S (1 + e), which is integrated by hand.
+do
+  local strength, energy = 6e3, 15
+  local breaks = blend:with { rupture = { warp = { strength = strength, energy = energy, scatter = { modulus = 9 } }, weft = { strength = 0.8 * strength, energy = energy } } }
+  for _, law in ipairs { "LAW58", "LAW158" } do
+    local out = fabric.export.card { card = breaks, to = "openradioss", material = law, element = 2e-3, id = 3 }
+    local line = out.text:match "/FAIL/FABRIC/3\n#[^\n]*\n([^\n]*)\n"
+    local f1, r1, f2, r2 = table.unpack(fields(line, 20))
+    local function force(e) return fabric.point(blend):uniaxial("warp", e + e * e / 2).S * (1 + e) * blend.thickness end
+    check(law .. ": force per width where the warp begins to fail, N/m", force(tonumber(f1)), strength, 1e-3)
+    local last = (force(f1) - force(f1 - 1e-3)) / 1e-3
+    local spent, n = 0, 2000
+    for i = 1, n do -- the middle of each part
+      local e = (i - 0.5) / n * r1
+      spent = spent + r1 / n * (e < f1 + 0 and force(e) or (strength + last * (e - f1)) * (1 - (e - f1) / (r1 - f1)))
+    end
+    check(law .. ": energy of an element pulled apart, J/m", 2e-3 * spent, energy, 5e-3)
+    assert(tonumber(f2) < tonumber(r2) and out.report:find("the scatter of the warp is lost", 1, true) and out.report:gsub("%s+", " "):find("on elements of 0.002 m along it", 1, true))
+  end
+  for _, target in ipairs { { "openradioss", "LAW58", "element=h" }, { "ls-dyna", "MAT_034", "*MAT_ADD_EROSION would remove whole elements" }, { "abaqus", "FABRIC", "nothing written breaks" } } do
+    local out = fabric.export.card { card = breaks, to = target[1], material = target[2] }
+    assert(out.report:gsub("%s+", " "):find(target[3], 1, true) and not out.text:find("/FAIL", 1, true), out.report)
+  end
+end
+
 -- A St. Venant-Kirchhoff card goes to *ELASTIC whole, to LAW19 but for the measure.
 local svk = fabric.svk { warp = 8e6, weft = 37e6, shear = 1e6, poisson = { 0.25, 0.42 }, density = 590, thickness = 0.38e-3 }
 r = fabric.export.card { card = svk, to = "abaqus" }
@@ -305,6 +331,9 @@ wrong("field 'card': ls-dyna takes no card of the law 'svk'", { card = svk, to =
 wrong("field 'units': expected 'mm-t-s' or 'mm-kg-ms' or 'SI', got 'inch'", { card = blend, to = "ls-dyna", units = "inch" })
 wrong("/proc/nowhere", { card = blend, to = "abaqus", file = "/proc/nowhere/card.inp" })
 wrong("field 'card'", { card = "blend", to = "abaqus" })
+wrong("card: field 'element': the card 'blend' has no rupture", { card = blend, to = "openradioss", element = 2e-3 })
+wrong("card: field 'element': an element of 0.5 m has spent more than the energy of the warp, 15 J/m, when it begins to fail: expected at most",
+  { card = blend:with { rupture = { warp = { strength = 6e3, energy = 15 } } }, to = "openradioss", element = 0.5 })
 for _, axis in ipairs { { 0, 0, 0 }, { 1, 0 }, { 1, 2, 3, 4 } } do
   wrong(("card: field 'axis': expected a direction {x, y, z} other than zero, got {%s}"):format(table.concat(axis, ", ")), { card = blend, to = "ls-dyna", axis = axis })
 end

@@ -38,6 +38,28 @@ refused("hemisphere: field 'hole': expected a number above 0 to below 90 in degr
   { radius = 1, hole = 90, around = 3, along = 1 })
 refused("cylinder: field 'angle'", fabric.mesh.cylinder, { radius = 1, length = 1, around = 3, along = 1, angle = 0 })
 
+-- A hole along the grid: a staircase about a circle. Elements, nodes and sets go on with the rest; so does a second hole that meets the edge.
+do
+  local mesh = fabric.mesh.rectangle { width = 1, height = 1, nx = 10, ny = 10 }
+  mesh:set("middle", function(x, y) return math.abs(x - 0.5) < 0.01 and math.abs(y - 0.5) < 0.01 end)
+  assert(mesh:hole(function(x, y) return (x - 0.5) ^ 2 + (y - 0.5) ^ 2 < 0.2 ^ 2 end, "rim") == mesh)
+  -- Of the 16 cells about the centre the four at the corners have their middle at 0.212, so that twelve go, with the five nodes within.
+  assert(#mesh.elements == 100 - 12 and #mesh.nodes == 121 - 5 and #mesh:set "rim" == 16 and #mesh:set "boundary" == 40 + 16 and not pcall(mesh.set, mesh, "middle"))
+  for _, n in ipairs(mesh:set "rim") do
+    local p = mesh.nodes[n]
+    local away = math.max(math.abs(p[1] - 0.5), math.abs(p[2] - 0.5))
+    assert(away > 0.09 and away < 0.21)
+  end
+  for e = 1, #mesh.elements do
+    local ids = mesh.elements[e]
+    local a, c = mesh.nodes[ids[1]], mesh.nodes[ids[3]]
+    assert(math.abs(c[1] - a[1] - 0.1) < 1e-12 and math.abs(c[2] - a[2] - 0.1) < 1e-12)
+  end
+  mesh:hole(function(x, y) return x < 0.1 and y < 0.1 end)
+  assert(#mesh.elements == 87 and #mesh:set "left" == 10 and #mesh:set "boundary" == 56)
+  refused("hole: every element has its middle inside", mesh.hole, mesh, function() return true end)
+end
+
 -- Lines of nodes where they are given, and a slit whose sides have names.
 local graded = fabric.mesh.rectangle{ width = 0.1, height = 0.06, ny = 3, grading = { x = { 0, 0.04, 0.05, 0.06, 0.1 } } }
 assert(#graded.nodes == 20 and graded.nodes[7][1] == 0.04 and math.abs(graded.nodes[7][2] - 0.02) < 1e-15)

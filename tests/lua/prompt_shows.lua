@@ -147,6 +147,7 @@ methods
   mesh:check                   What is wrong with the mesh or worth knowing: a table {ok, text, items, area, shortest, longest, aspect, wa...
   mesh:deck_lines              The nodes, elements and sets of nodes as lines of a deck, to which the rest of a deck is added; see fabric....
   mesh:elements                Numbers of the elements all of whose nodes are in the set
+  mesh:hole                    Cuts a hole along the grid: leaves out the elements inside and the nodes that no element has any more
   mesh:map                     Moves every node; on an error none is moved
   mesh:orient                  Turns elements around until neighbours agree on the normal, as few as that takes; returns how many
   mesh:set                     Makes or replaces a named set of nodes; with the name alone gives its node numbers

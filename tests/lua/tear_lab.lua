@@ -118,6 +118,35 @@ near("energy from tears", known.card.rupture.weft.energy, 10.5 + 11.5, 1e-3)
 assert(known.card.provenance["rupture.weft"]:find("^fitted to 400 strips of 50 mm"))
 assert(fabric.lab.rupture { card = plain, warp = { strips = { 500 }, width = 0.05, energy = 15 } }.card.provenance["rupture.warp"]:find "^assumed")
 
+-- Breaks at the jaws, as seen on the specimens: below the lowest of the others they are left out, as in ISO 13934-1; all at the jaws are told.
+do
+  local function pulled(top, from_jaw)
+    local record = { displacement = {}, force = {} }
+    for i = 1, 60 do record.displacement[i], record.force[i] = i * mm, i <= 50 and top * i / 50 or 0 end
+    return fabric.lab.tensile { record = record, gauge_length = 0.2, width = 0.05, thickness = 1e-3, plies = 1, from_jaw = from_jaw }
+  end
+  local weak, strong = pulled(400, 3 * mm), pulled(600, 4 * mm)
+  assert(weak.jaw and weak.from_jaw == 3 * mm and weak.warnings[1].code == "jaw" and not pulled(500, 30 * mm).jaw and pulled(500).jaw == nil)
+  local r = fabric.lab.rupture { card = plain, warp = { strips = { pulled(500, 30 * mm), weak, strong, pulled(520, 60 * mm) }, width = 50 * mm, tears = { 9, 10, 11 } } }
+  near("strength without the weak break at a jaw", r.warp.strength, (500 + 600 + 520) / 3 / 0.05, 1e-12)
+  assert(#r.warp.left_out == 1 and r.warp.left_out[1] == 2)
+  -- Student's t for three values is 4.3027, the deviation of 9, 10, 11 is 1.
+  near("band of the energy", r.warp.bands.energy[2], 2 * (10 + 4.3027 / math.sqrt(3)), 1e-4)
+  local known = { specimens = { { force = 500, counted = true }, { force = 300, counted = false } } }
+  near("a group of a table of strips", fabric.lab.rupture { card = plain, warp = { strips = known, width = 0.05, energy = 1 } }.warp.strength, 1e4, 1e-12)
+end
+
+-- A measured tear beside a test: means and peaks, not points. The record is the test's own with forces a tenth higher.
+do
+  local test = trouser { h = 4 * mm }
+  local record = { displacement = {}, force = {} }
+  for i, row in ipairs(test.curve) do record.displacement[i], record.force[i] = row.displacement, 1.1 * row.force end
+  local c = fabric.lab.compare(record, test)
+  near("measured over simulated mean of peaks", c.tear.measured.mean_of_peaks / c.tear.simulated.mean_of_peaks, 1.1, 1e-9)
+  near("measured over simulated mean", c.tear.measured.mean / c.tear.simulated.mean, 1.1, 0.05) -- a quarter of the way, and of the tear
+  assert(c.tear.measured.peaks == #test.peaks and c.text:find "^mean force measured")
+end
+
 -- A zone in which nothing breaks takes no further step.
 local function steps(zone)
   local mesh = fabric.mesh.rectangle { width = 30 * mm, height = 30 * mm, nx = 6, ny = 6 }

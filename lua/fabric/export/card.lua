@@ -5,6 +5,7 @@ local units = require "fabric.export.units"
 local targets = require "fabric.export.targets"
 local curves = require "fabric.export.curves"
 local loss = require "fabric.export.loss"
+local rupture = require "fabric.export.rupture"
 local gather = require "fabric.export.gather"
 local fail = define.fail
 
@@ -84,6 +85,9 @@ function export.prepare(t)
   end
   local rows = loss.rows(t.card, function() return target.law(p) end)
   local sentences = loss.sentences(t.card, target)
+  local breaks, strains = rupture.prepare(t, target)
+  table.move(breaks, 1, #breaks, #sentences + 1, sentences)
+  p.failure = strains
   local guesses, parts = assumed(t.card)
   table.move(guesses, 1, #guesses, #sentences + 1, sentences)
   report_assumed(t, parts)
@@ -142,6 +146,8 @@ define {
     export.arguments[1],
     { name = "id", kind = "integer", low = 1, high = 9999, default = 1, sentence = "of the material; curves are 10 id + 1 and on" },
     { name = "axis", kind = "numbers", optional = true, sentence = "direction of the warp {x, y, z} where the material holds it (LS-DYNA); default {1, 0, 0}" },
+    { name = "element", kind = "number", unit = "m", above = 0, optional = true,
+      sentence = "size of the elements along the yarns that break: with it the card's rupture is written where the material takes one (LAW58, LAW158: /FAIL/FABRIC)" },
   },
   sentence = "A card as a material of another solver, its curves in that solver's measures of strain and stress. Returns text, material, report "
     .. "(text), losses: a row for each path {path, worst, rms, work: per cent of the card's own peak stress and work, where, peak, strain, ours, "

@@ -20,7 +20,7 @@ local function run(t)
     fail(("model: field 'file': expected a name that ends in .%s for %s, got '%s'"):format(endings[to], to, t.file))
   end
   local m = gather.model(t)
-  local r = card.run { card = m.card, to = to, material = t.material, units = t.units, id = 1, axis = m.warp }
+  local r = card.run { card = m.card, to = to, material = t.material, units = t.units, id = 1, axis = m.warp, element = t.element }
   local target, u = targets.find(to, r.material, m.card.kind), units.of(t.units)
   m.name = card.name(m.card)
   local notes = #m.notes > 0 and target.comment(m.notes) .. "\n" or ""
@@ -38,6 +38,7 @@ define {
     { name = "to", kind = "text", choices = targets.solvers, optional = true, sentence = "the solver; default: by the file's name" },
     { name = "material", kind = "text", optional = true, sentence = "as for fabric.export.card" },
     card.arguments[1],
+    { name = "element", kind = "number", unit = "m", above = 0, optional = true, sentence = "as for fabric.export.card" },
     { name = "histories", kind = "table", optional = true, sentence = "{ ['top.y']={{t, v}, ...} }: points {t, v}, in s and SI, of the motion or force of a set along an axis, where it is more than a ramp" },
     { name = "duration", kind = "number", unit = "s", above = 0, optional = true, sentence = "of the run; default: the last corner of a history, at least 1 s" },
   },

@@ -10,6 +10,8 @@ local function reals(...)
   return table.concat(out)
 end
 
+local function ids(...) return units.line(10, { ... }) end
+
 -- A comment line with the names of the fields of 20 columns, to be put above their numbers.
 local function head(...)
   local out = {}
@@ -31,13 +33,20 @@ local function odd(c)
   return out
 end
 
-local function ids(...) return units.line(10, { ... }) end
-
 -- The first three functions of a material, each with its scale.
 local function first_three(base)
   local out = {}
   for k = 1, 3 do out[k] = ("#  FCT_ID%d                       FSCALE%d\n"):format(k, k) .. ids(base + k, "") .. reals(1.0) end
   return table.concat(out, "\n")
+end
+
+-- /FAIL/FABRIC: nominal strains from which and at which the stress of each family is gone [OpenRadioss, hm_read_fail_fabric.F, fail_fabric_c.F]. A family
+-- without them holds; an element is removed when both have failed.
+local never = { 1e20, 2e20 }
+local function failure(p, id)
+  if not p.failure then return {} end
+  local warp, weft = p.failure.warp or never, p.failure.weft or never
+  return { ("/FAIL/FABRIC/%d"):format(id), head("EPSILON_F1", "EPSILON_R1", "EPSILON_F2", "EPSILON_R2"), reals(warp[1], warp[2], weft[1], weft[2]), "#   FCT_ID", ids(0) }
 end
 
 -- /MAT/LAW58 [OpenRadioss, starter hm_read_mat58.F and law58_upd.F; Altair Radioss Reference Guide, /MAT/LAW58 (FABR_A)].
@@ -62,6 +71,7 @@ function radioss.law58(card, name, p, u, id)
       out[#out + 1] = funct(base + k + 3 * (j - 1), part .. ", " .. what, part == "shear" and odd(c) or c, 1, s)
     end
   end
+  table.move(failure(p, id), 1, 5, #out + 1, out)
   return table.concat(out, "\n")
 end
 
@@ -81,6 +91,7 @@ function radioss.law158(card, name, p, u, id)
     local c = p[part].loading
     out[#out + 1] = funct(base + k, part .. ", loading", part == "shear" and odd(c) or c, 1, s)
   end
+  table.move(failure(p, id), 1, 5, #out + 1, out)
   return table.concat(out, "\n")
 end
 

@@ -111,10 +111,25 @@ local function distance(X, Y, Z, x, y, z, a, b, c)
   return min(to_edge(a, b), to_edge(b, c), to_edge(c, a))
 end
 
+-- The mesh of a model with tearable zones, whose elements have nodes of their own at their corners, with `place`, which names for each node the first
+-- one where it is.
+function brute.apart(mesh)
+  local out, known = { nodes = mesh.nodes, elements = mesh.elements, place = {} }, {}
+  for n = 1, #mesh.nodes do
+    local p = mesh.nodes[n]
+    local key = ("%.17g %.17g %.17g"):format(p[1], p[2], p[3])
+    known[key] = known[key] or n
+    out.place[n] = known[key]
+  end
+  return out
+end
+
 -- A watch over a run: balls = { {body=, radius=}, ... }, planes = { {point=, normal=}, ... } that stand. Returns a function that looks
--- at the run as it is and returns a list of texts, one for each place where something has passed.
+-- at the run as it is and returns a list of texts, one for each place where something has passed. Of a mesh of brute.apart, what was at one place lies
+-- on each other and is not looked at.
 function brute.watch(mesh, balls, planes)
   balls, planes = balls or {}, planes or {}
+  local place = type(mesh) == "table" and mesh.place or setmetatable({}, { __index = function(_, n) return n end })
   local triangles = brute.triangles(mesh)
   local edges = edges_of(triangles)
   local X, Y, Z, moved, quantum = {}, {}, {}, 0, nil
@@ -151,12 +166,12 @@ function brute.watch(mesh, balls, planes)
     local e = edges[1]
     quantum = sqrt((X[e[1]] - X[e[2]]) ^ 2 + (Y[e[1]] - Y[e[2]]) ^ 2 + (Z[e[1]] - Z[e[2]]) ^ 2) / 100
     for i = 1, n_edges do
-      local p, q = edges[i][1], edges[i][2]
+      local p, q = place[edges[i][1]], place[edges[i][2]]
       for k = 1, n_triangles do
         local t = triangles[k]
-        local a, b, c = t[1], t[2], t[3]
+        local a, b, c = place[t[1]], place[t[2]], place[t[3]]
         if p ~= a and p ~= b and p ~= c and q ~= a and q ~= b and q ~= c then
-          look_again_after((i - 1) * n_triangles + k, apart(X, Y, Z, p, q, a, b, c))
+          look_again_after((i - 1) * n_triangles + k, apart(X, Y, Z, edges[i][1], edges[i][2], t[1], t[2], t[3]))
         end
       end
     end

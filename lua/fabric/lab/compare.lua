@@ -3,6 +3,7 @@ local fabric = require "fabric"
 local define = require "fabric.define"
 local check = require "fabric.lab.check"
 local curve = require "fabric.lab.curve"
+local peaks = require "fabric.lab.peaks"
 local fail = define.fail
 
 local labels = { E = "Green-Lagrange strain E", E12 = "shear strain E12", E12_centre = "shear strain E12", displacement = "displacement", S = "second Piola-Kirchhoff stress",
@@ -113,6 +114,21 @@ local function band_of(t, out)
     label = ("%g %% of the next specimens"):format(100 * band.level) } }
 end
 
+-- A tear goes up and down with each yarn, and the next specimen does so elsewhere: its mean and that of its peaks, as the test's standard takes them,
+-- are what can be compared.
+local function tears_of(t, out, x, y)
+  if not (t.test.by and t.test.peaks) then return end
+  local rows = {}
+  for i = 1, #x do rows[i] = { displacement = x[i], force = y[i] } end
+  local high = peaks.of(rows, t.test.rise)
+  out.tear = { measured = { mean = peaks.mean_force(x, y), mean_of_peaks = peaks[t.test.by](high), peaks = #high },
+    simulated = { mean = t.test.mean, mean_of_peaks = t.test.mean_of_peaks, peaks = #t.test.peaks } }
+  local m, s = out.tear.measured, out.tear.simulated
+  local function number(v) return v and ("%.4g N"):format(v) or "none" end
+  out.text = ("mean force measured %s, simulated %s; mean of peaks %s (%d), %s (%d); point by point: %s"):format(number(m.mean), number(s.mean), number(m.mean_of_peaks), m.peaks,
+    number(s.mean_of_peaks), s.peaks, out.text)
+end
+
 local function draw(t, xname, yname, x, y, tx, ty, edges)
   local file = t.measured.file
   local name = t.label or type(file) == "string" and file:match "[^/]*$" or nil
@@ -165,6 +181,7 @@ local function compare(measured, test, options)
   out.worst = math.abs(out.largest.residual) / peak
   out.text = ("%d points, %d outside of the test; measured less simulated: rms %.2f %%, largest %.2f %% of the peak (%s %.4g)"):format(#out.x, out.outside,
     100 * out.rms, 100 * out.worst, xname, out.largest.x)
+  tears_of(t, out, x, y)
   local edges = band_of(t, out)
   if t.file then draw(t, xname, yname, x, y, tx, ty, edges) end
   return out
@@ -191,7 +208,8 @@ define {
     } },
   },
   sentence = "A measured curve beside a test's: x, measured, simulated (between the test's points in virgin loading), residual = measured less "
-    .. "simulated; rms and worst as parts of the measured peak, largest {x, residual}, outside (points beyond the test), slack, inside, text.",
+    .. "simulated; rms and worst as parts of the measured peak, largest {x, residual}, outside (points beyond the test), slack, inside, text. For a result of fabric.lab.tear also tear = { measured=, simulated= }, each with "
+    .. "mean (N, after the first quarter of the record), mean_of_peaks (N, as the test's standard takes it) and peaks (their number).",
   example = "local lab = require 'fabric'.lab\n"
     .. "local c = lab.compare({ displacement={0, 1, 2}, force={0, 1.1, 2} }, { displacement={0, 2}, force={0, 2} })\n"
     .. "assert(#c.x == 3 and math.abs(c.worst - 0.05) < 1e-12 and c.largest.x == 1)",

@@ -1,6 +1,21 @@
 -- Peaks of a tear record, and their means as the standards define them.
 local peaks = {}
 
+local skipped = 0.25 -- of the record, before its mean is taken
+
+-- Mean force over the way after the first quarter of it, from lists of displacement and force; nil if the displacement does not grow.
+function peaks.mean_force(displacement, force)
+  local n = #displacement
+  local from, work, way = displacement[1] + skipped * (displacement[n] - displacement[1]), 0, 0
+  for i = 2, n do
+    local step = displacement[i] - displacement[i - 1]
+    if displacement[i - 1] >= from and step > 0 then
+      work, way = work + step * (force[i] + force[i - 1]) / 2, way + step
+    end
+  end
+  return way > 0 and work / way or nil
+end
+
 -- The peaks of a curve of { displacement=, force= }: the force falls by at least this share of it before the next one, and has risen by as
 -- much of it since the one before.
 function peaks.of(curve, share)

@@ -136,7 +136,7 @@ function rupture.peaks(result, by, share)
     if row.torn > 0 then record[#record + 1] = row end
   end
   result.peaks = #record > 0 and peaks.of(record, share) or {}
-  result.mean_of_peaks = peaks[by](result.peaks)
+  result.mean_of_peaks, result.by, result.rise = peaks[by](result.peaks), by, share
   return result
 end
 

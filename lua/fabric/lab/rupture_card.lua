@@ -8,10 +8,11 @@
 local fabric = require "fabric"
 local define = require "fabric.define"
 local check = require "fabric.lab.check"
+local peaks = require "fabric.lab.peaks"
+local iso = require "fabric.lab.breaking_standards"["ISO 13934-1"]
 local mm = fabric.units.mm
 local fail = define.fail
 
-local skipped = 0.25  -- of the tear, before its mean is taken
 local variance = 0.608 -- of ln m, times the number of strips
 local far = 1.96      -- standard deviations of a band of 95 %
 
@@ -19,6 +20,15 @@ local function mean(list)
   local sum = 0
   for _, x in ipairs(list) do sum = sum + x end
   return sum / #list
+end
+
+-- Band of 95 % of the mean of a list, by Student's t; nil of one value.
+local function band(list)
+  if #list < 2 then return end
+  local middle, sum = mean(list), 0
+  for _, x in ipairs(list) do sum = sum + (x - middle) ^ 2 end
+  local half = fabric.lab.student(0.975, #list - 1) * math.sqrt(sum / (#list - 1) / #list)
+  return { middle - half, middle + half }
 end
 
 -- Weibull modulus of a list of strengths; nil if they are all alike.
@@ -63,18 +73,38 @@ local function peak_of(strip, where)
   return top
 end
 
+-- The forces of strips that count: breaks at the jaws by ISO 13934-1, and of a group of fabric.lab.breaking_strength those that counted there.
+local function counted(strips, name)
+  local breaks, forces, left_out = {}, {}, {}
+  for i, strip in ipairs(strips.specimens or strips) do
+    if not (strips.specimens and not strip.counted) then
+      local force = strips.specimens and strip.force or strip
+      breaks[#breaks + 1] = { place = i, force = peak_of(force, ("%s.strips[%d]"):format(name, i)), jaw = not strips.specimens and type(strip) == "table" and strip.jaw }
+    end
+  end
+  local out, has_mean = iso.left_out(breaks)
+  if #breaks > 0 and not has_mean then
+    fabric.warn(("rupture: every strip of '%s' broke at a jaw: what is taken for the strength is that of the grips, and the cloth's is larger"):format(name))
+  end
+  for k, b in ipairs(breaks) do
+    if out[k] then
+      left_out[#left_out + 1] = b.place
+      fabric.warn(("rupture: %s.strips[%d] broke at the jaw at %.4g N and is left out: %s"):format(name, b.place, b.force, out[k]))
+    else
+      forces[#forces + 1] = b.force
+    end
+  end
+  return forces, left_out
+end
+
 local function strength(part, name)
-  local forces = {}
-  for i, strip in ipairs(part.strips) do forces[i] = peak_of(strip, ("%s.strips[%d]"):format(name, i)) end
+  local forces, left_out = counted(part.strips, name)
   if #forces == 0 then fail(("rupture: field '%s.strips': expected at least one strip, got none"):format(name)) end
   local list = {}
   for i, f in ipairs(forces) do list[i] = f / part.width end
-  local out = { strength = mean(list), strengths = list, bands = {} }
+  local out = { strength = mean(list), strengths = list, left_out = left_out, bands = {} }
+  out.bands.strength = band(list)
   if #list > 1 then
-    local sum = 0
-    for _, f in ipairs(list) do sum = sum + (f - out.strength) ^ 2 end
-    local half = fabric.lab.student(0.975, #list - 1) * math.sqrt(sum / (#list - 1) / #list)
-    out.bands.strength = { out.strength - half, out.strength + half }
     out.modulus = modulus(list)
     if out.modulus then
       local factor = math.exp(far * math.sqrt(variance / #list))
@@ -90,16 +120,9 @@ local function tear_force(tear, where)
   if type(tear) ~= "table" then fail(("rupture: field '%s': expected a mean force in N or a record { displacement=, force= }, got %s"):format(where, type(tear))) end
   local n, m = check.numbers("rupture", where .. ".displacement", tear.displacement), check.numbers("rupture", where .. ".force", tear.force)
   if n ~= m or n < 3 then fail(("rupture: field '%s': expected displacement and force of one length, 3 rows at least, got %d and %d"):format(where, n, m)) end
-  local from = tear.displacement[1] + skipped * (tear.displacement[n] - tear.displacement[1])
-  local work, way = 0, 0
-  for i = 2, n do
-    local step = tear.displacement[i] - tear.displacement[i - 1]
-    if tear.displacement[i - 1] >= from and step > 0 then
-      work, way = work + step * (tear.force[i] + tear.force[i - 1]) / 2, way + step
-    end
-  end
-  if way == 0 then fail(("rupture: field '%s': expected a displacement that grows"):format(where)) end
-  return work / way
+  local middle = peaks.mean_force(tear.displacement, tear.force)
+  if not middle then fail(("rupture: field '%s': expected a displacement that grows"):format(where)) end
+  return middle
 end
 
 -- The energy of a family, J/m, and where it comes from.
@@ -111,7 +134,7 @@ local function energy(part, name)
   local forces = {}
   for i, tear in ipairs(part.tears) do forces[i] = tear_force(tear, ("%s.tears[%d]"):format(name, i)) end
   if #forces == 0 then fail(("rupture: field '%s.tears': expected at least one, got none"):format(name)) end
-  return 2 * mean(forces), mean(forces), ("energy twice the mean force of %d tear%s"):format(#forces, #forces == 1 and "" or "s")
+  return 2 * mean(forces), mean(forces), ("energy twice the mean force of %d tear%s"):format(#forces, #forces == 1 and "" or "s"), band(forces)
 end
 
 local function run(t)
@@ -121,8 +144,9 @@ local function run(t)
     local part = t[name]
     if part then
       local found = strength(part, name)
-      local how
-      found.energy, found.tear, how = energy(part, name)
+      local how, tears
+      found.energy, found.tear, how, tears = energy(part, name)
+      found.bands.energy = tears and { 2 * tears[1], 2 * tears[2] }
       found.words = ("%s%d strip%s of %g mm, %s%s"):format(how:find "^assumed" and "assumed: strength of " or "fitted to ", #found.strengths, #found.strengths == 1 and "" or "s",
         part.width / mm, how:gsub("^assumed: ", ""), t.source ~= "" and " (" .. t.source .. ")" or "")
       result[name] = found
@@ -138,7 +162,8 @@ end
 
 local function part_rows()
   return {
-    { name = "strips", kind = "table", sentence = "strips pulled until they broke: largest forces (N), records { displacement=, force= }, or results of fabric.lab.tensile" },
+    { name = "strips", kind = "table", sentence = "strips pulled until they broke: largest forces (N), records { displacement=, force= }, or results of fabric.lab.tensile (breaks at the jaws count as in "
+      .. "ISO 13934-1); or a group of fabric.lab.breaking_strength" },
     { name = "width", kind = "number", unit = "m", above = 0, sentence = "of the strips" },
     { name = "tears", kind = "table", optional = true,
       sentence = "trouser or tongue tears in which these yarns broke: mean forces (N) or records { displacement=, force= }" },
@@ -155,8 +180,8 @@ define {
     { name = "source", kind = "text", default = "", sentence = "who measured, when" },
   },
   sentence = "From strips pulled to break and tears to a card that breaks. Returns card (with rupture, and its origin in card.provenance), and warp and weft: strength (N/m) and "
-    .. "energy (J/m, twice the mean force of the tears after their first quarter), strengths (of the strips), tear (N, mean force), modulus (Weibull's, of strips: no part of "
-    .. "the card), bands of 95 % for strength and modulus.",
+    .. "energy (J/m, twice the mean force of the tears after their first quarter), strengths (of the strips that count), left_out (places of breaks at the jaws), tear (N, mean force), modulus (Weibull's, of strips: no part of "
+    .. "the card), bands of 95 % for strength, modulus and energy.",
   example = "local fabric = require 'fabric'\n"
     .. "local r = fabric.lab.rupture{ card=fabric.card 'blend', weft={ strips={ 520, 561, 498, 540, 533 }, width=0.05, tears={ 11.2, 10.6 } } }\n"
     .. "assert(math.abs(r.card.rupture.weft.energy - 21.8) < 1e-9 and r.weft.modulus > 10)",

@@ -119,7 +119,18 @@ local function zeroed(record)
   return out
 end
 
-local function test_of(record, t)
+-- Marks where the specimen broke, as it was seen: at a jaw within the distance of the standards.
+local near_jaw = require "fabric.lab.breaking_standards"["ISO 13934-1"].near_jaw
+local function mark_break(test, record, t, warnings, from_jaw)
+  if not from_jaw then return end
+  if not test.failure then fail "tensile: field 'from_jaw': expected a record that shows a break, this one does not fall below `kept` of its largest force and stay there" end
+  test.from_jaw, test.jaw = from_jaw, from_jaw <= near_jaw + 1e-9
+  if test.jaw then
+    warn(warnings, record, t, { code = "jaw", row = test.failure, text = ("the specimen broke %.3g mm from a jaw: a break at the jaw, which says little of the cloth"):format(1e3 * from_jaw) })
+  end
+end
+
+local function test_of(record, t, from_jaw)
   local warnings = { warnings = {} }
   if t.zero then record = zeroed(record) end
   check_record(record, t, warnings)
@@ -137,6 +148,7 @@ local function test_of(record, t)
   local reach = record.displacement[largest(record.displacement)]
   test.branches = fabric.lab.branches { displacement = record.displacement, tolerance = t.tolerance or 0.01 * reach }
   mark(test, t)
+  mark_break(test, record, t, warnings, from_jaw)
   if record.strain then test.measured_strain = record.strain end
   if #bad > 0 then test.outliers = bad end
   for _, found in ipairs(require "fabric.lab.signs".of(record.displacement, record.force, test.failure or top, t)) do warn(warnings, record, t, found) end
@@ -147,9 +159,14 @@ end
 -- A test, or a list of them for a file with several specimens.
 local function tensile(t)
   local record = record_of(t)
-  if type(record[1]) ~= "table" then return test_of(record, t) end
+  local single, given = type(record[1]) ~= "table", t.from_jaw
+  local from = type(given) == "table" and given or { given }
+  if given and #from ~= (single and 1 or #record) then
+    fail(("tensile: field 'from_jaw': expected a distance for each specimen, %d, got %d"):format(single and 1 or #record, #from))
+  end
+  if single then return test_of(record, t, from[1]) end
   local tests = {}
-  for i, one in ipairs(record) do tests[i] = test_of(one, t) end
+  for i, one in ipairs(record) do tests[i] = test_of(one, t, from[i]) end
   return tests
 end
 
@@ -178,6 +195,8 @@ define {
     { name = "tolerance", kind = "number", unit = "m", above = 0, optional = true,
       sentence = "smallest way back that is a reversal; default 1 % of the largest displacement" },
     { name = "kept", kind = "number", above = 0, high = 1, default = 0.8, sentence = "failed below this part of the peak, if the force stays there" },
+    { name = "from_jaw", kind = "number|numbers", unit = "m", low = 0, optional = true,
+      sentence = "where the specimen broke: distance from the nearer jaw, a number for each specimen; within 5 mm it is a break at the jaw" },
     { name = "outliers", kind = "text", choices = { "tell", "drop", "keep" }, default = "tell",
       sentence = "single outlying readings of the force (a display that drops a digit). tell: left out with a warning; drop: left out silently; keep: kept" },
     { name = "softening", kind = "number", above = 0, high = 1, default = 0.5,
@@ -185,7 +204,8 @@ define {
   },
   sentence = "A pull as stress and strain (eqs. 3.1, 3.2): E, S, displacement, force, time, branches (kind, first, last), loading "
     .. "(first and last row of virgin loading), yield and failure (rows or nil, on the virgin loading of all cycles), slack, area, outliers (places in the "
-    .. "record of what was left out, or nil), warnings (preload, slip in the jaws, a late grip: each {code, text, row}; or nil). A file with several specimens "
+    .. "record of what was left out, or nil), warnings (preload, slip in the jaws, a late grip, a break at the jaw: each {code, text, row}; or nil), "
+    .. "from_jaw and jaw (whether it broke at one). A file with several specimens "
     .. "gives a list of tests, each with its specimen.",
   example = "local t = require 'fabric'.lab.tensile{ record={ displacement={0, 1e-3, 2e-3, 1e-3, 0}, force={0, 2, 5, 1, 0} },\n"
     .. "  gauge_length=0.0762, width=0.0254, thickness=0.38e-3, plies=2 }\n"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "geometry/node_view.hpp"
 
@@ -18,6 +19,9 @@ constexpr double kStiffest = 0.5;
 // steps are not explicit: the way back is a thousand times stiffer than the way out, and the direction of the
 // force is that at the opening as long as the lips part less than this.
 constexpr double kOrigin = 1e-3;
+
+// Share of its strength from which a line is measured at each explicit step.
+constexpr double kNear = 0.9;
 
 const char* const kYarn[] = {"warp", "weft"};
 
@@ -83,16 +87,114 @@ Outcome Tears::add_forces(const law::Step&, const Trial& trial, Forces& forces) 
 
 // Both sides of a line have the acceleration of their joint: what one hands to the other is what keeps them
 // together, T = (m2 f1 - m1 f2) / (m1 + m2) with the internal forces f. Without motion it is f1 = -f2.
+void Tears::measure(const Line& line, std::span<const double> x, std::span<const double> on_x) const {
+  const Vec3 force = (line.mass[1] * sum(line.nodes[0], on_x) - line.mass[0] * sum(line.nodes[1], on_x)) /
+                     (line.mass[0] + line.mass[1]);
+  const Vec3 yarn = sum(line.far[1], x) / static_cast<double>(line.far[1].size()) -
+                    sum(line.far[0], x) / static_cast<double>(line.far[0].size());
+  line.force = force;
+  line.share = std::max(0.0, force.dot(yarn.normalized())) /
+               (line.length * sites_[line.site].strength[static_cast<std::size_t>(line.family)]);
+}
+
 void Tears::measure(std::span<const double> x, std::span<const double> on_x) {
-  for (Line& line : lines_) {
-    const Vec3 force = (line.mass[1] * sum(line.nodes[0], on_x) - line.mass[0] * sum(line.nodes[1], on_x)) /
-                       (line.mass[0] + line.mass[1]);
-    const Vec3 yarn = sum(line.far[1], x) / static_cast<double>(line.far[1].size()) -
-                      sum(line.far[0], x) / static_cast<double>(line.far[0].size());
-    line.force = force;
-    line.share = std::max(0.0, force.dot(yarn.normalized())) /
-                 (line.length * sites_[line.site].strength[static_cast<std::size_t>(line.family)]);
+  if (sparing_) return measure_near(x, on_x);
+  for (const Line& line : lines_) measure(line, x, on_x);
+  all_are_near();
+  all_known_ = true;
+}
+
+void Tears::go_explicit() {
+  sparing_ = true;
+  set_limits();
+}
+
+// |T| is at most the mean of the sums of |f| on both sides, weighted by the masses of the other one. With n
+// nodes on the side that has more, whose forces have no component above c, it is below sqrt(3) n c.
+void Tears::set_limits() {
+  if (!sparing_) return;
+  const std::size_t nodes = model_.mesh().nodes.size();
+  limits_.assign(3 * nodes, std::numeric_limits<double>::infinity());
+  std::vector<std::vector<std::uint32_t>> at(nodes);
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    const Line& line = lines_[i];
+    const double strength = line.length * sites_[line.site].strength[static_cast<std::size_t>(line.family)];
+    const auto most = static_cast<double>(std::max(line.nodes[0].size(), line.nodes[1].size()));
+    const double limit = kNear * strength / (std::sqrt(3.0) * most);
+    for (const auto& side : line.nodes)
+      for (const Index n : side) {
+        at[static_cast<std::size_t>(n)].push_back(static_cast<std::uint32_t>(i));
+        for (std::size_t c = 0; c < 3; ++c) {
+          double& least = limits_[3 * static_cast<std::size_t>(n) + c];
+          least = std::min(least, limit);
+        }
+      }
   }
+  first_line_.assign(1, 0);
+  lines_at_.clear();
+  for (const auto& lines : at) {
+    lines_at_.insert(lines_at_.end(), lines.begin(), lines.end());
+    first_line_.push_back(lines_at_.size());
+  }
+  listed_.assign(lines_.size(), 0);
+}
+
+void Tears::measure_near(std::span<const double> x, std::span<const double> on_x) {
+  constexpr std::size_t block = 192;
+  for (const std::size_t i : near_) listed_[i] = 0;
+  near_.clear();
+  all_known_ = false;
+  for (std::size_t from = 0; from < on_x.size(); from += block) {
+    const std::size_t to = std::min(on_x.size(), from + block);
+    int above = 0;
+    for (std::size_t k = from; k < to; ++k) above |= std::abs(on_x[k]) > limits_[k] ? 1 : 0;
+    if (above == 0) continue;
+    for (std::size_t k = from; k < to; ++k) {
+      if (!(std::abs(on_x[k]) > limits_[k])) continue;
+      for (std::size_t i = first_line_[k / 3]; i < first_line_[k / 3 + 1]; ++i)
+        if (char& listed = listed_[lines_at_[i]]; listed == 0) {
+          listed = 1;
+          near_.push_back(lines_at_[i]);
+        }
+    }
+  }
+  std::sort(near_.begin(), near_.end());  // the first of equal ones is the worst, whatever was found first
+  for (const std::size_t i : near_) measure(lines_[i], x, on_x);
+}
+
+std::vector<double> Tears::last_forces() const {
+  std::vector<double> on_x(3 * model_.mesh().nodes.size()), on_d(on_x.size());
+  Forces forces{on_x, on_d};
+  cloth_.sum_forces(forces);
+  for (BridgingString string : strings_) {
+    const Vec3 pull = string.pull(string.way(configuration_.x()));
+    at(forces.on_x, string.a) -= pull;
+    at(forces.on_x, string.b) += pull;
+  }
+  return on_x;
+}
+
+void Tears::know_all() const {
+  if (all_known_) return;
+  const std::vector<double> on_x = last_forces();
+  for (const Line& line : lines_) measure(line, configuration_.x(), on_x);
+  all_known_ = true;
+}
+
+Tears::Worst Tears::at_support() const {
+  Worst worst;
+  if (grips_.empty()) return worst;
+  const std::vector<double> on_x = last_forces();
+  const auto x = configuration_.x();
+  for (const Grip& grip : grips_) {
+    const Site& site = sites_[grip.site];
+    const Vec3 yarn = sum(grip.far, x) / static_cast<double>(grip.far.size()) - at(x, grip.nodes.front());
+    const double strength = site.strength[static_cast<std::size_t>(grip.family)];
+    const double share = -sum(grip.nodes, on_x).dot(yarn.normalized()) / (grip.length * strength);
+    if (share > worst.share)
+      worst = {share, strength, kYarn[grip.family], dofs_.reference()[static_cast<std::size_t>(site.place)]};
+  }
+  return worst;
 }
 
 void Tears::add_tangent(const Trial& trial, TangentSink& sink) const {
@@ -122,10 +224,10 @@ void Tears::add_energies(const Trial& trial, std::vector<Energy>& out) const {
 // --- opening
 
 Tears::Worst Tears::worst() const {
-  Worst worst;
-  const auto most = std::max_element(lines_.begin(), lines_.end(),
-                                     [](const Line& a, const Line& b) { return a.share < b.share; });
-  if (most == lines_.end()) return worst;
+  const Line* most = nullptr;
+  for (const std::size_t i : near_)
+    if (most == nullptr || most->share < lines_[i].share) most = &lines_[i];
+  if (most == nullptr) return {};
   const Site& site = sites_[most->site];
   return {most->share, site.strength[static_cast<std::size_t>(most->family)], kYarn[most->family],
           dofs_.reference()[static_cast<std::size_t>(site.place)]};
@@ -134,7 +236,8 @@ Tears::Worst Tears::worst() const {
 // The strings share the force of their line by the lengths for which they stand.
 std::vector<Joints::Edge> Tears::let_go(double step) {
   std::vector<Joints::Edge> ends;
-  for (const Line& line : lines_) {
+  for (const std::size_t i : near_) {
+    const Line& line = lines_[i];
     if (!(line.share >= 1)) continue;
     const Site& site = sites_[line.site];
     const double mass = line.mass[0] * line.mass[1] / (line.mass[0] + line.mass[1]);
@@ -164,8 +267,14 @@ void Tears::renumbered(Forces& forces) {
   strings_.insert(strings_.end(), ready_.begin(), ready_.end());
   ready_.clear();
   find_lines();
-  measure(configuration_.x(), forces.on_x);
+  know_all();
+  all_are_near();
   committed_share_ = worst().share;
+}
+
+void Tears::all_are_near() {
+  near_.resize(lines_.size());
+  std::iota(near_.begin(), near_.end(), std::size_t{0});
 }
 
 void Tears::commit() {
@@ -178,15 +287,18 @@ void Tears::rollback() {
 }
 
 void Tears::keep(Archive& archive) {
-  archive(strings_);
+  archive(strings_, commits_);
+  know_all();
   for (Line& line : lines_) archive(line.share);
   if (!archive.reading()) return;
+  all_are_near();
   rollback();
   committed_share_ = worst().share;
 }
 
 // Sites ascend by their places, and lines by their sites.
 double Tears::share(Index element, int family) const {
+  know_all();
   double most = 0;
   const auto& nodes = cloth_.mesh_elements()[static_cast<std::size_t>(element)];
   for (const Index node : nodes) {

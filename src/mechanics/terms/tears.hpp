@@ -4,6 +4,7 @@
 // between the lips carry the force on, and less as they part, until the energy of the yarns is spent.
 #pragma once
 #include <array>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <vector>
@@ -56,13 +57,20 @@ class Tears final : public Term {
   void rollback() override;
   void keep(Archive& archive) override;
 
-  // The joint whose yarns are nearest to their strength in the state of the last forces.
+  // In explicit steps only lines near their strength are measured at each; the others when they are read.
+  void go_explicit();
+  // The joint whose yarns are nearest to their strength in the state of the last forces. In explicit steps no
+  // joint, with a share of 0, as long as none is near.
   struct Worst {
     double share = 0, strength = 0;  // N/m
     const char* yarn = "";
     Vec3 at = Vec3::Zero();  // m, reference
   };
   Worst worst() const;
+  // The same where supports hold the yarns themselves: there nothing breaks, however hard the cloth pulls.
+  Worst at_support() const;
+  // Whether it is time to look there: in explicit steps now and then, in others always.
+  bool supports_due() { return !grips_.empty() && (!sparing_ || ++commits_ % 64 == 0); }
   double committed_share() const { return committed_share_; }  // its share
   // Prepares strings for all that have reached it, stable with an explicit step in s (0: the steps are not
   // explicit); returns the ends of edges to be opened next.
@@ -93,9 +101,9 @@ class Tears final : public Term {
       double length;      // m, half of the edge
     };
     std::vector<Spoke> spokes;
-    double length = 0;          // m
-    Vec3 force = Vec3::Zero();  // N, on the first side from the second
-    double share = 0;           // of the strength
+    double length = 0;                  // m
+    mutable Vec3 force = Vec3::Zero();  // N, on the first side from the second
+    mutable double share = 0;           // of the strength
   };
   void find_sites();
   Corner corner_at(Index element, int a) const;
@@ -106,8 +114,24 @@ class Tears final : public Term {
   double spacing(const Site& site, int along) const;                     // m
   void find_lines();
   void add_line(std::size_t site, int family, const std::vector<const Corner*>& joint);
+  // Where a support holds yarns against what one side of it pulls with.
+  struct Grip {
+    std::size_t site;
+    int family;
+    std::vector<Index> nodes, far;
+    double length;  // m
+  };
+  void find_grips();
+  bool holds(Index node, const Vec3& yarn) const;
+  Vec3 along(Index from, Index to) const;  // unit, in the reference
   bool held(const Line& line) const;
+  void set_limits();
   void measure(std::span<const double> x, std::span<const double> on_x);
+  void measure(const Line& line, std::span<const double> x, std::span<const double> on_x) const;
+  void measure_near(std::span<const double> x, std::span<const double> on_x);
+  std::vector<double> last_forces() const;  // N, of the cloth and the strings, 3 per node
+  void know_all() const;
+  void all_are_near();
 
   const model::Model& model_;
   const Configuration& configuration_;
@@ -115,8 +139,20 @@ class Tears final : public Term {
   const Dofs& dofs_;
   std::vector<Site> sites_;
   std::vector<Line> lines_;
+  std::vector<Grip> grips_;
   std::vector<BridgingString> strings_, ready_;  // ready: of the joints that are about to open
   double committed_share_ = 0;
+  // Lines that were measured with the last forces, and whether these are all.
+  std::vector<std::size_t> near_;
+  bool sparing_ = false;
+  std::uint64_t commits_ = 0;
+  mutable bool all_known_ = true;
+  // N, for each component of the force on each node: as long as none is larger, no line at the node is near
+  // its strength. The lines at a node are lines_at_[first_line_[n]] and on.
+  std::vector<double> limits_;
+  std::vector<std::size_t> first_line_;
+  std::vector<std::uint32_t> lines_at_;
+  std::vector<char> listed_;  // of each line: in near_
   std::vector<std::string> said_;
 };
 

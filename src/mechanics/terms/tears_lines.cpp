@@ -73,6 +73,7 @@ Tears::Tears(const model::Model& model, const Configuration& configuration, cons
     : model_(model), configuration_(configuration), cloth_(cloth), dofs_(dofs) {
   find_sites();
   set_strengths();
+  find_grips();
   find_lines();
 }
 
@@ -210,6 +211,9 @@ void Tears::find_lines() {
         if (joint.size() > 1 && sites_[s].strength[static_cast<std::size_t>(family)] < kNever)
           add_line(s, family, joint);
   }
+  near_.clear();
+  all_known_ = false;
+  set_limits();
 }
 
 // The line of the other family through a joint, if it divides the joint in two.
@@ -254,14 +258,45 @@ void Tears::add_line(std::size_t s, int family, const std::vector<const Corner*>
   if (!held(line)) lines_.push_back(std::move(line));
 }
 
+Vec3 Tears::along(Index from, Index to) const {
+  const auto& X = dofs_.reference();
+  return (X[std::size_t(to)] - X[std::size_t(from)]).normalized();
+}
+
+// Whether a support holds a node along a yarn.
+bool Tears::holds(Index node, const Vec3& yarn) const {
+  const NodeFreedoms& freedoms = dofs_.freedoms().nodes[std::size_t(node)];
+  for (int c = 0; c < 3; ++c)
+    if (freedoms.equation[std::size_t(c)] < 0 && std::abs(freedoms.frame.row(c).dot(yarn)) > 0.5) return true;
+  return false;
+}
+
 // Whether a support takes what yarns hand over there: nothing breaks at it.
 bool Tears::held(const Line& line) const {
-  const auto& X = dofs_.reference();
-  const Vec3 yarn = (X[std::size_t(line.far[1].front())] - X[std::size_t(line.far[0].front())]).normalized();
-  const NodeFreedoms& node = dofs_.freedoms().nodes[std::size_t(line.nodes[0].front())];
-  for (int c = 0; c < 3; ++c)
-    if (node.equation[std::size_t(c)] < 0 && std::abs(node.frame.row(c).dot(yarn)) > 0.5) return true;
-  return false;
+  return holds(line.nodes[0].front(), along(line.far[0].front(), line.far[1].front()));
+}
+
+// The corners at a held place of elements that are not held as a whole, by the side on which they are.
+void Tears::find_grips() {
+  const auto& elements = model_.mesh().elements;
+  for (std::size_t s = 0; s < sites_.size(); ++s)
+    for (std::size_t f = 0; f < 2; ++f) {
+      if (!(sites_[s].strength[f] < kNever)) continue;
+      std::map<Index, Grip> sides;
+      for (const Corner& corner : sites_[s].corners) {
+        const Vec3 yarn = along(corner.node, corner.far[f]);
+        const auto& nodes = elements[std::size_t(corner.element)];
+        if (!holds(corner.node, yarn) ||
+            std::all_of(nodes.begin(), nodes.end(), [&](Index n) { return holds(n, yarn); }))
+          continue;
+        Grip& grip = sides.try_emplace(corner.other[f], Grip{s, int(f), {}, {}, 0}).first->second;
+        grip.nodes.push_back(corner.node);
+        grip.far.push_back(corner.far[f]);
+        const auto& X = dofs_.reference();
+        grip.length += (X[std::size_t(corner.far[1 - f])] - X[std::size_t(corner.node)]).norm() / 2;
+      }
+      for (auto& [other, grip] : sides) grips_.push_back(std::move(grip));
+    }
 }
 
 }  // namespace fabricsh::mechanics

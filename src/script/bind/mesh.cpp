@@ -5,6 +5,7 @@
 
 #include "base/number.hpp"
 #include "geometry/box.hpp"
+#include "mesh/hole.hpp"
 #include "mesh/slit.hpp"
 #include "script/bind/panel.hpp"
 #include "script/call/words.hpp"
@@ -179,6 +180,24 @@ int slit(Call& call) {
   return 1;
 }
 
+int hole(Call& call) {
+  const auto mesh = call.self<Mesh>();
+  const Function inside = call.function("inside");
+  mesh::NodeSet rim;
+  {
+    const ChangeRefused still(call.session(), mesh.get());
+    rim = mesh::hole(*mesh, [&inside](const Vec3& x) {
+      lua_State* L = call_with(inside, x, 1);
+      const bool in = lua_toboolean(L, -1) != 0;
+      lua_pop(L, 1);
+      return in;
+    });
+  }
+  if (call.has("rim")) mesh->define(call.text("rim"), rim);
+  lua_pushvalue(call.L(), 1);
+  return 1;
+}
+
 int nodes(Call& call) {
   push_object(call.L(), std::make_shared<NodeView>(NodeView{call.self<Mesh>()}));
   return 1;
@@ -347,6 +366,17 @@ std::vector<Entry> rows() {
        with_mesh + "mesh:slit{ from={0.0254/3, 0}, to={0.0254/3, 0.0254}, right='lip' }\n"
                    "assert(#mesh.nodes == 43 and #mesh:set 'lip' == 4)",
        slit},
+      {"mesh:hole",
+       Style::positional,
+       {value_("inside", function, "function(x, y, z) that says whether the middle of an element is inside"),
+        value_("rim", text, "name of a set to make of the nodes of its rim").optional()},
+       "Cuts a hole along the grid: leaves out the elements inside and the nodes that no element has any "
+       "more. "
+       "The others are numbered anew in their order; sets keep them, boundary has the rim, too.",
+       with_mesh +
+           "mesh:hole(function(x, y) return y > 0.02 and y < 0.03 and x > 0.01 and x < 0.015 end, 'rim')\n"
+           "assert(#mesh.elements == 26 and #mesh:set 'rim' == 4)",
+       hole},
       {"mesh.nodes",
        Style::property,
        {},

@@ -16,6 +16,10 @@ wrong("fabric.export.card", "fabric.export.card{ card=card, to='ls-dyna', id=0 }
   "deck.lua:1: card: field 'id': expected an integer from 1 to 9999, got 0")
 wrong("fabric.export.card", "fabric.export.card{ card=card, to='ls-dyna', axis={1, 'two'} }",
   "deck.lua:1: card: field 'axis': expected a table of numbers, got 'two' at place 2")
+wrong("fabric.export.card", "fabric.export.card{ card=card, to='openradioss', element=0 }",
+  "deck.lua:1: card: field 'element': expected a positive number in m, got 0")
+wrong("fabric.export.model", "fabric.export.model{ model=model, to='openradioss', element='fine' }",
+  "deck.lua:1: model: field 'element': expected a positive number in m, got 'fine'")
 
 -- fabric.export.mesh
 wrong("fabric.export.mesh", "fabric.export.mesh{ mesh=mesh, file='x', meshx=1 }",

@@ -198,6 +198,12 @@ wrong("fabric.lab.synthetic", "fabric.lab.synthetic{ card=card, markers={1, 'two
   "deck.lua:1: synthetic: field 'markers': expected a table of numbers of at least 2, got 1 at place 1")
 
 -- fabric.lab.tensile
+wrong("fabric.lab.tensile", "fabric.lab.tensile{ record={ displacement={0, 1}, force={0, 1} }, gauge_length=1, width=1, thickness=1, plies=1, from_jaw='near' }",
+  "deck.lua:1: tensile: field 'from_jaw': expected a number of at least 0 in m or a table of numbers of at least 0 in m, got 'near'")
+wrong("fabric.lab.tensile", "fabric.lab.tensile{ record={ displacement={0, 1}, force={0, 1} }, gauge_length=1, width=1, thickness=1, plies=1, from_jaw={1, 2} }",
+  "deck.lua:1: tensile: field 'from_jaw': expected a distance for each specimen, 1, got 2")
+wrong("fabric.lab.tensile", "fabric.lab.tensile{ record={ displacement={0, 1}, force={0, 1} }, gauge_length=1, width=1, thickness=1, plies=1, from_jaw=1 }",
+  "deck.lua:1: tensile: field 'from_jaw': expected a record that shows a break, this one does not fall below `kept` of its largest force and stay there")
 wrong("fabric.lab.tensile", "fabric.lab.tensile{ fiel='x' }",
   "deck.lua:1: tensile: unknown field 'fiel', did you mean 'file'?")
 wrong("fabric.lab.tensile", "fabric.lab.tensile{ file=7 }",

@@ -73,6 +73,18 @@ wrong("fabric.mesh.rectangle", "fabric.mesh.rectangle{ width=0.01, height=0.01, 
 wrong("fabric.mesh.rectangle", "fabric.mesh.rectangle{ width=0.01, height=0.01, nx=2, ny=2, grading=7 }",
   "deck.lua:1: rectangle: field 'grading': expected a table {x, y}, got 7")
 
+-- mesh:hole
+wrong("mesh:hole", "mesh:hole()",
+  "deck.lua:1: hole: argument 'inside': expected a function, got nil (missing, or a misspelt variable)")
+wrong("mesh:hole", "mesh:hole(7)",
+  "deck.lua:1: hole: argument 'inside': expected a function, got 7")
+wrong("mesh:hole", "mesh:hole(function() return true end)",
+  "deck.lua:1: hole: every element has its middle inside")
+wrong("mesh:hole", "mesh:hole(function() return false end)",
+  "deck.lua:1: hole: no element has its middle inside")
+wrong("mesh:hole", "mesh:hole(function() return false end, 7)",
+  "deck.lua:1: hole: argument 'rim': expected a string, got 7")
+
 -- mesh:slit
 wrong("mesh:slit", "mesh:slit{ form={0, 0} }",
   "deck.lua:1: slit: unknown field 'form', did you mean 'from'?")

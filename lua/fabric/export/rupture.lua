@@ -1,0 +1,89 @@
+-- How a card's breaking yarns go to another solver: as a strain from which the stress of a family falls, and one at which it is gone.
+--
+-- An element of the length h that is pulled apart spends, per metre of the line across, h times the area under its whole curve of force per width over
+-- nominal strain. That is to be the energy G of breaking, so that the strain at which the force is gone belongs to h, and an element that has spent more
+-- than G before it begins to fail is too large for any.
+local fabric = require "fabric"
+local define = require "fabric.define"
+local ours = require "fabric.export.ours"
+local rupture = {}
+
+local farthest, step = 4, 1e-3 -- nominal strain
+
+-- Points {strain, force per width (N/m)} of a pull along the yarns with free edges, until the force is `strength`; nil if it never is.
+local function pull(card, axis, strength)
+  local point, out = fabric.point(card), { { 0, 0 } }
+  for i = 1, math.floor(1 / step) do
+    local e = i * step
+    local ok, now = pcall(point.uniaxial, point, axis, e + e * e / 2)
+    if not ok then return end
+    out[#out + 1] = { e, now.S * (1 + e) * card.thickness }
+    if out[#out][2] >= strength then
+      local a, b = out[#out - 1], out[#out]
+      local share = (strength - a[2]) / (b[2] - a[2])
+      out[#out] = { a[1] + share * (b[1] - a[1]), strength }
+      return out
+    end
+  end
+end
+
+local function area(points)
+  local sum = 0
+  for i = 2, #points do sum = sum + (points[i][1] - points[i - 1][1]) * (points[i][2] + points[i - 1][2]) / 2 end
+  return sum
+end
+
+-- Nominal strains {from, to} between which the force falls on elements of h, m; `from` and the length at which there is none for too large an h; nil and
+-- nothing for a strength that the card does not reach. From there on the curve is taken to rise with its last slope, as that of the target does.
+function rupture.strains(card, axis, h)
+  local broken = card.rupture[axis]
+  local points = pull(card, axis, broken.strength)
+  if not points then return end
+  local before = area(points)
+  local a, b = points[#points - 1], points[#points]
+  local slope = (b[2] - a[2]) / (b[1] - a[1])
+  local left = h and broken.energy / h - before
+  if not left or left <= 0 then return nil, b[1], broken.energy / before end
+  -- The force (f + slope x) (1 - x / w) over x from 0 to w has the area f w / 2 + slope w^2 / 6.
+  local f = broken.strength
+  local w = slope > 0 and (math.sqrt(f * f / 4 + 2 * slope * left / 3) - f / 2) * 3 / slope or 2 * left / f
+  if w > farthest then w = farthest end
+  return { b[1], b[1] + w }, b[1], broken.energy / before
+end
+
+-- Sentences on what is lost, and the strains by axis if they can be written: into a target that takes `fail`, for elements of t.element.
+function rupture.prepare(t, target)
+  local card, out, found = t.card, {}, {}
+  local function add(...) out[#out + 1] = (...):format(select(2, ...)) end
+  if not card.rupture then
+    if t.element then define.fail(("card: field 'element': the card '%s' has no rupture: expected a card that says when its yarns break"):format(card.name or "")) end
+    return out
+  end
+  local said = false
+  for _, axis in ipairs(ours.axes) do
+    local broken = card.rupture[axis]
+    if broken then
+      local strains, from, most = rupture.strains(card, axis, t.element)
+      if not from then
+        add("rupture: the card does not reach the strength of the %s, %.4g N/m, at any strain: nothing written breaks along it", axis, broken.strength)
+      elseif not target.fail then
+        add("rupture: lost, nothing written breaks%s; the %s breaks at a nominal strain of %.4g (%.4g N/m) and takes %.4g J/m", target.no_fail or "", axis, from, broken.strength, broken.energy)
+      elseif not t.element then
+        add("rupture: lost, since it is a matter of the size of elements there: element=h (m) writes it; the %s breaks at a nominal strain of %.4g, on elements of at most %.3g m", axis,
+          from, most)
+      elseif not strains then
+        define.fail(("card: field 'element': an element of %.4g m has spent more than the energy of the %s, %.4g J/m, when it begins to fail: expected at most %.3g m"):format(t.element, axis,
+          broken.energy, most))
+      else
+        found[axis], said = strains, true
+        add("rupture: %s: the stress of the %s falls from a nominal strain of %.4g to %.4g, which spends its %.4g J/m on elements of %.4g m along it, and another energy on others", target.fail,
+          axis, strains[1], strains[2], broken.energy, t.element)
+        if broken.scatter then add("rupture: the scatter of the %s is lost", axis) end
+      end
+    end
+  end
+  if said then add "rupture: what an element stored goes too, no tear has a tip between elements, and an element is removed when both families have failed" end
+  return out, said and found or nil
+end
+
+return rupture
