@@ -80,7 +80,8 @@ NewtonStatus Creep::make_step() {
   }
   r_.swap(trial_r_);
   m_ = std::clamp((shortened_ ? kBent : kFall) * m_, kLeast, kMost);
-  return NewtonStatus::converged;
+  return result_.iterations < options_.max_iterations ? NewtonStatus::converged
+                                                      : NewtonStatus::too_many_iterations;
 }
 
 }  // namespace
