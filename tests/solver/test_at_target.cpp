@@ -5,6 +5,7 @@
 
 #include "catch.hpp"
 #include "solver/descent.hpp"
+#include "solver/relaxation.hpp"
 #include "solver/scalar.hpp"
 #include "solver/trust_region.hpp"
 
