@@ -83,6 +83,12 @@ local inches = fabric.mesh.panel { file = file, piece = "BACK", size = 0.5, unit
 near(inches.nodes[1][1] / fabric.units.inch, 108)
 refused("cannot read", fabric.mesh.panel, { file = "none.dxf", size = 1 })
 
+-- Both pieces of a tunic as they were drawn, in mm, their grain lines inside.
+for _, piece in ipairs { "front", "back" } do
+  local report = fabric.mesh.panel { file = place .. "share/data/patterns/tunic.svg", piece = piece, size = 40 * mm }:check()
+  assert(report.ok and report.area > 0.2 and report.area < 0.28)
+end
+
 -- A piece of a drawing: 0.1 mm is a unit.
 local name = os.tmpname() .. ".svg"
 do
