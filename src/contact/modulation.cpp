@@ -121,7 +121,7 @@ Matrix12 hessian_by_corners(const ByVectors& by, const Jet<true>& jet) {
 }
 
 template <bool second>
-Modulation evaluate(const Vec3& u, const Vec3& v, const Vec3& r, const Fading& fading) {
+Modulation evaluate(const Vec3& u, const Vec3& v, const Vec3& r, const Fading& fading, Matrix12* hessian) {
   using J = Jet<second>;
   const J a = variable<second>(u.dot(u), 0), b = variable<second>(u.dot(v), 1),
           c = variable<second>(v.dot(v), 2);
@@ -136,7 +136,7 @@ Modulation evaluate(const Vec3& u, const Vec3& v, const Vec3& r, const Fading& f
   out.value = m.value;
   out.constant = false;
   out.gradient = gradient_by_corners(by, m.first);
-  if constexpr (second) out.hessian = hessian_by_corners(by, m);
+  if constexpr (second) *hessian = hessian_by_corners(by, m);
   return out;
 }
 
@@ -144,7 +144,7 @@ bool inside(double s, double zone) { return s >= zone && s <= 1 - zone; }
 
 }  // namespace
 
-Modulation modulation(const Corners& x, const Fading& fading, bool with_hessian) {
+Modulation modulation(const Corners& x, const Fading& fading, Matrix12* hessian) {
   const Vec3 u = x[1] - x[0], v = x[3] - x[2], r = x[0] - x[2];
   const double a = u.dot(u), b = u.dot(v), c = v.dot(v), det = a * c - b * b;
   Modulation out;
@@ -157,7 +157,8 @@ Modulation modulation(const Corners& x, const Fading& fading, bool with_hessian)
   } else if (det >= parallel * a * c) {
     return out.value = 1, out;
   }
-  return with_hessian ? evaluate<true>(u, v, r, fading) : evaluate<false>(u, v, r, fading);
+  return hessian != nullptr ? evaluate<true>(u, v, r, fading, hessian)
+                            : evaluate<false>(u, v, r, fading, nullptr);
 }
 
 }  // namespace fabricsh::contact

@@ -16,10 +16,9 @@ struct Modulation {
   double value = 0;
   bool constant = true;  // all derivatives are zero
   Vector12 gradient = Vector12::Zero();
-  Matrix12 hessian = Matrix12::Zero();  // if requested
 };
 
-// The modulation of the segments 0-1 and 2-3.
-Modulation modulation(const Corners& x, const Fading& fading, bool with_hessian);
+// The modulation of the segments 0-1 and 2-3. Second derivatives that are not zero go to `hessian`, if given.
+Modulation modulation(const Corners& x, const Fading& fading, Matrix12* hessian = nullptr);
 
 }  // namespace fabricsh::contact

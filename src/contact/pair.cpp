@@ -14,23 +14,25 @@ struct PressedPlace {
   double count;  // m2: area times how often it counts
 };
 
-// Calls visit(pressed, modulation) for every place within the law's range; returns the smallest gap.
+// Calls visit(pressed, modulation) for every place within the law's range; returns the smallest gap. The
+// modulation is null for kinds that have none; its second derivatives go to `hessian`, if they are wanted.
 template <class Visit>
-double visit_pressed(const Law& law, const Pair& pair, const Corners& x, bool second, Visit visit) {
-  Modulation m;
-  bool known = false;
+double visit_pressed(const Law& law, const Pair& pair, const Corners& x, Matrix12* hessian, Visit visit) {
+  std::optional<Modulation> m;
   return visit_places(pair, x, law.gap() * pair.scale, [&](const Place& place) {
     double count = place.plain;
     if (place.modulated != 0) {
-      if (!known) m = modulation(x, pair.fading, second);
-      known = true;
-      count += place.modulated * m.value;
-      if (count == 0 && m.constant) return;
+      if (!m) m = modulation(x, pair.fading, hessian);
+      count += place.modulated * m->value;
+      if (count == 0 && m->constant) return;
     }
     visit(PressedPlace{place, law.scaled(place.touch.distance - pair.offset, pair.scale), pair.area * count},
-          m);
+          m ? &*m : nullptr);
   });
 }
+
+// Whether the weight of a place changes with the corners.
+bool changes(const PressedPlace& at, const Modulation* m) { return at.place.modulated != 0 && !m->constant; }
 
 // The sliding of a step at a place, perpendicular to the normal, and the elastic slip to which it leads, as
 // far as friction carries it.
@@ -140,27 +142,29 @@ Force pair_force(const Law& law, const Pair& pair, const Corners& x, const Slip*
   Force force;
   std::optional<Friction> friction;
   if (slip != nullptr) friction.emplace(law, pair, *slip, force);
-  const double nearest = visit_pressed(law, pair, x, false, [&](const PressedPlace& at, const Modulation& m) {
-    force.active = true;
-    force.contact += at.count * at.answer.contact;
-    force.guard += at.count * at.answer.guard;
-    const double push = at.count * at.answer.pressure;
-    for (std::size_t i = 0; i < 4; ++i)
-      if (at.place.touch.weight[i] != 0)
-        force.on[i] += push * at.place.touch.weight[i] * at.place.touch.normal;
-    if (at.place.modulated != 0 && !m.constant) {
-      const double energy = pair.area * at.place.modulated * (at.answer.contact + at.answer.guard);
-      for (std::size_t i = 0; i < 4; ++i) force.on[i] -= energy * m.gradient.segment<3>(3 * int(i));
-    }
-    if (friction) friction->add(at);
-  });
+  const double nearest =
+      visit_pressed(law, pair, x, nullptr, [&](const PressedPlace& at, const Modulation* m) {
+        force.active = true;
+        force.contact += at.count * at.answer.contact;
+        force.guard += at.count * at.answer.guard;
+        const double push = at.count * at.answer.pressure;
+        for (std::size_t i = 0; i < 4; ++i)
+          if (at.place.touch.weight[i] != 0)
+            force.on[i] += push * at.place.touch.weight[i] * at.place.touch.normal;
+        if (changes(at, m)) {
+          const double energy = pair.area * at.place.modulated * (at.answer.contact + at.answer.guard);
+          for (std::size_t i = 0; i < 4; ++i) force.on[i] -= energy * m->gradient.segment<3>(3 * int(i));
+        }
+        if (friction) friction->add(at);
+      });
   force.gap = nearest - law.floor() * pair.scale;
   return force;
 }
 
 Derivatives pair_derivatives(const Law& law, const Pair& pair, const Corners& x) {
   Derivatives out;
-  visit_pressed(law, pair, x, true, [&](const PressedPlace& at, const Modulation& m) {
+  Matrix12 bends = Matrix12::Zero();  // second derivatives of the modulation
+  visit_pressed(law, pair, x, &bends, [&](const PressedPlace& at, const Modulation* m) {
     const Touch& touch = at.place.touch;
     const Vector12 slope = distance_gradient(touch);
     out.contact += at.count * at.answer.contact;
@@ -168,12 +172,12 @@ Derivatives pair_derivatives(const Law& law, const Pair& pair, const Corners& x)
     out.gradient -= at.count * at.answer.pressure * slope;
     out.hessian += at.count * (at.answer.stiffness * slope * slope.transpose() -
                                at.answer.pressure * distance_hessian(x, touch));
-    if (at.place.modulated == 0 || m.constant) return;
+    if (!changes(at, m)) return;
     const double share = pair.area * at.place.modulated,
                  energy = share * (at.answer.contact + at.answer.guard);
-    const Matrix12 mixed = m.gradient * slope.transpose();
-    out.gradient += energy * m.gradient;
-    out.hessian += energy * m.hessian - share * at.answer.pressure * (mixed + mixed.transpose());
+    const Matrix12 mixed = m->gradient * slope.transpose();
+    out.gradient += energy * m->gradient;
+    out.hessian += energy * bends - share * at.answer.pressure * (mixed + mixed.transpose());
   });
   return out;
 }
@@ -226,10 +230,10 @@ Place3 sliding_by_corner(const Touch& touch, const Corners& x, const Slip& slip,
 
 FrictionTangent friction_tangent(const Law& law, const Pair& pair, const Corners& x, const Slip& slip) {
   FrictionTangent out;
-  visit_pressed(law, pair, x, false, [&](const PressedPlace& at, const Modulation& m) {
+  visit_pressed(law, pair, x, nullptr, [&](const PressedPlace& at, const Modulation* m) {
     const Touch& touch = at.place.touch;
     const Slid s = slide(law, pair, at, slip);
-    const bool modulated = at.place.modulated != 0 && !m.constant;
+    const bool modulated = changes(at, m);
     const double share = pair.area * at.place.modulated, pressure = at.answer.pressure + s.damping;
     const Slides slide = slides(x, touch);
     std::array<Place3, 4> by;
@@ -239,13 +243,13 @@ FrictionTangent friction_tangent(const Law& law, const Pair& pair, const Corners
       opened.segment<3>(3 * int(j)) = by[j].opened;
     }
     press = at.count * s.damping_slope * opened;
-    if (modulated) press += share * s.damping * m.gradient;
+    if (modulated) press += share * s.damping * m->gradient;
     if (s.damping != 0)
       out.jacobian +=
           distance_gradient(touch) * press.transpose() + at.count * s.damping * distance_hessian(x, touch);
     if (slip.friction == 0 && slip.sticking == 0) return;
     press -= at.count * at.answer.stiffness * distance_gradient(touch);
-    if (modulated) press += share * at.answer.pressure * m.gradient;
+    if (modulated) press += share * at.answer.pressure * m->gradient;
 
     // pull = force * direction: of what sticks the direction is the trial slip itself, of what slides its
     // unit vector.
@@ -254,7 +258,7 @@ FrictionTangent friction_tangent(const Law& law, const Pair& pair, const Corners
     const double force = at.count * (sticks ? slip.stiffness : slip.friction * pressure);  // N/m or N
     Vector12 grows = Vector12::Zero();
     if (!sticks) grows = slip.friction * press;
-    if (sticks && modulated) grows = share * slip.stiffness * m.gradient;
+    if (sticks && modulated) grows = share * slip.stiffness * m->gradient;
     const Vec3 direction = sticks ? s.trial : Vec3(s.trial / length);
     Mat3 turn = force * Mat3::Identity();
     if (!sticks) turn = force / length * (Mat3::Identity() - direction * direction.transpose());

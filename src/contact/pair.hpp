@@ -22,9 +22,9 @@ enum class Kind : std::uint8_t {
 
 struct Pair {
   Kind kind = Kind::facet;
-  double area = 0;    // factor on the law's lengths, for neighbours in a sheet
-  double scale = 1;   // m: radii subtracted from the distance
-  double offset = 0;  // m: radii taken off the distance
+  double area = 0;    // m2, reference
+  double scale = 1;   // factor on the law's lengths, for neighbours in a sheet
+  double offset = 0;  // m: radii subtracted from the distance
   // For a facet: weights of the edge opposite to each corner and of each corner, beside the facet's 1.
   std::array<std::int8_t, 3> edge{}, corner{};
   Fading fading = {};  // for `edges`

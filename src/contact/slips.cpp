@@ -144,8 +144,9 @@ void Contact::note_slips(std::span<const Vec3> x, const Way& way) {
       const Candidate& c = inner_[slot];
       if (!scene_->interactions()[std::size_t(c.interaction)].rubs()) continue;
       const Force& force = slots_[slot];
-      const Vec3 slip =
-          turned(c, force.slip, corners_of(c, way.start), corners_of(c, x), of_body(c, way.turn));
+      Vec3 slip = force.slip;
+      if (!slip.isZero(0))
+        slip = turned(c, slip, corners_of(c, way.start), corners_of(c, x), of_body(c, way.turn));
       held.push_back({c.point, c.interaction, c.pair.kind, slot, force.gap, slip, force.pull, force.damped,
                       force.slides});
       passes = passes && (c.pair.kind != Kind::facet || passes_on(c));

@@ -72,7 +72,7 @@ class Walk final : public Downhill {
   double radius_ = kWidest;            // rad
   double level_ = 0, fallen_ = 0;      // J, energy above the least so far; taken away so far
   int trials_ = 0;                     // steps since the configuration of least energy
-  bool singular_ = false;
+  bool singular_ = false, began_free_ = false;
   bool watches_ = true;  // whether steps may raise the energy on trial
   int rejections_ = 0, saddles_ = 0;
   bool definite_ = false;  // whether K near the present configuration is known to be positive definite
@@ -98,9 +98,12 @@ double Walk::next_factor(const TrialStep& step) {
   return std::max(next, m_ == 0 ? next_m_ : 1.1 * m_);
 }
 
-// Whether the tangent at the start of the step is singular: a part is not held, and would go for ever.
+// Whether the tangent at the start of the step is singular: a part is not held, and would go for ever. What
+// is on its way, as a plate that presses the part, may come to hold it.
 bool Walk::is_free() {
-  singular_ = m_ == 0 && result_.residuals.size() == 1 && linear_.report().singular;
+  const bool free = m_ == 0 && result_.residuals.size() == 1 && linear_.report().singular;
+  began_free_ = began_free_ || free;
+  singular_ = free && problem_.at_target();
   return singular_;
 }
 
@@ -215,7 +218,8 @@ NewtonStatus Walk::make_step() {
   for (rejections_ = 0; radius_ > kNarrowest;) {
     TrialStep step;
     if (!find_direction(step))
-      return singular_ || m_ > kMost ? NewtonStatus::singular : NewtonStatus::too_many_iterations;
+      return singular_ || began_free_ || m_ > kMost ? NewtonStatus::singular
+                                                    : NewtonStatus::too_many_iterations;
     evaluate(step);
     if (step.answer == Answer::broken) return NewtonStatus::broken;
     if (accepts(step)) {

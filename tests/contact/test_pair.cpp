@@ -41,7 +41,7 @@ std::string pieces(const Pair& pair, const Corners& x) {
            (d < law().gap() - 0.2 * crush ? "l" : "o") + " ";
   });
   if (!modulates(pair.kind) || out.empty()) return out;
-  const Modulation m = modulation(x, pair.fading, false);
+  const Modulation m = modulation(x, pair.fading);
   const Vec3 u = x[1] - x[0], v = x[3] - x[2];
   return out +
          (m.value == 0 ? "0"

@@ -129,8 +129,8 @@ class Cloth final : public Term, public ElementTerm {
   struct ElementBound {
     double rate, inertia_per_mass;  // 1/s^2, m^2
   };
-  std::array<ElementBound, lanes> bounds_of(const Batch& batch, bool scaled) const;
-  ElementBound bound_of(const ElementMatrix& stiffness, Index element, bool scaled) const;
+  std::array<ElementBound, lanes> bounds_of(const Batch& batch, bool scaled, double permitted) const;
+  ElementBound bound_of(const ElementMatrix& stiffness, Index element, bool scaled, double permitted) const;
   double corner_mass(Index element) const;  // kg
   void make_force_slots();
   void order_batches();

@@ -75,14 +75,15 @@ double Cloth::corner_mass(Index i) const {
 
 // An element whose shape makes rotations against the transverse shear faster than the step takes gets more
 // inertia: where a triangle is long, its assumed shear couples the rotation against the short direction with
-// the long edge. It is at most that of a rod as long as the element.
-Cloth::ElementBound Cloth::bound_of(const ElementMatrix& stiffness, Index i, bool scaled) const {
+// the long edge. It is at most that of a rod as long as the element. `permitted`: s, what the step takes.
+Cloth::ElementBound Cloth::bound_of(const ElementMatrix& stiffness, Index i, bool scaled,
+                                    double permitted) const {
   const auto& e = model_.mesh().elements[i];
   const auto region = static_cast<std::size_t>(model_.region_of(i));
   const double mass = corner_mass(i), own = inertia_per_mass(model_.sections()[region], scaled);
   const int n = corners(e);
   const ElementBound bound{highest_rate(stiffness, n, mass, mass * own), own};
-  const double permitted = kKept * stable_step(scaled), wanted = 4 / (permitted * permitted);
+  const double wanted = 4 / (permitted * permitted);
   if (!scaled || bound.rate <= wanted) return bound;
   double longest = 0;
   for (int a = 0; a < n; ++a) longest = std::max(longest, (X_[e[(a + 1) % n]] - X_[e[a]]).squaredNorm());
@@ -91,7 +92,8 @@ Cloth::ElementBound Cloth::bound_of(const ElementMatrix& stiffness, Index i, boo
   return {highest_rate(stiffness, n, mass, mass * more), more};
 }
 
-std::array<Cloth::ElementBound, lanes> Cloth::bounds_of(const Batch& batch, bool scaled) const {
+std::array<Cloth::ElementBound, lanes> Cloth::bounds_of(const Batch& batch, bool scaled,
+                                                        double permitted) const {
   alignas(64) double x[12 * lanes], d[12 * lanes], b[24 * lanes];
   for (int l = 0; l < lanes; ++l)
     for (int a = 0; a < batch.kind->corners; ++a) {
@@ -106,7 +108,7 @@ std::array<Cloth::ElementBound, lanes> Cloth::bounds_of(const Batch& batch, bool
     }
   const auto matrices = stiffest_matrices(batch, x, d, b);
   std::array<ElementBound, lanes> all{};
-  for (int l = 0; l < batch.used; ++l) all[l] = bound_of(matrices[l], batch.element[l], scaled);
+  for (int l = 0; l < batch.used; ++l) all[l] = bound_of(matrices[l], batch.element[l], scaled, permitted);
   return all;
 }
 
@@ -122,8 +124,9 @@ const Cloth::FrequencyBounds& Cloth::bounds(bool scaled) const {
     same[b] = place->second;
   }
   std::vector<std::array<ElementBound, lanes>> found(first.size());
+  const double permitted = kKept * stable_step(scaled);
 #pragma omp parallel for schedule(static) if (first.size() >= 4)
-  for (std::size_t i = 0; i < first.size(); ++i) found[i] = bounds_of(batches_[first[i]], scaled);
+  for (std::size_t i = 0; i < first.size(); ++i) found[i] = bounds_of(batches_[first[i]], scaled, permitted);
   of.rates.resize(place_.size());
   of.rotary.assign(X_.size(), 0);
   for (Index i = 0; i < elements(); ++i) {
