@@ -129,7 +129,7 @@ TEST_CASE("a law cuts a strain that is not finite, and is broken where its state
   };
   CHECK(outcome(fine) == law::Evaluation::ok);
   CHECK(outcome(bad) == law::Evaluation::cut);
-  point.s[law::parallel_slot(point.law->woven) + rheology::viscous::state::q] = std::nan("");
+  point.s[law::elements_slot(point.law->woven) + rheology::viscous::state::q] = std::nan("");
   CHECK(outcome(fine) == law::Evaluation::broken);
 }
 
