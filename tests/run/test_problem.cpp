@@ -205,7 +205,7 @@ TEST_CASE("energies that the forces sum on their way are those of a look of its 
       model::Model m(mesh, with, warp);
       m.validate();
       mechanics::Assembly a(m);
-      const auto step = some(static_cast<std::size_t>(a.unknowns()), 2e-4, 5);
+      const auto step = some(static_cast<std::size_t>(a.dofs().unknowns()), 2e-4, 5);
       for (int i = 1; i < 4; ++i) {
         a.begin_iterate();
         a.apply_increment(step, i % 2 == 0 ? -1 : 1.5, {});
