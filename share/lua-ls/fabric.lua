@@ -22,6 +22,7 @@
 ---@field transverse "elastic"|"follow" transverse shear of the comparison laws (default "elastic")
 ---@field shear_hysteresis boolean of the comparison laws (default true)
 ---@field biaxial fabric_woven_fields.biaxial a fourth spring that acts when both yarns are stretched
+---@field damage fabric_woven_fields.damage yarns that soften and break wherever they reach their strength, law potential only; where a tear runs along a line that is known, rupture and tearable zones are sharper
 ---@field viscous fabric_woven_fields.viscous stress that relaxes with time, law potential only
 ---@field bands fabric_woven_fields.bands confidence bands of the measured parameters
 local card = {}
@@ -48,7 +49,7 @@ local history = {}
 ---@class analysis
 ---@field beyond any The largest strain beyond what the card was tested to, or nil: share (1.2 is 20 % beyond), yarn (warp, weft or shear), element and time of this largest strain, strain (E11, E22 or E12), tested (the strain tested), first (time at which the run first went beyond) and elements (fraction of the elements beyond).
 ---@field duration number Where it ends, s.
----@field energy table<string, number> Energies in J: kinetic, stored, dissipated, damping, external, internal, initial, created. Parts of stored: contact, guard (the barrier that keeps surfaces from passing), stick (elastic slip of friction that holds), directors (what keeps the directors by the normal where the elements' shear does not). Parts of dissipated: dissipated_warp, _weft, _shear, _bending, friction (of contact), impact (of surfaces that meet), joints (motion lost as joints closed, see analysis:join, and what directors had stored where they opened), fracture (broken yarns of tearable zones). Parts of kinetic: rigid (free rigid bodies), scaled (rotary inertia that is scaled up). error: the imbalance over the largest external work; with contact at least over the cloth's weight times its thickness.
+---@field energy table<string, number> Energies in J: kinetic, stored, dissipated, damping, external, internal, initial, created. Parts of stored: contact, guard (the barrier that keeps surfaces from passing), stick (elastic slip of friction that holds), directors (what keeps the directors by the normal where the elements' shear does not). Parts of dissipated: dissipated_warp, _weft, _shear, _damage (yarns that softened, see damage of a card), _bending, friction (of contact), impact (of surfaces that meet), joints (motion lost as joints closed, see analysis:join, and what directors had stored where they opened), fracture (broken yarns of tearable zones). Parts of kinetic: rigid (free rigid bodies), scaled (rotary inertia that is scaled up). error: the imbalance over the largest external work; with contact at least over the cloth's weight times its thickness.
 ---@field joints any Of the tearable zones: open, the number of places whose joint is open; places, of all places with several nodes. Of seams: stitches, and how many of them are closed.
 ---@field mesh any The mesh of its model, as it was before the run.
 ---@field model any The model that it computes.
@@ -116,7 +117,7 @@ function analysis:checkpoint(path, options) end
 ---@return any
 function analysis:cut(fields) end
 
----Averages over the element's reference volume, material axes: a table of rupture_warp (warp force over strength at the joints of the element, the largest; 1 where it has broken), rupture_weft (weft force over strength at the joints of the element, the largest; 1 where it has broken), E11 E22 E23 E13 E12 (Green-Lagrange strain, tensor components), S11 S22 S23 S13 S12 (2nd Piola-Kirchhoff stress; Pa), residual1 residual2 (strain that a yarn keeps when it is unloaded), slack1 slack2 (strain by which a slack yarn is below its residual strain), stored dissipated (per reference volume: stored, and dissipated so far; J/m^3), shear_angle (90 degrees less the angle between warp and weft; has the sign of E12; degrees), tension_warp (force along the warp yarns per reference width; N/m), tension_weft (force along the weft yarns per reference width; N/m), nominal_strain_warp (change of length along the warp over the reference length), nominal_strain_weft (change of length along the weft over the reference length), nominal_stress_warp (force along the warp yarns over the reference area; Pa), nominal_stress_weft (force along the weft yarns over the reference area; Pa), cauchy_11 (Cauchy stress along the deformed warp (current width, reference thickness); Pa), cauchy_22 (Cauchy stress across the deformed warp, in the surface; Pa), cauchy_12 (Cauchy shear stress, along and across the deformed warp; Pa), beyond (largest strain so far over the tested strain of the card: 1.2 is 20 % beyond; 0 where the card states none), region (number of the body or region that the element belongs to, in their order).
+---Averages over the element's reference volume, material axes: a table of rupture_warp (warp force over strength at the joints of the element, the largest; 1 where it has broken), rupture_weft (weft force over strength at the joints of the element, the largest; 1 where it has broken), E11 E22 E23 E13 E12 (Green-Lagrange strain, tensor components), S11 S22 S23 S13 S12 (2nd Piola-Kirchhoff stress; Pa), residual1 residual2 (strain that a yarn keeps when it is unloaded), slack1 slack2 (strain by which a slack yarn is below its residual strain), stored dissipated (per reference volume: stored, and dissipated so far; J/m^3), dissipated_warp (per reference volume: dissipated so far in warp; J/m^3), dissipated_weft (per reference volume: dissipated so far in weft; J/m^3), dissipated_shear (per reference volume: dissipated so far in shear; J/m^3), dissipated_damage (per reference volume: dissipated so far in damage; J/m^3), shear_angle (90 degrees less the angle between warp and weft; has the sign of E12; degrees), tension_warp (force along the warp yarns per reference width; N/m), tension_weft (force along the weft yarns per reference width; N/m), nominal_strain_warp (change of length along the warp over the reference length), nominal_strain_weft (change of length along the weft over the reference length), nominal_stress_warp (force along the warp yarns over the reference area; Pa), nominal_stress_weft (force along the weft yarns over the reference area; Pa), cauchy_11 (Cauchy stress along the deformed warp (current width, reference thickness); Pa), cauchy_22 (Cauchy stress across the deformed warp, in the surface; Pa), cauchy_12 (Cauchy shear stress, along and across the deformed warp; Pa), beyond (largest strain so far over the tested strain of the card: 1.2 is 20 % beyond; 0 where the card states none), region (number of the body or region that the element belongs to, in their order).
 ---@param number integer of the element
 ---@return table<string, any>
 function analysis:element(number) end
@@ -138,7 +139,7 @@ function analysis:event(fields) end
 function analysis:every(interval, action) end
 
 ---Values of all elements or nodes, in their order: a list of numbers; for a whole field a list of lists. Units are SI: stresses in Pa, energies in J/m^3.
----@param name "rupture_warp"|"rupture_weft"|"E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"stored"|"dissipated"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region"|"ux"|"uy"|"uz"|"vx"|"vy"|"vz"|"nx"|"ny"|"nz"|"x"|"y"|"z"|"X"|"Y"|"Z"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure"|"joint_open"|"displacement"|"velocity"|"director"|"position"|"reference"|"reaction"|"E"|"S"|"residual"|"slack"|"energy"|"warp"|"weft" of a number, or of a field: see the table of fields of a run; of a ply ply2.E11, or by the ply's name
+---@param name "rupture_warp"|"rupture_weft"|"E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"stored"|"dissipated"|"dissipated_warp"|"dissipated_weft"|"dissipated_shear"|"dissipated_damage"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region"|"ux"|"uy"|"uz"|"vx"|"vy"|"vz"|"nx"|"ny"|"nz"|"x"|"y"|"z"|"X"|"Y"|"Z"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure"|"joint_open"|"displacement"|"velocity"|"director"|"position"|"reference"|"reaction"|"E"|"S"|"residual"|"slack"|"energy"|"warp"|"weft" of a number, or of a field: see the table of fields of a run; of a ply ply2.E11, or by the ply's name
 ---@return number[]
 function analysis:field(name) end
 
@@ -157,7 +158,7 @@ function analysis:gap() end
 function analysis:join(fields) end
 
 ---The mean of a value over elements, or over nodes, each with the same weight. Stresses in Pa, energies in J/m^3.
----@param name "rupture_warp"|"rupture_weft"|"E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"stored"|"dissipated"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region"|"ux"|"uy"|"uz"|"vx"|"vy"|"vz"|"nx"|"ny"|"nz"|"x"|"y"|"z"|"X"|"Y"|"Z"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure"|"joint_open" of a number that elements or nodes have, see a:element and a:node; of a ply ply2.E11, or by the ply's name
+---@param name "rupture_warp"|"rupture_weft"|"E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"stored"|"dissipated"|"dissipated_warp"|"dissipated_weft"|"dissipated_shear"|"dissipated_damage"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region"|"ux"|"uy"|"uz"|"vx"|"vy"|"vz"|"nx"|"ny"|"nz"|"x"|"y"|"z"|"X"|"Y"|"Z"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure"|"joint_open" of a number that elements or nodes have, see a:element and a:node; of a ply ply2.E11, or by the ply's name
 ---@param set? string elements all of whose nodes are in it; or its nodes (default "all")
 ---@return number
 function analysis:mean(name, set) end
@@ -381,7 +382,7 @@ function fabric.export.card(fields) end
 ---@field file string to write; ends in .glb
 ---@field series? string a .pvd that a:vtk wrote: every frame of it
 ---@field run? analysis in place of a series: the run as it stands
----@field field? "none"|"displacement"|"ux"|"uy"|"uz"|"velocity"|"vx"|"vy"|"vz"|"director"|"nx"|"ny"|"nz"|"position"|"x"|"y"|"z"|"reference"|"X"|"Y"|"Z"|"reaction"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure"|"joint_open"|"rupture_warp"|"rupture_weft"|"E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"stored"|"dissipated"|"warp"|"weft"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region" what the colours show, on the nodes: a number of a field, or a vector's length (default "none")
+---@field field? "none"|"displacement"|"ux"|"uy"|"uz"|"velocity"|"vx"|"vy"|"vz"|"director"|"nx"|"ny"|"nz"|"position"|"x"|"y"|"z"|"reference"|"X"|"Y"|"Z"|"reaction"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure"|"joint_open"|"rupture_warp"|"rupture_weft"|"E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"stored"|"dissipated"|"dissipated_warp"|"dissipated_weft"|"dissipated_shear"|"dissipated_damage"|"warp"|"weft"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region" what the colours show, on the nodes: a number of a field, or a vector's length (default "none")
 ---@field range? number[] {low, high} of the colours; default: those of all frames
 ---@field every? number s: at least between two frames; default: all that there are
 ---@field duration? number s: of the animation; default: that of the series
@@ -1932,8 +1933,9 @@ function fabric.plot(fields) end
 
 ---One material point of virgin cloth, to be driven by strains.
 ---@param card card the fabric
+---@param size? number m: length of cloth that the point stands for, over which yarns that soften break (see damage of a card); without it they hold
 ---@return point
-function fabric.point(card) end
+function fabric.point(card, size) end
 
 ---A table of coefficients times a unit: fabric.poly({8, 826}, MPa).
 ---@param coefficients number[] ascending powers
@@ -1951,7 +1953,7 @@ function fabric.ramp(value, duration) end
 ---@field file string to write; ends in .png
 ---@field vtu? string|table file of a:vtk, or a list of them: panels of one scale
 ---@field run? table|analysis in place of files: the run as it stands, with its rigid bodies, or a list of runs
----@field field? "none"|"displacement"|"ux"|"uy"|"uz"|"velocity"|"vx"|"vy"|"vz"|"nx"|"ny"|"nz"|"position"|"x"|"y"|"z"|"reference"|"X"|"Y"|"Z"|"reaction"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure"|"joint_open"|"rupture_warp"|"rupture_weft"|"E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"stored"|"dissipated"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region" what the colours show (default "none")
+---@field field? "none"|"displacement"|"ux"|"uy"|"uz"|"velocity"|"vx"|"vy"|"vz"|"nx"|"ny"|"nz"|"position"|"x"|"y"|"z"|"reference"|"X"|"Y"|"Z"|"reaction"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure"|"joint_open"|"rupture_warp"|"rupture_weft"|"E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"stored"|"dissipated"|"dissipated_warp"|"dissipated_weft"|"dissipated_shear"|"dissipated_damage"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region" what the colours show (default "none")
 ---@field title? string on top (default "")
 ---@field labels? string|table above the panels
 ---@field bar? string title of the colour bar; default: the field with its unit (MPa, mm)
@@ -2351,6 +2353,18 @@ function fabric.why() end
 ---@field loading number Pa: q of T = q y^2 / 2
 ---@field unloading number Pa: unloading modulus
 
+---@class fabric_woven_fields.damage.warp
+---@field strength number N/m: force of the yarns per width at which they break, without the contraction of the cloth across
+---@field energy number J/m: energy that breaking these yarns takes, per metre of the tear
+
+---@class fabric_woven_fields.damage.weft
+---@field strength number N/m: force of the yarns per width at which they break, without the contraction of the cloth across
+---@field energy number J/m: energy that breaking these yarns takes, per metre of the tear
+
+---@class fabric_woven_fields.damage
+---@field warp? fabric_woven_fields.damage.warp breaking of the warp yarns; without it they hold
+---@field weft? fabric_woven_fields.damage.weft breaking of the weft yarns; without it they hold
+
 ---@class fabric_woven_fields.viscous.shear
 ---@field modulus number Pa: of the part that relaxes, in shear's measure
 ---@field time number s: relaxation time: at constant strain its stress falls to 1/e
@@ -2399,6 +2413,7 @@ function fabric.why() end
 ---@field transverse? "elastic"|"follow" transverse shear of the comparison laws (default "elastic")
 ---@field shear_hysteresis? boolean of the comparison laws (default true)
 ---@field biaxial? fabric_woven_fields.biaxial a fourth spring that acts when both yarns are stretched
+---@field damage? fabric_woven_fields.damage yarns that soften and break wherever they reach their strength, law potential only; where a tear runs along a line that is known, rupture and tearable zones are sharper
 ---@field viscous? fabric_woven_fields.viscous stress that relaxes with time, law potential only
 ---@field bands? fabric_woven_fields.bands confidence bands of the measured parameters
 
@@ -2641,6 +2656,17 @@ function model:seam(seam) end
 ---@param options? model_spring_fields.options frame = {e1, e2} for oblique directions
 ---@return model
 function model:spring(set, stiffness, options) end
+
+---@class model_strength_fields
+---@field set? string the elements meant (default "all")
+---@field factor? number strength of the yarns there over that of the card, the mean (default 1)
+---@field modulus? number Weibull modulus, with which it differs from element to element; without it it does not
+---@field seed? integer of that (default 1)
+
+---The strength of yarns that soften (see damage of a card) where it is not that of the card: weakened lines, scatter. Where sets overlap, the factors multiply.
+---@param fields model_strength_fields
+---@return model
+function model:strength(fields) end
 
 ---Holds a node set in a plane of symmetry: the displacement along the normal and the two rotations out of the plane. The nodes lie in such a plane, and the cloth is symmetric about it: its yarns run along and across it, in each layer. A free body that the plane cuts moves in it; its mass is that of the part in the model.
 ---@param set string name of a node set
