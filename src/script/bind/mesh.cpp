@@ -374,7 +374,7 @@ std::vector<Entry> rows() {
        "more. "
        "The others are numbered anew in their order; sets keep them, boundary has the rim, too.",
        with_mesh +
-           "mesh:hole(function(x, y) return y > 0.02 and y < 0.03 and x > 0.01 and x < 0.015 end, 'rim')\n"
+           "mesh:hole(function(x, y) return y > 0.02 and y < 0.025 and x > 0.01 and x < 0.015 end, 'rim')\n"
            "assert(#mesh.elements == 26 and #mesh:set 'rim' == 4)",
        hole},
       {"mesh.nodes",

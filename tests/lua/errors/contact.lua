@@ -237,7 +237,7 @@ wrong("fabric.lab.ball_drop", "fabric.lab.ball_drop{ card=card, cells=2.5 }",
 
 -- fabric.lab.capstan
 wrong("fabric.lab.capstan", "fabric.lab.capstan{ wrong=1 }",
-  "deck.lua:1: capstan: unknown field 'wrong' (known: card radius wrap friction tension width around across lead draw step points stiffness)")
+  "deck.lua:1: capstan: unknown field 'wrong' (known: card radius wrap friction tension width around lead draw step points stiffness)")
 wrong("fabric.lab.capstan", "fabric.lab.capstan{}",
   "deck.lua:1: capstan: field 'card': expected a card, got nil (missing, or a misspelt variable)")
 wrong("fabric.lab.capstan", "fabric.lab.capstan{ card='blend' }",

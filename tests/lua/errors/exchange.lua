@@ -18,7 +18,7 @@ wrong("fabric.export.card", "fabric.export.card{ card=card, to='ls-dyna', axis={
   "deck.lua:1: card: field 'axis': expected a table of numbers, got 'two' at place 2")
 wrong("fabric.export.card", "fabric.export.card{ card=card, to='openradioss', element=0 }",
   "deck.lua:1: card: field 'element': expected a positive number in m, got 0")
-wrong("fabric.export.model", "fabric.export.model{ model=model, to='openradioss', element='fine' }",
+wrong("fabric.export.model", "fabric.export.model{ model=model, to='openradioss', warp=0, element='fine' }",
   "deck.lua:1: model: field 'element': expected a positive number in m, got 'fine'")
 
 -- fabric.export.mesh
