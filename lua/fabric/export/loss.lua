@@ -134,7 +134,7 @@ function loss.sentences(card, target)
     add("bending: " .. target.bending)
   end
   if card.compression then add "compression: how the cloth is pressed is lost; contact there presses by rules of its own" end
-  if card.damage then add "damage: the softening of yarns that break is lost; nothing written breaks" end
+  if card.kind == "woven" and card.damage then add "damage: the softening of yarns that break is lost; nothing written breaks" end
   if card.kind == "woven" and card.bands then add "bands: the values alone are written" end
   return out
 end
