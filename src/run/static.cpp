@@ -105,7 +105,9 @@ Static::Static(std::shared_ptr<model::Model> model, const StaticOptions& options
   if (options_.control == Control::arc)
     arc_ = std::make_unique<solver::ArcLength>(std::move(linear));
   else
-    stable_ = std::make_unique<solver::TrustRegion>(std::move(linear), assembly_->symmetric());
+    // Moments about fixed axes have no energy, and pivots say nothing of the stability of what they hold.
+    stable_ = std::make_unique<solver::TrustRegion>(std::move(linear), assembly_->symmetric(),
+                                                    model_->moments().empty());
   if (!arc_) newton_ = std::make_unique<solver::Newton>(make_solver(options_.solver, !takes_unsymmetric()));
   if (options_.method != Method::newton) {
     relaxation_ = std::make_unique<solver::Relaxation>();

@@ -37,7 +37,8 @@ struct TrialStep {
 // One solve.
 class Walk final : public Downhill {
  public:
-  using Downhill::Downhill;
+  Walk(Problem& problem, const NewtonOptions& options, LinearSolver& linear, bool symmetric, bool judges)
+      : Downhill(problem, options, linear, symmetric), judges_(judges) {}
   // The supports go to their targets, while the cloth follows as it would follow small motions.
   Answer follow_supports();
   Answer begin_at_trial();
@@ -73,6 +74,7 @@ class Walk final : public Downhill {
   double level_ = 0, fallen_ = 0;      // J, energy above the least so far; taken away so far
   int trials_ = 0;                     // steps since the configuration of least energy
   bool singular_ = false, began_free_ = false;
+  const bool judges_;    // whether pivots say whether an equilibrium is stable
   bool watches_ = true;  // whether steps may raise the energy on trial
   int rejections_ = 0, saddles_ = 0;
   bool definite_ = false;  // whether K near the present configuration is known to be positive definite
@@ -260,7 +262,7 @@ Answer Walk::follow_supports() {
 // leaves its place by itself; an even number may mislead, and then neither side of the softest direction is
 // lower.
 bool Walk::stable() {
-  if (definite_ || K_.size() == 0) return true;
+  if (!judges_ || definite_ || K_.size() == 0) return true;
   if (problem_.tangent(K_) != Answer::ok) return true;
   linear::absolute_sums(K_, D_);
   factorise(0);
@@ -316,12 +318,12 @@ std::optional<NewtonStatus> Walk::at_balance() {
 }  // namespace
 
 NewtonResult TrustRegion::solve(Problem& problem, const NewtonOptions& options) {
-  Walk walk(problem, options, *linear_, symmetric_);
+  Walk walk(problem, options, *linear_, symmetric_, judges_);
   return walk.run(walk.follow_supports());
 }
 
 NewtonResult TrustRegion::correct(Problem& problem, const NewtonOptions& options) {
-  Walk walk(problem, options, *linear_, symmetric_);
+  Walk walk(problem, options, *linear_, symmetric_, judges_);
   return walk.run(walk.begin_at_trial());
 }
 

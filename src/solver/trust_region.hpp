@@ -23,9 +23,9 @@ namespace fabricsh::solver {
 class TrustRegion {
  public:
   // symmetric: whether the problem's tangents are. For others the matrix is regularised until the step does
-  // work against the residual.
-  TrustRegion(std::unique_ptr<LinearSolver> linear, bool symmetric)
-      : linear_(std::move(linear)), symmetric_(symmetric) {}
+  // work against the residual. judges: whether negative pivots at an equilibrium mean that it is unstable.
+  TrustRegion(std::unique_ptr<LinearSolver> linear, bool symmetric, bool judges = true)
+      : linear_(std::move(linear)), symmetric_(symmetric), judges_(judges) {}
   // From the committed configuration: a first step moves the supports to their targets, then equilibrium is
   // sought. iterations: factorisations; residuals: relative, of the steps that were taken. Without
   // options.line_search every step within the trust region is accepted.
@@ -35,7 +35,7 @@ class TrustRegion {
 
  private:
   std::unique_ptr<LinearSolver> linear_;
-  bool symmetric_;
+  bool symmetric_, judges_;
 };
 
 }  // namespace fabricsh::solver
