@@ -42,10 +42,10 @@ std::string full_text(const Jumps& jumps);
 std::vector<std::string> idle_loads(const model::Model& model, const mechanics::Assembly& assembly,
                                     double duration);
 
-// Error: what acts on a part of a model is not symmetric about a plane that cuts it: gravity across the plane,
-// which would push the part that is left out the other way; or a rigid body that the plane cuts and that is
-// moved across it or turned about another axis than its normal. A sheet that lies in the plane as a whole is
-// no part. duration: of the run, s.
+// Error: what acts on a part of a model is not symmetric about a plane that cuts it: gravity across the
+// plane, which would push the part that is left out the other way; or a rigid body that the plane cuts and
+// that is moved across it or turned about another axis than its normal. A sheet that lies in the plane as a
+// whole is no part. duration: of the run, s.
 void check_symmetric_loads(const model::Model& model, double duration);
 
 // How far the bending rigidity of the model's cards is from that of cloth; or empty. Given only if some node

@@ -40,7 +40,8 @@ const char* name(Isa isa) {
       return "avx2";
     default:
 #if defined(__aarch64__)
-      return "neon";  // what every such processor has; checkpoints of other processors are refused by this name
+      return "neon";  // what every such processor has; checkpoints of other processors are refused by this
+                      // name
 #else
       return "baseline";
 #endif

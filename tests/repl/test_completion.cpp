@@ -156,9 +156,9 @@ TEST_CASE("values: words of a choice, objects of the class") {
   CHECK(words("model{ mesh=") == Words{"sheet"});
   CHECK(words("a:every(\"") == Words{"step"});
   CHECK(words("a:mean('S1") == Words{"S11", "S12", "S13"});
-  CHECK(words("a:vtk('out/a', { fields={ 'S', 'd") == Words{"director", "displacement", "dissipated", "dissipated_damage",
-                                                             "dissipated_shear", "dissipated_warp",
-                                                             "dissipated_weft"});
+  CHECK(words("a:vtk('out/a', { fields={ 'S', 'd") == Words{"director", "displacement", "dissipated",
+                                                            "dissipated_damage", "dissipated_shear",
+                                                            "dissipated_warp", "dissipated_weft"});
   CHECK(words("a:field \"resid") == Words{"residual", "residual1", "residual2"});
 }
 
