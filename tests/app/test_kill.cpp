@@ -216,16 +216,18 @@ TEST_CASE("a signal ends what does not come to an answer, with its exit code and
       "a:every('step', function() " +
       endless + " end)\na:solve()\n";
   write_deck("endless_hook.lua", hook);
-  for (const std::string name : {"endless.lua", "endless_hook.lua"})
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-      INFO(name << ", " << signal);
-      fs::remove_all("endless");
-      fs::remove("endless.log");
-      Program program({"--quiet", name}, "endless.log");
-      REQUIRE(says("endless.log", "busy"));
-      CHECK(program.end(signal) == 128 + signal);
-      check_folder("endless");
-    }
+  // Each takes the ten seconds that the program gives a deck to come to an answer.
+  const std::pair<std::string, int> cases[] = {
+      {"endless.lua", SIGINT}, {"endless.lua", SIGHUP}, {"endless_hook.lua", SIGTERM}};
+  for (const auto& [name, signal] : cases) {
+    INFO(name << ", " << signal);
+    fs::remove_all("endless");
+    fs::remove("endless.log");
+    Program program({"--quiet", name}, "endless.log");
+    REQUIRE(says("endless.log", "busy"));
+    CHECK(program.end(signal) == 128 + signal);
+    check_folder("endless");
+  }
   write_deck("endless_caught.lua",
              "while true do pcall(function() io.stderr:write 'busy' while true do end end)"
              " io.stderr:write 'caught' end\n");
