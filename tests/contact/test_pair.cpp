@@ -236,6 +236,26 @@ TEST_CASE("pair: explicit friction resists slow sliding and is mu times the norm
   CHECK(friction_of(law(), pair, flat, slip).on[0].y() == Approx(-0.2 * mass * 1e-5 / dt).epsilon(1e-12));
 }
 
+TEST_CASE("pair: an approach is damped by the law's stiffness where it is, at most by its largest",
+          "[contact]") {
+  const Pair pair = pair_of(Kind::plane);
+  const double loss = 2, dt = 1e-3, speed = 40, guard = law().guard_gap(), floor = law().floor();
+  for (const double gap : {0.9 * law().gap(), 0.5 * (guard + floor), 0.1 * guard + 0.9 * floor}) {
+    const double stiffness = gap < guard ? law().stiffest() : law()(gap).stiffness;
+    CHECK(stiffness > 0);
+    Corners x = flat;
+    x[0].z() = pair.offset + gap;
+    Slip slip;
+    slip.loss = loss;
+    slip.dt = slip.step = dt;
+    slip.moved[0] = dt * Vec3(3, -5, -speed);
+    CHECK(friction_of(law(), pair, x, slip).damped ==
+          Approx(pair.area * loss * std::sqrt(stiffness) * speed).epsilon(1e-12));
+    slip.moved[0] = dt * Vec3(3, -5, speed);  // moving away
+    CHECK(friction_of(law(), pair, x, slip).damped == 0);
+  }
+}
+
 TEST_CASE("pair: an edge that slides off another's end, or turns parallel to it, leaves without a jump",
           "[contact]") {
   const Pair pair = pair_of(Kind::edges);

@@ -1,6 +1,7 @@
 // Gravity on a sheet whose reference surface is not its middle: the weight's line of action is the middle's.
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "catch.hpp"
 #include "geometry/node_view.hpp"
@@ -14,12 +15,14 @@ namespace {
 
 struct Sheet {
   double width = 0.3, height = 0.2, thickness = 2e-3, offset = 0;
+  int points = 3;
   Mat3 turn = Mat3::Identity();
   std::shared_ptr<model::Model> hung(const Vec3& gravity) const {
     auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(width, height, 3, 2));
     mesh->map([&](const Vec3& X) { return Vec3(turn * X); });
     model::Options options;
     options.offset = offset;
+    options.points = points;
     options.thickness = thickness;
     const Vec3 along = turn.col(0);
     options.warp = [along](const Vec3&) { return model::Direction(along); };
@@ -62,5 +65,31 @@ TEST_CASE("gravity's moment is the weight's about the reference surface, for an 
     // The middle surface lies at -offset t / 2 along the normal: its weight has that lever.
     const Vec3 wanted = mass * (-offset * sheet.thickness / 2 * n).cross(g);
     CHECK((moment - wanted).norm() < 1e-12 * wanted.norm());
+    // The ledger takes the same moments, with the sign of a load.
+    std::vector<double> on_x(3 * a.dofs().reference().size()), load(on_x);
+    for (const auto* follower : a.all<mechanics::FollowerLoad>())
+      follower->add_follower(0, a.trial(), on_x, load);
+    double largest = 0, differs = 0;
+    for (std::size_t i = 0; i < load.size(); ++i) {
+      largest = std::max(largest, std::abs(load[i]));
+      differs = std::max(differs, std::abs(load[i] + on_d[i]));
+    }
+    CHECK(differs < 1e-12 * largest);
+    CHECK(largest > 0);
   }
+}
+
+TEST_CASE("rotary inertia is that of the thickness about the reference surface, for any points and offset") {
+  for (const int points : {1, 2, 5})
+    for (const double offset : {-1.0, 0.0, 0.7}) {
+      Sheet sheet;
+      sheet.points = points;
+      sheet.offset = offset;
+      const auto m = sheet.hung(Vec3::Zero());
+      const mechanics::Assembly a(*m);
+      const auto& rotary = a.cloth().rotary_inertia(false);
+      const double t = sheet.thickness, mass = 590 * t * sheet.width * sheet.height;
+      const double wanted = mass * (t * t / 12 + std::pow(offset * t / 2, 2));
+      CHECK(std::accumulate(rotary.begin(), rotary.end(), 0.0) == Approx(wanted).epsilon(1e-12));
+    }
 }

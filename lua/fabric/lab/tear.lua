@@ -141,6 +141,7 @@ local function mean(result, cut)
 end
 
 local function trouser(t)
+  t.h = t.tear / math.ceil(t.tear / t.h - 1e-9) -- a line of nodes at the tip and at the end of the tear
   local yarn = rupture.other(t.along)
   local broken = rupture.of("tear", t.card, yarn)
   local card = strengths(t, yarn, broken)
@@ -191,7 +192,7 @@ define {
     { name = "card", of = "card", sentence = "the fabric, with rupture" },
     { name = "method", kind = "text", choices = { "trouser", "tongue", "wing", "trapezoid" }, default = "trouser", sentence = "ISO 13937-2, ASTM D2261, ISO 13937-3, ASTM D5587" },
     { name = "along", kind = "text", choices = { "warp", "weft" }, default = "warp", sentence = "yarns along which the tear runs: the others break" },
-    { name = "h", kind = "number", unit = "m", above = 0, default = 3 * mm, sentence = "size of the elements along the tear" },
+    { name = "h", kind = "number", unit = "m", above = 0, default = 3 * mm, sentence = "size of the elements along the tear, at most" },
     { name = "width", kind = "number", unit = "m", above = 0, optional = true, sentence = "of the specimen, for a trapezoid along the tear; default: the standard's" },
     { name = "leg", kind = "number", unit = "m", above = 0, optional = true, sentence = "trouser, tongue, wing: from jaw to tip along the cut; default: half of the standard's gauge length, for a wing at right angles to the grip" },
     { name = "short", kind = "number", unit = "m", above = 0, optional = true, sentence = "trapezoid: the short side; default: the standard's" },
