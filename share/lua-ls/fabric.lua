@@ -1515,7 +1515,7 @@ function fabric.lab.synthetic(fields) end
 ---@field card card the fabric, with rupture
 ---@field method? "trouser"|"tongue"|"wing"|"trapezoid" ISO 13937-2, ASTM D2261, ISO 13937-3, ASTM D5587 (default "trouser")
 ---@field along? "warp"|"weft" yarns along which the tear runs: the others break (default "warp")
----@field h? number m: size of the elements along the tear (default 0.003)
+---@field h? number m: size of the elements along the tear, at most (default 0.003)
 ---@field width? number m: of the specimen, for a trapezoid along the tear; default: the standard's
 ---@field leg? number m: trouser, tongue, wing: from jaw to tip along the cut; default: half of the standard's gauge length, for a wing at right angles to the grip
 ---@field short? number m: trapezoid: the short side; default: the standard's

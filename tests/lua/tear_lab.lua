@@ -51,6 +51,13 @@ for _, case in ipairs { { "trouser", 4, 24 }, { "trouser", 2, 24 }, { "tongue", 
   force[#force + 1] = test.mean
 end
 near("tongue on h and h / 2", force[3], force[4], 0.05)
+-- Sizes of elements that divide neither the legs nor the tear: a line of nodes lies at the tip.
+for method, h in pairs { trouser = 4.1, tongue = 3, wing = 2.9 } do
+  local test = trouser { method = method, h = h * mm, width = 30 * mm, leg = 17 * mm, tear = 10 * mm, speed = 3 }
+  local n = math.ceil(10 / h)
+  near("torn elements of " .. method, test.curve[#test.curve].torn, 10 * mm, 1e-9)
+  assert(test.curve[#test.curve].open == n, method)
+end
 -- A wing: the grips move by 2 a sin 55 while the tear grows by a.
 do
   local test = trouser { method = "wing", h = 4 * mm, width = 60 * mm, leg = 30 * mm }
@@ -146,6 +153,9 @@ do
   near("measured over simulated mean", c.tear.measured.mean / c.tear.simulated.mean, 1.1, 0.05) -- a quarter of the way, and of the tear
   assert(c.tear.measured.peaks == #test.peaks and c.text:find "^mean force measured")
 end
+
+ok, why = pcall(trouser, { method = "wing", width = 60 * mm, leg = 17 * mm })
+assert(not ok and tostring(why):find("field 'leg': expected more than 0.02682 m", 1, true), why)
 
 -- A zone in which nothing breaks takes no further step.
 local function steps(zone)

@@ -61,6 +61,8 @@ local function specimen(t)
   -- Legs of a wing end along their grips; about the tip the mesh stays along the yarns.
   local straight = y - 2 * t.h
   if t.method == "wing" then
+    local least = x / math.tan(wing) + 2 * t.h
+    if y <= least then define.fail(("tear: field 'leg': expected more than %.4g m for a wing %.4g m wide with elements of %.3g m, got %.4g"):format(least, t.width, t.h, y)) end
     mesh:map(function(px, py) return px, py + math.max(0, 1 - py / straight) * math.abs(px - x) / math.tan(wing), 0 end)
   end
   mesh:slit { from = { x, 0 }, to = { x, y }, left = "left lip", right = "right lip" }
