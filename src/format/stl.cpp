@@ -10,6 +10,8 @@ namespace fabricsh::format {
 
 namespace {
 
+constexpr double kFlattest = 1e-6;  // height over longest edge of a facet, up to which it has no area
+
 struct SameBits {
   std::size_t operator()(const std::array<double, 3>& x) const {
     std::uint64_t sum = 1469598103934665603u;
@@ -31,9 +33,10 @@ class StlReader {
     if (solids_.size() > 1)
       for (const auto& [name, nodes] : solids_) builder_.add_to_set(name, nodes);
     if (left_out_ > 0 && remarks != nullptr)
-      remarks->push_back(
-          source_.name() + ": " + std::to_string(left_out_) + (left_out_ == 1 ? " facet" : " facets") +
-          " with two corners at one place left out, the first is facet " + std::to_string(first_));
+      remarks->push_back(source_.name() + ": " + std::to_string(left_out_) +
+                         (left_out_ == 1 ? " facet" : " facets") +
+                         " without area left out (corners at one place or on one line), the first is facet " +
+                         std::to_string(first_));
     return builder_.finish();
   }
 
@@ -116,13 +119,23 @@ class StlReader {
     const std::array<double, 3> key = {x.x() + 0.0, x.y() + 0.0, x.z() + 0.0};
     const auto number = static_cast<std::int64_t>(builder_.nodes()) + 1;
     const auto [found, fresh] = places_.emplace(key, number);
-    if (fresh) builder_.add_node(number, {key[0], key[1], key[2]});
+    if (fresh) builder_.add_node(number, positions_.emplace_back(key[0], key[1], key[2]));
     return found->second;
+  }
+
+  // Coordinates of single precision put three corners on one line only to that precision.
+  bool is_flat(const std::array<std::int64_t, 3>& corners) const {
+    const auto edge = [&](std::size_t i) {
+      return Vec3(positions_[static_cast<std::size_t>(corners[(i + 1) % 3] - 1)] -
+                  positions_[static_cast<std::size_t>(corners[i] - 1)]);
+    };
+    const double longest = std::max({edge(0).squaredNorm(), edge(1).squaredNorm(), edge(2).squaredNorm()});
+    return edge(0).cross(edge(1)).norm() <= kFlattest * longest;
   }
 
   void add(const std::array<std::int64_t, 3>& corners) {
     ++facets_;
-    if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) {
+    if (is_flat(corners)) {
       if (left_out_++ == 0) first_ = facets_;
       return;
     }
@@ -137,6 +150,7 @@ class StlReader {
   std::size_t facets_ = 0, left_out_ = 0, first_ = 0;  // first_: the first facet that was left out, from 1
   std::map<std::string, std::vector<std::int64_t>> solids_;  // nodes, as often as they are named
   std::unordered_map<std::array<double, 3>, std::int64_t, SameBits> places_;
+  std::vector<Vec3> positions_;
 };
 
 }  // namespace

@@ -301,18 +301,23 @@ TEST_CASE("OBJ: a backslash at the end of a line goes on below, from Windows too
         decltype(m.elements){{0, 1, 2, -1}});
 }
 
-TEST_CASE("STL: facets with two corners at one place are left out and told", "[files]") {
-  const auto facet = [](const char* corners) {
+TEST_CASE("STL: facets without area are left out and told, thin ones are kept", "[files]") {
+  const std::map<char, const char*> at = {
+      {'a', "0 0 0"}, {'b', "1 0 0"}, {'c', "0.25 1 0"}, {'d', "0.1 0.4000001 0"}, {'e', "0.4 1e-5 0"}};
+  const auto facet = [&](const char* corners) {
     std::string text = " facet normal 0 0 1\n  outer loop\n";
-    for (const char* c = corners; *c != 0; ++c)
-      text += std::string("vertex ") + (*c == 'a' ? "0 0 0" : *c == 'b' ? "1 0 0" : "0.25 1 0") + "\n";
+    for (const char* c = corners; *c != 0; ++c) text += std::string("vertex ") + at.at(*c) + "\n";
     return text + "endloop\nendfacet\n";
   };
   Remarks remarks;
-  const auto m =
-      read_stl("x.stl", "solid\n" + facet("abc") + facet("aab") + facet("cbc") + "endsolid\n", &remarks);
-  CHECK(m.elements.size() == 1);
-  CHECK(remarks == Remarks{"x.stl: 2 facets with two corners at one place left out, the first is facet 2"});
+  const auto m = read_stl(
+      "x.stl",
+      "solid\n" + facet("abc") + facet("aab") + facet("cbc") + facet("acd") + facet("aeb") + "endsolid\n",
+      &remarks);
+  CHECK(m.elements.size() == 2);
+  CHECK(m.nodes.size() == 4);  // not what only a facet without area has
+  CHECK(remarks == Remarks{"x.stl: 3 facets without area left out (corners at one place or on one line), the "
+                           "first is facet 2"});
 }
 
 TEST_CASE("Gmsh: the parts of a mesh that is cut into partitions keep their groups", "[files]") {
