@@ -30,7 +30,12 @@ end
 -- The interval in %, of discs with the given diameters (m) and elements over the overhang.
 local function interval_of(name, disc, support, elements)
   local b = fabric.budget { card = card_of(name), samples = samples, shares = false, print = false, run = function(p)
-    local r = fabric.lab.cusick { card = p.card, disc = disc, support = support, cells = elements, seed = p.specimen, by = "relaxation", contact = false }
+    local test = { card = p.card, disc = disc, support = support, cells = elements, seed = p.specimen, by = "relaxation", contact = false }
+    local done, r = pcall(fabric.lab.cusick, test)
+    if not done then -- the motion is slower, and goes on where relaxation finds no way
+      test.by = "motion"
+      r = fabric.lab.cusick(test)
+    end
     return { coefficient = 100 * r.coefficient }
   end }
   return b, b.band.coefficient

@@ -454,11 +454,12 @@ function fabric.history(points) end
 ---@field name? string of the card; default: the material's
 ---@field thickness? number m: default: that of a section in the file
 ---@field density? number kg/m^3: default: the file's
----@field poisson? number[] {nu12, nu21}, which such files do not hold; default {0, 0}
+---@field poisson? number[] {nu12, nu21}, which such files do not hold; default {0, 0}, of crimped yarns of LAW58 those that fit its law best
+---@field misfit? number %: largest difference from the deck's law on any path but cycles, per cent of the peak stress (default 25)
 ---@field tested? fabric_import_card_fields.tested strains up to which the curves count as measured; default: LAW58 where loading and unloading cross, else those that the file states in a comment 'Tested up to E11 = ...', else the curves' ends
 ---@field unloading? fabric_import_card_fields.unloading unloading moduli, Pa, instead of those of the file's curves
 
----A woven card out of another solver's material: its curves as measured points, its unloading as a modulus. Returns card, report (text), losses and lost (as fabric.export.card, the file's law beside the card's), notes. A material that no card follows within 25 % of the peak stress along its yarns is refused; what differs by more on other paths is reported.
+---A woven card out of another solver's material: its curves as measured points, its unloading as a modulus. Returns card, report (text), losses and lost (as fabric.export.card, the file's law beside the card's), notes. A material that no card follows within `misfit` is refused.
 ---@param fields fabric_import_card_fields
 ---@return any
 function fabric.import.card(fields) end
