@@ -9,6 +9,7 @@
 --
 -- Some elements go beyond the tested strain, as the warning says:
 -- warns: the card was tested to
+-- warns: is unlike the others
 local fabric = require "fabric"
 local folder, report = require "fabric.lab.folder", require "fabric.lab.report"
 

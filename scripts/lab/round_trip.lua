@@ -7,6 +7,7 @@
 -- cell's class of 0.5 % stands in the bands of moduli as what all specimens share: an error that may lie anywhere within 0.5 %
 -- has a standard deviation of 0.5 %/sqrt(3), which is what the made records have. A ratio of strains knows no such error.
 -- warns: was the specimen slack, or gripped late?
+-- warns: is unlike the others
 local fabric = require "fabric"
 local lab, u = fabric.lab, fabric.units
 

@@ -913,7 +913,7 @@ function fabric.lab.fast_card(fields) end
 ---@field seed? integer of the bootstrap (default 1)
 ---@field common? number relative standard uncertainty of all moduli together: load cell, thickness, width (default 0)
 
----A backbone from replicate specimens: loading (tangent coefficients in Pa, or points), unloading, tested (reach of all), band {value, low, high, covariance} of {loading..., unloading} (without unloading where not every specimen unloads: then unloading_band is that of those that do), text (the criterion's table), specimens, tests (how many).
+---A backbone from replicate specimens: loading (tangent coefficients in Pa, or points), unloading, tested (reach of all), band {value, low, high, covariance} of {loading..., unloading} (without unloading where not every specimen unloads: then unloading_band is that of those that do), text (the criterion's table), specimens, tests (how many), warnings (specimens unlike the others, as fabric.lab.spread finds them).
 ---@param fields fabric_lab_fit_fields
 ---@return table<string, any>
 function fabric.lab.fit(fields) end

@@ -382,3 +382,23 @@ local function diamond(order, n)
 end
 diamond({ 1, 2, 3, 4 }, 4)
 assert(orders == 24)
+
+-- One specimen of four that is unlike the others is said with the fit; three alike are not.
+do
+  local words, warn = {}, fabric.warn
+  fabric.warn = function(text) words[#words + 1] = text end
+  local function fitted(scales)
+    local tests = {}
+    for i, scale in ipairs(scales) do
+      local E, S = {}, {}
+      for k = 0, 60 do E[k + 1], S[k + 1] = k / 300, scale * (8e6 * k / 300 + 4e8 * (k / 300) ^ 2) end
+      tests[i] = { E = E, S = S, file = "out/s" .. i .. ".csv", branches = { { kind = "loading", first = 1, last = 61 } } }
+    end
+    return fabric.lab.fit { tests = tests, degree = 2 }
+  end
+  assert(fitted({ 1, 1.02, 0.98 }).warnings == nil and #words == 0)
+  local w = fitted({ 1, 1.02, 1.6, 0.98 }).warnings
+  assert(#w == 1 and w[1].code == "unlike" and w[1].specimen == 3 and w[1].text:find "^specimen 3 %(s3.csv%) is unlike the others: 160 %%", w[1].text)
+  assert(#words == 1 and words[1]:find(w[1].text, 1, true))
+  fabric.warn = warn
+end

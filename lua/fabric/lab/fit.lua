@@ -292,6 +292,20 @@ local function remember(out, known, t)
   })
 end
 
+-- Warns of specimens that the others do not explain. Where a specimen was hardly stretched, nothing can be said.
+local function warn_of_unlike(out, t)
+  if #t.tests < 3 then return end
+  local compared, spread = pcall(fabric.lab.spread, { tests = t.tests, fit = out.specimens and out or nil })
+  for _, odd in ipairs(compared and spread.unlike or {}) do
+    local file = t.tests[odd.specimen].file
+    local text = ("specimen %d%s is unlike the others: %.0f %% of their stress, where they differ by %.1f %%"):format(odd.specimen,
+      file and " (" .. file:match "[^/]*$" .. ")" or "", 100 * odd.ratio, 100 * odd.deviation)
+    out.warnings = out.warnings or {}
+    table.insert(out.warnings, { code = "unlike", specimen = odd.specimen, text = text })
+    fabric.warn("fit: " .. text)
+  end
+end
+
 local function fit(t)
   local curves, out = {}, { level = t.level, unloading_of = {} }
   check.tests("fit", t.tests)
@@ -320,6 +334,7 @@ local function fit(t)
   looseness(out)
   check_unloading(out)
   remember(out, #known, t)
+  warn_of_unlike(out, t)
   return out
 end
 
@@ -343,7 +358,7 @@ define {
   },
   sentence = "A backbone from replicate specimens: loading (tangent coefficients in Pa, or points), unloading, tested (reach of all), "
     .. "band {value, low, high, covariance} of {loading..., unloading} (without unloading where not every specimen unloads: then unloading_band is "
-    .. "that of those that do), text (the criterion's table), specimens, tests (how many).",
+    .. "that of those that do), text (the criterion's table), specimens, tests (how many), warnings (specimens unlike the others, as fabric.lab.spread finds them).",
   example = "local E, S = {}, {}\nfor i = 0, 60 do E[i+1] = i/300; S[i+1] = 8e6*E[i+1] + 4e8*E[i+1]^2 end\n"
     .. "local test = { E=E, S=S, branches={ {kind='loading', first=1, last=61} } }\n"
     .. "local f = require 'fabric'.lab.fit{ tests={test}, degree=2 }\n"
