@@ -58,7 +58,7 @@ local history = {}
 ---@field steps table[] Of each committed step: time, step, iterations, cuts, residuals, negative_pivots (none on a stable path).
 ---@field stopped string|false The reason it was stopped for, or false.
 ---@field time number Where the run is, s.
----@field warnings any What the run has said about how far its results can be trusted, in order: a list of {code, text, time (s), element (nil: no particular one), serious}. Also in run.json. Under --strict the serious ones raise a numerical failure. The codes: ledger (energy appears or is lost beyond what the steps explain), inverted (an element is turned inside out), director (a director has turned over to the other side of the sheet), beyond (the strain is beyond what the card was tested to; serious with limit="stop"), pivots (the path of a static run has passed a limit or bifurcation point), relaxed (relaxation took a noticeable part of a static run's work, or its first step), stabilise (stabilisation has taken a noticeable part of the work), jump (a load or motion is at full value at once, not ramped), step (the explicit step is near the stable one, or is split because stretch has shortened that), inertia (much of the kinetic energy is in rotary inertia that is scaled up for the step), guard (contact is pressed so far that a barrier keeps the surfaces apart), seam (edges that are sewn had not met when their time was over), held (the cloth pulls on yarns beyond their strength where a support holds them, and none breaks there), dropped (an initial velocity is dropped along supports), idle (supports take up the whole of a load), bending (the bending rigidity of the card is far from that of cloth), card (the check of the card has a warning), units (a value of the deck is far outside the usual), mesh (the file of a mesh was cut short or holds what is left out), restart (the run was continued from the checkpoint of another deck), lost (an output of the restarted run is gone), retired (an argument of an earlier release has no effect any more), deck (the deck or a virtual test has said it with fabric.warn).
+---@field warnings any What the run has said about how far its results can be trusted, in order: a list of {code, text, time (s), element (nil: no particular one), serious}. Also in run.json. Under --strict the serious ones raise a numerical failure. The codes: ledger (energy appears or is lost beyond what the steps explain), inverted (an element is turned inside out), director (a director has turned over to the other side of the sheet), beyond (the strain is beyond what the card was tested to; serious with limit="stop"), pivots (a static run has passed a limit or bifurcation point, or left an unstable shape), relaxed (relaxation took a noticeable part of a static run's work, or its first step), stabilise (stabilisation has taken a noticeable part of the work), jump (a load or motion is at full value at once, not ramped), step (the explicit step is near the stable one, or is split because stretch has shortened that), inertia (much of the kinetic energy is in rotary inertia that is scaled up for the step), guard (contact is pressed so far that a barrier keeps the surfaces apart), fold (cloth turns sharply between two elements where contact presses on it), seam (edges that are sewn had not met when their time was over), held (the cloth pulls on yarns beyond their strength where a support holds them, and none breaks there), dropped (an initial velocity is dropped along supports), idle (supports take up the whole of a load), bending (the bending rigidity of the card is far from that of cloth), card (the check of the card has a warning), units (a value of the deck is far outside the usual), mesh (the file of a mesh was cut short or holds what is left out), restart (the run was continued from the checkpoint of another deck), lost (an output of the restarted run is gone), retired (an argument of an earlier release has no effect any more), deck (the deck or a virtual test has said it with fabric.warn).
 local analysis = {}
 
 ---The whole state of a run.
@@ -1743,6 +1743,7 @@ function fabric.latin_hypercube(inputs) end
 ---@field strength number N/m: mean force per width at which these yarns break
 ---@field energy number J/m: energy that breaking these yarns takes, per metre of the tear
 ---@field scatter? fabric_linear_fields.rupture.warp.scatter how the strength differs from place to place
+---@field yarns? number 1/m: yarns per metre of the line on which they break; with scatter each yarn has a strength of its own, and a place of the mesh the mean of its yarns
 
 ---@class fabric_linear_fields.rupture.weft.scatter
 ---@field modulus number Weibull modulus of the strength; the larger, the less it scatters
@@ -1753,6 +1754,7 @@ function fabric.latin_hypercube(inputs) end
 ---@field strength number N/m: mean force per width at which these yarns break
 ---@field energy number J/m: energy that breaking these yarns takes, per metre of the tear
 ---@field scatter? fabric_linear_fields.rupture.weft.scatter how the strength differs from place to place
+---@field yarns? number 1/m: yarns per metre of the line on which they break; with scatter each yarn has a strength of its own, and a place of the mesh the mean of its yarns
 
 ---@class fabric_linear_fields.rupture
 ---@field warp? fabric_linear_fields.rupture.warp breaking of the warp yarns; without it they hold
@@ -2179,6 +2181,7 @@ function fabric.study(fields) end
 ---@field strength number N/m: mean force per width at which these yarns break
 ---@field energy number J/m: energy that breaking these yarns takes, per metre of the tear
 ---@field scatter? fabric_svk_fields.rupture.warp.scatter how the strength differs from place to place
+---@field yarns? number 1/m: yarns per metre of the line on which they break; with scatter each yarn has a strength of its own, and a place of the mesh the mean of its yarns
 
 ---@class fabric_svk_fields.rupture.weft.scatter
 ---@field modulus number Weibull modulus of the strength; the larger, the less it scatters
@@ -2189,6 +2192,7 @@ function fabric.study(fields) end
 ---@field strength number N/m: mean force per width at which these yarns break
 ---@field energy number J/m: energy that breaking these yarns takes, per metre of the tear
 ---@field scatter? fabric_svk_fields.rupture.weft.scatter how the strength differs from place to place
+---@field yarns? number 1/m: yarns per metre of the line on which they break; with scatter each yarn has a strength of its own, and a place of the mesh the mean of its yarns
 
 ---@class fabric_svk_fields.rupture
 ---@field warp? fabric_svk_fields.rupture.warp breaking of the warp yarns; without it they hold
@@ -2295,6 +2299,7 @@ function fabric.why() end
 ---@field strength number N/m: mean force per width at which these yarns break
 ---@field energy number J/m: energy that breaking these yarns takes, per metre of the tear
 ---@field scatter? fabric_woven_fields.rupture.warp.scatter how the strength differs from place to place
+---@field yarns? number 1/m: yarns per metre of the line on which they break; with scatter each yarn has a strength of its own, and a place of the mesh the mean of its yarns
 
 ---@class fabric_woven_fields.rupture.weft.scatter
 ---@field modulus number Weibull modulus of the strength; the larger, the less it scatters
@@ -2305,6 +2310,7 @@ function fabric.why() end
 ---@field strength number N/m: mean force per width at which these yarns break
 ---@field energy number J/m: energy that breaking these yarns takes, per metre of the tear
 ---@field scatter? fabric_woven_fields.rupture.weft.scatter how the strength differs from place to place
+---@field yarns? number 1/m: yarns per metre of the line on which they break; with scatter each yarn has a strength of its own, and a place of the mesh the mean of its yarns
 
 ---@class fabric_woven_fields.rupture
 ---@field warp? fabric_woven_fields.rupture.warp breaking of the warp yarns; without it they hold

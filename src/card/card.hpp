@@ -133,6 +133,7 @@ struct YarnBreak {
   double strength = 0;  // N/m, the mean
   double energy = 0;    // J/m of tear
   std::optional<StrengthScatter> scatter = {};
+  std::optional<double> yarns = {};  // 1/m, beside each other
 };
 struct Rupture {
   std::optional<YarnBreak> warp, weft;  // empty: not measured, does not break

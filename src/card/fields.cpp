@@ -309,7 +309,13 @@ Rows<YarnBreak> break_rows(const std::string& side) {
           .ask(0.1, 1e5, "is the energy in J per metre of tear?")
           .on_line(line)
           .printed("energy # J/m"),
-      group("scatter", &YarnBreak::scatter, scatter_rows(), "how the strength differs from place to place")};
+      group("scatter", &YarnBreak::scatter, scatter_rows(), "how the strength differs from place to place"),
+      number("yarns", &YarnBreak::yarns, "1/m", positive,
+             "yarns per metre of the line on which they break; with scatter each yarn has a strength of its "
+             "own, and a place of the mesh the mean of its yarns")
+          .ask(100, 1e5, "is it the number of yarns per metre?")
+          .on_line(line)
+          .printed("# yarns/cm", 1e-2)};
 }
 
 Rows<Rupture> rupture_rows() {

@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
+#include "geometry/box.hpp"
 
 namespace fabricsh::contact {
 namespace {
@@ -27,9 +28,36 @@ std::int8_t small(std::ptrdiff_t count) {
   return static_cast<std::int8_t>(std::clamp<std::ptrdiff_t>(count, -127, 127));
 }
 
+// Whether a quadrilateral with equal diagonals is cut along that from its first corner. Counted from the
+// centre, every other one is cut along the diagonal that points there; `otherwise`: neither does.
+bool along_first(const std::array<Vec3, 4>& x, const Vec3& centre, bool otherwise) {
+  const Vec3 from = (x[0] + x[1] + x[2] + x[3]) / 4 - centre;
+  const double first = std::abs(from.dot(x[2] - x[0])), second = std::abs(from.dot(x[3] - x[1]));
+  if (std::abs(first - second) <= 1e-6 * (first + second)) return otherwise;
+  const Vec3 extent =
+      x[0].cwiseMax(x[1]).cwiseMax(x[2]).cwiseMax(x[3]) - x[0].cwiseMin(x[1]).cwiseMin(x[2]).cwiseMin(x[3]);
+  long steps = 0;
+  for (int i = 0; i < 3; ++i)
+    if (extent[i] > 1e-6 * extent.norm())
+      steps += std::lround(std::floor(std::abs(from[i]) / extent[i] + 0.25));
+  return (steps % 2 == 0) == (first > second);
+}
+
+bool is_flat(std::span<const Vec3> nodes, std::span<const std::array<mesh::Index, 4>> elements) {
+  std::vector<Vec3> used;
+  for (const auto& e : elements)
+    for (const mesh::Index n : e)
+      if (n >= 0) used.push_back(nodes[std::size_t(n)]);
+  if (used.empty()) return false;
+  const Vec3 size = box_of(used).size();
+  return size.minCoeff() <= 1e-6 * size.maxCoeff();
+}
+
 }  // namespace
 
-Split split(std::span<const Vec3> nodes, std::span<const std::array<mesh::Index, 4>> elements) {
+Split split(std::span<const Vec3> nodes, std::span<const std::array<mesh::Index, 4>> elements,
+            const std::optional<Vec3>& centre) {
+  const bool mirrors = centre && is_flat(nodes, elements);
   Split out;
   for (std::size_t e = 0; e < elements.size(); ++e) {
     const auto& id = elements[e];
@@ -44,7 +72,9 @@ Split split(std::span<const Vec3> nodes, std::span<const std::array<mesh::Index,
     }
     const double first = (at(2) - at(0)).norm(), second = (at(3) - at(1)).norm();
     const bool tie = std::fabs(first - second) <= 1e-9 * (first + second);
-    if (tie ? e % 2 == 0 : first < second) {
+    const bool even = e % 2 == 0;
+    const bool tied = mirrors ? along_first({at(0), at(1), at(2), at(3)}, *centre, even) : even;
+    if (tie ? tied : first < second) {
       add(0, 1, 2);
       add(0, 2, 3);
     } else {
@@ -60,13 +90,14 @@ Scene::Scene(std::vector<Vec3> nodes) : nodes_(nodes.size()), reference_(std::mo
   at_point_.resize(nodes_);
 }
 
-int Scene::add_cloth(std::span<const std::array<mesh::Index, 4>> elements) {
+int Scene::add_cloth(std::span<const std::array<mesh::Index, 4>> elements,
+                     const std::optional<Vec3>& centre) {
   for (const auto& element : elements)
     for (std::size_t i = 0; i < 4; ++i)
       if (element[i] >= mesh::Index(nodes_) || (element[i] < 0 && i < 3))
         refuse("cloth: expected nodes from 0 to " + std::to_string(nodes_) + ", got " +
                std::to_string(element[i]));
-  const Split cut = split(std::span(reference_).first(nodes_), elements);
+  const Split cut = split(std::span(reference_).first(nodes_), elements, centre);
   return add_triangles({}, cut.triangles, cut.element);
 }
 

@@ -22,13 +22,17 @@
 
 namespace fabricsh::contact {
 
-// Quadrilaterals cut along the shorter reference diagonal (for equal ones by the parity of the element's
-// number), and triangles as they are, oriented as the elements. `element[i]` is the element of triangle i.
+// Quadrilaterals cut along the shorter reference diagonal, and triangles as they are, oriented as the
+// elements. Diagonals of equal length alternate from one to the next: in a flat sheet with a centre so that
+// elements at mirrored places about it, along the axes, have mirrored diagonals, as a quarter of a symmetric
+// sheet and the whole one; else by the parity of the element's number. `element[i]` is the element of
+// triangle i.
 struct Split {
   std::vector<Triangle> triangles;
   std::vector<std::int32_t> element;
 };
-Split split(std::span<const Vec3> nodes, std::span<const std::array<mesh::Index, 4>> elements);
+Split split(std::span<const Vec3> nodes, std::span<const std::array<mesh::Index, 4>> elements,
+            const std::optional<Vec3>& centre = {});
 
 enum class Shape : std::uint8_t { cloth, solid, ball, rod, wall };
 
@@ -77,7 +81,7 @@ class Scene {
 
   // Each returns the number of the surface. Errors: an unknown node, a triangle without area, a radius that
   // is not positive and finite (that of a solid may be 0), a wall with a zero normal, a rod without length.
-  int add_cloth(std::span<const std::array<mesh::Index, 4>> elements);
+  int add_cloth(std::span<const std::array<mesh::Index, 4>> elements, const std::optional<Vec3>& centre = {});
   int add_solid(std::span<const Vec3> vertices, std::span<const Triangle> triangles, double radius);
   int add_ball(const Vec3& centre, double radius);
   int add_rod(const Vec3& from, const Vec3& to, double radius);

@@ -150,8 +150,10 @@ void Run::refuse_runaway() {
   const std::string text = "at time " + number(time()) + " s the force on the " + what + " about " +
                            place_text(at) + " jumps to " + number(share) + " times its strength, " +
                            number(strength) + " N/m, however short the step: the tear runs away";
-  fail(NumericalFailure(std::string(kind()) + ": " + text +
-                            ".\nTry: fabric.dynamic with scheme=\"explicit\", which shows where it goes.",
+  const char* const path =
+      moves() ? "" : "control=\"arc\", which follows the path of equilibria back in time; or ";
+  fail(NumericalFailure(std::string(kind()) + ": " + text + ".\nTry: " + path +
+                            "fabric.dynamic with scheme=\"explicit\", which shows where it goes.",
                         time()),
        text);
 }

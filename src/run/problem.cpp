@@ -7,6 +7,7 @@
 #include "geometry/node_view.hpp"
 #include "linear/linear_solver.hpp"
 #include "mechanics/terms/cloth.hpp"
+#include "mechanics/terms/tears.hpp"
 
 namespace fabricsh::run {
 
@@ -302,6 +303,16 @@ Answer EquilibriumProblem::start(linear::Matrix& K, std::span<double> r, std::sp
 Answer EquilibriumProblem::tangent_and_rate(linear::Matrix& K, std::span<double> q) {
   look_ahead();
   return tangent_and_rate(law::AtSwitch::loading, K, q);
+}
+
+double EquilibriumProblem::opening(std::span<const double> way) const {
+  const auto* const tears = assembly_.find<mechanics::Tears>();
+  if (tears == nullptr || !tears->opens()) return 0;
+  const auto& dofs = assembly_.dofs();
+  mechanics::NodalRates moved;
+  const std::vector<double> still(targets_.size(), 0.0);
+  dofs.spread_rates(way, still, moved);
+  return tears->opening(moved);
 }
 
 double EquilibriumProblem::product(std::span<const double> a, std::span<const double> b) const {

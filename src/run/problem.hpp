@@ -74,6 +74,7 @@ class EquilibriumProblem final : public solver::PathProblem {
   Answer start(linear::Matrix& K, std::span<double> r, std::span<double> q) override;
   Answer tangent_and_rate(linear::Matrix& K, std::span<double> q) override;
   double product(std::span<const double> a, std::span<const double> b) const override;
+  double opening(std::span<const double> way) const override;
   std::pair<double, solver::Index> largest(std::span<const double> r) const override {
     return assembly_.largest_residual(r);
   }

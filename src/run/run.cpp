@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 
 #include "base/error.hpp"
@@ -14,6 +15,7 @@
 #include "mechanics/terms/tears.hpp"
 #include "run/breaks.hpp"
 #include "run/diagnosis.hpp"
+#include "run/folds.hpp"
 #include "run/place_text.hpp"
 #include "run/result_fields.hpp"
 
@@ -279,6 +281,7 @@ void Run::watch_strain() {
 }
 
 void Run::watch_shape() {
+  watch_folds();
   const bool warned_inverted = warned("inverted"), warned_turned = warned("director");
   if (warned_inverted && warned_turned) return;
   const auto shape = assembly_->find<mechanics::Directors>()->overturned(std::as_const(*assembly_).state());
@@ -296,6 +299,25 @@ void Run::watch_shape() {
              ", is turned over: it is more than 90 degrees from the normal of the sheet, whose elements "
              "there are sound," +
              then);
+}
+
+// Cloth in motion folds on many things for a moment, so there it is noted without a line.
+void Run::watch_folds() {
+  constexpr double degree = std::numbers::pi / 180, fine = 20;
+  const auto* const contact = assembly_->find<mechanics::Contacts>();
+  if (contact == nullptr || contact->touching_now() == 0 || warned("fold")) return;
+  if (folds_ == nullptr) folds_ = std::make_unique<const Folds>(model_->mesh());
+  const auto fold = folds_->sharpest(std::as_const(*assembly_).state().x(), *contact);
+  if (!fold) return;
+  const double angle = fold->angle / degree;
+  const std::string text =
+      "warning: " + std::string(kind()) + ": at time " + number(time()) + " s the cloth turns by " +
+      number(angle, 2) + " degrees between elements " + model_->element_name(fold->element) + " and " +
+      model_->element_name(fold->other) + ", about " + place_text(fold->place) +
+      ", where contact presses on it: the forces across such an edge depend on the mesh; elements of " +
+      number(1e3 * fold->size * fine / angle, 2) + " mm there (now " + number(1e3 * fold->size, 2) +
+      " mm) would turn by " + number(fine) + " degrees";
+  moves() ? note("fold", text, fold->element) : warn("fold", text, fold->element);
 }
 
 void Run::note(const char* code, const std::string& text, mesh::Index element) {

@@ -27,6 +27,7 @@ class Tears;
 namespace fabricsh::run {
 
 struct Diagnosis;
+class Folds;
 struct ResultField;
 
 inline constexpr double same_time = 1e-12;  // relative to the duration: times closer than this are equal
@@ -192,7 +193,8 @@ class Run {
   virtual double tried_size(double size) const { return size; }  // the size of the last attempt
   virtual void commit(StepReport& report) = 0;                   // commits the trial state; adds the work
   [[noreturn]] virtual void give_up(const StepReport& report) = 0;
-  // Reports once an element that is turned inside out in the committed state.
+  // Reports once an element that is turned inside out in the committed state, and a fold that the mesh is too
+  // coarse for.
   void watch_shape();
   bool warned(std::string_view code) const;  // in the present state
   // Throws the failure and stores the report for why().
@@ -292,8 +294,9 @@ class Run {
   void check_interval(double interval) const;
   void start();
   void advance_to(double limit);  // one committed step towards the limit
-  void refuse_serious();          // throws if strict and a serious warning has not been thrown yet
-  void watch_strain();            // of the committed state: reports once a strain beyond the tested range
+  void watch_folds();
+  void refuse_serious();  // throws if strict and a serious warning has not been thrown yet
+  void watch_strain();    // of the committed state: reports once a strain beyond the tested range
   void measure(Event& event);
   double land(double size, StepReport& report);  // shortens the step to the first event in it
   double search(Event& event, double size, StepReport& report);
@@ -326,6 +329,7 @@ class Run {
   std::vector<Hook> settled_;
   std::vector<Hook> restored_;
   std::vector<double> kinks_;
+  std::unique_ptr<const Folds> folds_;  // once they have been looked for
   bool started_ = false, stopped_ = false, busy_ = false, stepping_ = false;
   std::string stop_reason_;
   Beyond beyond_;

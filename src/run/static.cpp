@@ -11,6 +11,7 @@
 #include "geometry/box.hpp"
 #include "mechanics/terms/contact.hpp"
 #include "mechanics/terms/directors.hpp"
+#include "mechanics/terms/tears.hpp"
 #include "run/settings.hpp"
 
 namespace fabricsh::run {
@@ -108,6 +109,7 @@ Static::Static(std::shared_ptr<model::Model> model, const StaticOptions& options
     // Moments about fixed axes have no energy, and pivots say nothing of the stability of what they hold.
     stable_ = std::make_unique<solver::TrustRegion>(std::move(linear), assembly_->symmetric(),
                                                     model_->moments().empty());
+  if (arc_ && tears_ != nullptr) tears_->follow_path();
   if (!arc_) newton_ = std::make_unique<solver::Newton>(make_solver(options_.solver, !takes_unsymmetric()));
   if (options_.method != Method::newton) {
     relaxation_ = std::make_unique<solver::Relaxation>();
@@ -443,6 +445,14 @@ void Static::report_notices(const StepReport& report) {
     warn("pivots", "static: the tangent has " + std::to_string(report.negative_pivots) +
                        " negative pivots at time " + number(report.time) +
                        " s: a limit or bifurcation point has been passed");
+  }
+  if (step_.last.left_unstable > 0 && !now_.reported_pivots) {
+    now_.reported_pivots = true;
+    warn("pivots",
+         "static: by time " + number(report.time) +
+             " s the shape has become unstable, as where a sheet buckles or wrinkles, and the run "
+             "goes on with one to which the energy falls: its mirror image, or another pattern with "
+             "other steps, may be as good");
   }
   const double lost = stabilisation_ == nullptr ? 0 : stabilisation_->lost();
   if (lost > 0.01 * work_.largest() && !now_.reported_damping) {

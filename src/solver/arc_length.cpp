@@ -22,7 +22,9 @@ ArcLength::ArcStep ArcLength::predictor(const PathProblem& problem, const ArcOpt
   result.length = arc.length;
   double dt = speed > 0 && arc.length > 0 ? arc.length / speed : arc.largest_step;
   dt = std::min(dt, arc.largest_step);
-  const bool back = !direction_.empty() && problem.product(direction_, delta_t_) < 0;
+  const double opening = problem.opening(delta_t_);
+  const bool back =
+      !direction_.empty() && (opening != 0 ? opening : problem.product(direction_, delta_t_)) < 0;
   if (!back) dt = std::min(dt, arc.landing - arc.time);
   result.length = dt * speed;
   return {back ? -dt : dt, dt > 0};
@@ -61,8 +63,8 @@ Searched ArcLength::move(PathProblem& problem, double from, double step, bool se
 
 // Whether the solution lies on the path, and not on the opposite side of the sphere or on a distant branch.
 bool ArcLength::followed(const PathProblem& problem) const {
-  const double predicted = problem.product(predicted_, predicted_);
-  return problem.product(predicted_, increment_) >= 0 &&
+  const double predicted = problem.product(predicted_, predicted_), opening = problem.opening(increment_);
+  return (opening != 0 ? opening : problem.product(predicted_, increment_)) >= 0 &&
          problem.product(increment_, increment_) <= 9 * predicted;
 }
 

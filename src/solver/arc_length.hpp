@@ -20,6 +20,9 @@ class PathProblem : public Problem {
   virtual Answer tangent_and_rate(Matrix& K, std::span<double> q) = 0;  // at the trial configuration
   // Scalar product by which lengths are measured: displacements only, no rotations.
   virtual double product(std::span<const double> a, std::span<const double> b) const = 0;
+  // By how much what is breaking opens along an increment, m; 0: nothing breaks. A path goes on to where it
+  // opens, also where that is back in time, as of a body that stores more than a break takes.
+  virtual double opening(std::span<const double>) const { return 0; }
 };
 
 struct ArcOptions {

@@ -95,6 +95,7 @@ struct NewtonResult {
   std::vector<double> residuals;  // relative, after each solve
   Index worst = -1;               // unknown with the largest residual
   Index negative_pivots = 0;      // of the last tangent that was factorised
+  int left_unstable = 0;          // unstable equilibria that were left to the side of less energy
 };
 
 inline void keep_doubt(Archive& archive, LinearSolver& linear) {
@@ -108,7 +109,6 @@ class Newton {
   explicit Newton(std::unique_ptr<LinearSolver> linear) : linear_(std::move(linear)) {}
   NewtonResult solve(Problem& problem, const NewtonOptions& options);    // from the committed configuration
   NewtonResult correct(Problem& problem, const NewtonOptions& options);  // from the trial configuration
-  LinearReport linear_report() const { return linear_->report(); }
   void keep(Archive& archive) { keep_doubt(archive, *linear_); }
 
  private:

@@ -302,6 +302,7 @@ Walk::Saddle Walk::leave_saddle() {
     work_to_side(one >= kSame * other ? nudge : -nudge);
     r_.swap(trial_r_);
     radius_ = std::min(kWidest, 10 * nudge);
+    ++result_.left_unstable;
     return move_on() == Answer::ok ? Saddle::left : Saddle::stays;
   }
   return tangent_at_iterate() == Answer::ok ? Saddle::none : Saddle::stays;

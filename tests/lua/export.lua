@@ -293,6 +293,33 @@ do
     check(law .. ": energy of an element pulled apart, J/m", 2e-3 * spent, energy, 5e-3)
     assert(tonumber(f2) < tonumber(r2) and out.report:find("the scatter of the warp is lost", 1, true) and out.report:gsub("%s+", " "):find("on elements of 0.002 m along it", 1, true))
   end
+  -- LAW19 carries E11 ln(1 + e) over the width (1 + e)^-nu12; its element fails by damage D = (to / e) (e - from) / (to - from)
+  local little = 6
+  local out = fabric.export.card { card = blend:with { rupture = { warp = { strength = strength, energy = little }, weft = { strength = 0.8 * strength, energy = little } } }, to = "openradioss",
+    material = "LAW19", element = 2e-3, id = 3 }
+  local lines = {}
+  for line in (out.text:match "/FAIL/ORTHSTRAIN/3\n(.*)"):gmatch "[^\n]+" do
+    if line:sub(1, 1) ~= "#" then lines[#lines + 1] = line end
+  end
+  assert(#lines == 9 and tonumber(lines[1]:sub(21, 40)) == 1 and tonumber(lines[1]:sub(91, 100)) == 2)
+  local p = out.parameters
+  for k, yarn in ipairs { "warp", "weft" } do
+    local from, to = tonumber(lines[3 + k]:sub(1, 20)), tonumber(lines[3 + k]:sub(21, 40))
+    local E, nu = k == 1 and p.E11 or p.E22, k == 1 and p.NU12 or p.NU12 * p.E22 / p.E11
+    local function force(e) return E * math.log(1 + e) * (1 + e) ^ -nu * blend.thickness end
+    check("LAW19: force per width where the " .. yarn .. " begins to fail, N/m", force(from), (k == 1 and 1 or 0.8) * strength, 1e-3)
+    local spent, n = 0, 4000
+    for i = 1, n do
+      local e = (i - 0.5) / n * to
+      spent = spent + to / n * force(e) * (e < from and 1 or 1 - to / e * (e - from) / (to - from))
+    end
+    check("LAW19: energy of an element pulled apart along the " .. yarn .. ", J/m", 2e-3 * spent, little, 5e-3)
+  end
+  assert(not out.report:find "spends less than that")
+  local much = fabric.export.card { card = breaks, to = "openradioss", material = "LAW19", element = 1e-3 }
+  assert(much.report:gsub("%s+", " "):find("for the weft spends less than that: its strains are cut at", 1, true), much.report)
+  for k = 6, 9 do assert(tonumber(lines[k]:sub(1, 20)) == 1e20 and tonumber(lines[k]:sub(51, 70)) == 1e20) end
+  assert(out.report:gsub("%s+", " "):find("an element is removed when one family has failed", 1, true), out.report)
   for _, target in ipairs { { "openradioss", "LAW58", "element=h" }, { "ls-dyna", "MAT_034", "*MAT_ADD_EROSION would remove whole elements" }, { "abaqus", "FABRIC", "nothing written breaks" } } do
     local out = fabric.export.card { card = breaks, to = target[1], material = target[2] }
     assert(out.report:gsub("%s+", " "):find(target[3], 1, true) and not out.text:find("/FAIL", 1, true), out.report)

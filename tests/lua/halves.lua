@@ -102,3 +102,28 @@ says(moved, function() pressed(0, { z = fabric.ramp(-0.01, 1), x = function(t) r
 says(moved, function() pressed(0, { turn = { axis = { 1, 0, 0.1 }, angle = fabric.ramp(20, 1) } }) end)
 pressed(0, { y = fabric.ramp(0.01, 1), turn = { axis = { -2, 0, 0 }, angle = fabric.ramp(20, 1) } })
 pressed(0.02, { x = fabric.ramp(0.001, 1) }) -- the plane does not cut it
+
+-- A quarter of a sheet that falls on a ball goes as the whole one: its squares are cut for contact along mirrored diagonals.
+for _, n in ipairs { 5, 6 } do
+  local function fallen(quarter)
+    local L = 0.08
+    local across = quarter and n or 2 * n
+    local mesh = fabric.mesh.rectangle { width = quarter and L / 2 or L, height = quarter and L / 2 or L, nx = across, ny = across, origin = quarter and { 0, 0 } or { -L / 2, -L / 2 } }
+    local m = fabric.model { mesh = mesh, card = card, points = 1, warp = 0 }
+    if quarter then m:symmetry("left", "x"):symmetry("bottom", "y") end
+    local ball = fabric.rigid.sphere { radius = 0.015, centre = { 0, 0, -0.0162 } }
+    m:velocity("all", { z = -1 }):contact { between = { ball, "all" }, friction = 0.2 }:gravity { 0, 0, -9.81 }
+    return fabric.dynamic { model = m, duration = 0.005, step = "auto" }:solve(), mesh
+  end
+  local whole, mesh = fallen(false)
+  local part, quarter = fallen(true)
+  local worst, lowest = 0, 0
+  local at = {}
+  for i, X in ipairs(mesh.nodes) do at[("%.6f %.6f"):format(X[1], X[2])] = i end
+  for i, X in ipairs(quarter.nodes) do
+    local a, b = part:node(i), whole:node(at[("%.6f %.6f"):format(X[1], X[2])])
+    worst = math.max(worst, math.abs(a.x - b.x), math.abs(a.y - b.y), math.abs(a.z - b.z))
+    lowest = math.min(lowest, b.uz)
+  end
+  assert(lowest < -0.004 and worst < 1e-9, worst)
+end

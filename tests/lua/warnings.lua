@@ -352,6 +352,38 @@ fabric.mesh.read "cut.%s"]]):format(ending, ending, ending))
   end
 end
 
+-- --- cloth that turns between two elements where contact presses on it: said by statics, kept by motion, not where the mesh is fine enough ---
+do
+  local cloth, mm = fabric.card("denim", { bending = "estimated" }), 1e-3
+  local r, length = cloth.thickness / 2 * 0.98, 60 * mm
+  local half = (length - math.pi * r / 2) / 2
+  local mesh = fabric.mesh.rectangle { width = length, height = 10 * mm, nx = 8, ny = 2 }
+  mesh:map(function(x, y)
+    if x < half then return x - half, y, r elseif x > length - half then return r, y, length - half - x end
+    return r * math.sin((x - half) / r), y, r * math.cos((x - half) / r)
+  end)
+  local file = assert(io.open("box.obj", "w"))
+  file:write "v -0.2 -0.013 0\nv 0 -0.013 0\nv 0 0.037 0\nv -0.2 0.037 0\nv 0 -0.013 -0.2\nv 0 0.037 -0.2\nf 1 2 3\nf 1 3 4\nf 2 5 6\nf 2 6 3\n"
+  file:close()
+  local m = fabric.model { mesh = mesh, card = cloth, points = 1, warp = { 1, 0, -1 } }
+  m:contact { between = { fabric.rigid.surface { file = "box.obj" }, "all" } }:fix("all", "y"):force("left", { x = fabric.ramp(-2, 1) })
+  m:move("right", { x = 0, z = fabric.ramp(-2 * mm, 1) })
+  local over = fabric.static { model = m, duration = 1, step = 0.25, stabilise = true }:solve()
+  local said = over.warnings[1]
+  assert(said.code == "fold" and said.time == 0.25 and said.element and not said.serious and #over.warnings == 1)
+  has(said.text, "elements of 1.")
+  has(said.text, " mm) would turn by 20 degrees")
+  for n, folds in pairs { [9] = true, [30] = false } do
+    local strip = fabric.mesh.rectangle { width = 90 * mm, height = 20 * mm, nx = n, ny = 1, origin = { -45 * mm, -10 * mm } }
+    local model = fabric.model { mesh = strip, card = fabric.card("blend", { bending = "estimated" }), points = 1, warp = 0 }
+    local rod = fabric.rigid.cylinder { radius = (folds and 2 or 10) * mm, from = { 0, -20 * mm, -2.4 * mm - (folds and 0 or 8 * mm) }, to = { 0, 20 * mm, -2.4 * mm - (folds and 0 or 8 * mm) } }
+    model:contact { between = { rod, "all" } }:fix("all", "y"):gravity { 0, 0, -9.81 }:velocity("all", { z = -1 })
+    local a, found = fabric.dynamic { model = model, duration = folds and 0.025 or 0.002 }:solve(), false
+    for _, w in ipairs(a.warnings) do found = found or w.code == "fold" end
+    assert(found == folds, n)
+  end
+end
+
 -- --- arguments of earlier releases: a warning, no effect, and the deck's table as it was ---
 do
   local talk, code = talk_of("retired", [[

@@ -1,5 +1,7 @@
 // Yarns that break in motion: what it costs, at which force a tear runs, and that it does so again with the
 // same bits.
+#include <random>
+
 #include "base/error.hpp"
 #include "catch.hpp"
 #include "problems.hpp"
@@ -257,6 +259,33 @@ TEST_CASE("strengths that scatter are drawn by place and seed, with mean and spr
   const double g1 = std::tgamma(1 + 1 / modulus), g2 = std::tgamma(1 + 2 / modulus);
   CHECK(mean == Approx(std::pow(4, -1 / modulus)).epsilon(0.02));
   CHECK(spread == Approx(std::sqrt(g2 / (g1 * g1) - 1)).epsilon(0.05));
+}
+
+TEST_CASE("a place has the mean of the strengths of its yarns, so that more of them scatter less") {
+  constexpr int cells = 50, yarns = 6;
+  constexpr double strength = 1e5, modulus = 5;
+  card::Card card = cloth(strength, 1e5);
+  card.rupture->weft->scatter = card::StrengthScatter{modulus, {}, {}};
+  card.rupture->weft->yarns = yarns * cells / 0.1;
+  const auto [one, force] = even_pull(card, cells, 1);
+  const auto [weak, spread] = weakest(one, force, cells);
+  // The weakest of four places of six yarns each, drawn by another generator.
+  std::mt19937 generator(7);
+  std::weibull_distribution<> yarn(modulus, 1 / std::tgamma(1 + 1 / modulus));
+  constexpr int draws = 100000;
+  double sum = 0, squares = 0;
+  for (int i = 0; i < draws; ++i) {
+    double least = 1e9;
+    for (int place = 0; place < 4; ++place) {
+      double of_place = 0;
+      for (int k = 0; k < yarns; ++k) of_place += yarn(generator) / yarns;
+      least = std::min(least, of_place);
+    }
+    sum += least, squares += least * least;
+  }
+  const double mean = sum / draws;
+  CHECK(weak / strength == Approx(mean).epsilon(0.01));
+  CHECK(spread == Approx(std::sqrt(squares / draws - mean * mean) / mean).epsilon(0.05));
 }
 
 TEST_CASE("cloth that pulls at a support beyond its strength is told of, since nothing breaks there") {

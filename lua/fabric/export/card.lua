@@ -85,7 +85,7 @@ function export.prepare(t)
   end
   local rows = loss.rows(t.card, function() return target.law(p) end)
   local sentences = loss.sentences(t.card, target)
-  local breaks, strains = rupture.prepare(t, target)
+  local breaks, strains = rupture.prepare(t, target, target.fails_by_itself and target.law(p))
   table.move(breaks, 1, #breaks, #sentences + 1, sentences)
   p.failure = strains
   local guesses, parts = assumed(t.card)

@@ -49,6 +49,20 @@ local function failure(p, id)
   return { ("/FAIL/FABRIC/%d"):format(id), head("EPSILON_F1", "EPSILON_R1", "EPSILON_F2", "EPSILON_R2"), reals(warp[1], warp[2], weft[1], weft[2]), "#   FCT_ID", ids(0) }
 end
 
+-- /FAIL/ORTHSTRAIN: nominal strains (STRDEF = 2) between which damage grows in tension along each family [OpenRadioss, fail_orthstrain.cfg (format 2021),
+-- hm_read_fail_orthstrain.F, fail_orthstrain_c.F]. A family without them holds, as do shear and compression.
+local function orthstrain(p, id)
+  if not p.failure then return {} end
+  local out = { ("/FAIL/ORTHSTRAIN/%d"):format(id), "#                                   PTHK                                            STRDEF",
+    (" "):rep(20) .. reals(1.0) .. (" "):rep(50) .. ids(2), head("EPSILON_DOT_REF", "FCUT"), reals(0.0, 0.0), "# FCT_IDEL           FSCALE_EL              EI_REF", ids(0) .. reals(0.0, 0.0) }
+  for _, way in ipairs { "11", "22", "33", "12", "23", "31" } do
+    local strains = way == "11" and p.failure.warp or way == "22" and p.failure.weft or never
+    out[#out + 1] = ("#       EPSILON_%sTF        EPSILON_%sTM FCT_ID%sT        EPSILON_%sCF        EPSILON_%sCM FCT_ID_%sC"):format(way, way, way, way, way, way)
+    out[#out + 1] = reals(strains[1], strains[2]) .. ids(0) .. reals(never[1], never[2]) .. ids(0)
+  end
+  return out
+end
+
 -- /MAT/LAW58 [OpenRadioss, starter hm_read_mat58.F and law58_upd.F; Altair Radioss Reference Guide, /MAT/LAW58 (FABR_A)].
 function radioss.law58(card, name, p, u, id)
   local s, base = u.stress, 10 * id
@@ -98,13 +112,16 @@ end
 -- /MAT/LAW19 [OpenRadioss, engine sigeps19c.F; Altair Radioss Reference Guide, /MAT/LAW19 (FABRI)].
 function radioss.law19(card, name, p, u, id)
   local s = u.stress
-  return table.concat({
+  local out = {
     ("/MAT/LAW19/%d"):format(id), name,
     head "RHO_I", reals(card.density * u.density),
     head("E11", "E22", "NU12"), reals(p.E11 * s, p.E22 * s, p.NU12),
     head("G12", "G23", "G31"), reals(p.G12 * s, p.G12 * s, p.G12 * s),
     head("RE", "", "ZEROSTRESS", "FSCALE_POR") .. ("%10s"):format "SENS_ID", reals(p.RE, "", 0.0, 0.0) .. units.line(10, { 0 }),
-  }, "\n")
+  }
+  local breaks = orthstrain(p, id)
+  table.move(breaks, 1, #breaks, #out + 1, out)
+  return table.concat(out, "\n")
 end
 
 return radioss

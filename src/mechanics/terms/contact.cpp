@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
+#include "geometry/box.hpp"
 #include "geometry/node_view.hpp"
 #include "law/compression.hpp"
 
@@ -23,10 +24,18 @@ constexpr double kFar = 5;             // mean edges, the farthest that one of N
 constexpr std::size_t kShare = 4096;   // number of nodes from which loops use several threads
 constexpr std::size_t kTold = 5;       // number of overlaps named in a message
 
+// The centre of the sheets; of a part between planes of symmetry that of the whole.
+Vec3 centre_of(const model::Model& model) {
+  Vec3 centre = box_of(model.mesh().nodes).middle();
+  for (const auto& plane : model::symmetry_planes(model)) centre[plane.axis] = plane.at;
+  return centre;
+}
+
 // Of surfaces whose corners are the leaders of joints.
 contact::Scene scene_of(const model::Model& model, const model::Surfaces& surfaces, const Joints& joints) {
   const auto& mesh = model.mesh();
   contact::Scene scene(mesh.nodes);
+  const Vec3 centre = centre_of(model);
   for (const auto& elements : surfaces.elements) {
     std::vector<std::array<mesh::Index, 4>> rows;
     for (const Index e : elements) {
@@ -34,7 +43,7 @@ contact::Scene scene_of(const model::Model& model, const model::Surfaces& surfac
       for (Index& n : rows.back())
         if (n >= 0) n = joints.leader(n);
     }
-    scene.add_cloth(rows);
+    scene.add_cloth(rows, centre);
   }
   return scene;
 }

@@ -129,7 +129,6 @@ class Contacts final : public Term, public StepLimiter, public OwnUnknowns, publ
   std::string words(const std::array<std::int32_t, 4>& points) const;  // "node 3 and sphere"
   // The parameters used for each contact, in lines of text.
   std::vector<std::string> describe() const;
-  bool has_friction() const { return friction_; }
 
  private:
   struct Sheet {                                              // a surface of cloth

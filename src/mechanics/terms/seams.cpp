@@ -209,7 +209,7 @@ void Seams::couple(const Trial&, std::vector<NodePair>& pairs) {
 // back, and across, it is a spring.
 Mat3 Seams::tangent(const Trial& trial, std::size_t i) const {
   const auto x = trial.configuration.x();
-  if (state(i) == State::burst) return strings_[i].stiffness(way(i, x));
+  if (state(i) == State::burst) return strings_[i].stiffness(way(i, x), false);
   const Thread& t = threads_[i];
   const bool implicit = trial.motion != nullptr && trial.motion->damping_weight() > 0;
   const double c = implicit && trial.motion->dt() > 0 ? t.c / trial.motion->dt() : 0;

@@ -20,6 +20,9 @@ constexpr double kStiffest = 0.5;
 // force is that at the opening as long as the lips part less than this.
 constexpr double kOrigin = 1e-3;
 
+// Share of the opening left at which a string ends in steps along a path.
+constexpr double kLast = 1e-3;
+
 // Share of its strength from which a line is measured at each explicit step.
 constexpr double kNear = 0.9;
 
@@ -61,11 +64,12 @@ double BridgingString::lost() const {
 }
 
 // On the way out a string softens along itself; on the way back, and across itself, it is a spring.
-Mat3 BridgingString::stiffness(const Vec3& way) const {
+Mat3 BridgingString::stiffness(const Vec3& way, bool onwards) const {
   const double held = strength();
   if (held == 0) return Mat3::Zero();
   Mat3 k = held / (widest + offset) * Mat3::Identity();
-  if (widest > committed) {
+  const bool there = way.norm() - offset > committed - 1e-9 * vanishes();
+  if (widest > committed || (onwards && outwards && there)) {
     const Vec3 along = way.normalized();
     k -= (held / (widest + offset) + force.norm() / vanishes()) * along * along.transpose();
   }
@@ -199,7 +203,7 @@ Tears::Worst Tears::at_support() const {
 
 void Tears::add_tangent(const Trial& trial, TangentSink& sink) const {
   for (const BridgingString& string : strings_) {
-    const Mat3 k = string.stiffness(string.way(trial.configuration.x()));
+    const Mat3 k = string.stiffness(string.way(trial.configuration.x()), onwards_);
     sink.on_positions(string.a, string.a, k);
     sink.on_positions(string.b, string.b, k);
     sink.on_positions(string.a, string.b, -k);
@@ -278,8 +282,29 @@ void Tears::all_are_near() {
 }
 
 void Tears::commit() {
-  for (BridgingString& string : strings_) string.committed = string.widest;
+  for (BridgingString& string : strings_) {
+    string.outwards = string.widest > string.committed && string.committed < string.vanishes();
+    // A path turns where the string is gone. Steps along it end before such a place or well beyond, and from
+    // before it ever nearer: from the last millionth of its energy on the string is gone.
+    if (onwards_ && string.outwards && string.widest > (1 - kLast) * string.vanishes())
+      string.widest = std::max(string.widest, string.vanishes());
+    string.committed = string.widest;
+  }
   committed_share_ = worst().share;
+}
+
+bool Tears::opens() const {
+  return std::any_of(strings_.begin(), strings_.end(), [](const BridgingString& s) { return s.outwards; });
+}
+
+double Tears::opening(const NodalRates& moved) const {
+  double sum = 0;
+  const auto x = configuration_.x();
+  for (const BridgingString& string : strings_)
+    if (string.outwards)
+      sum +=
+          string.way(x).normalized().dot(at(std::span(moved.x), string.b) - at(std::span(moved.x), string.a));
+  return sum;
 }
 
 void Tears::rollback() {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "mechanics/dofs.hpp"
+#include "mechanics/motion.hpp"
 #include "mechanics/term.hpp"
 #include "mechanics/terms/cloth.hpp"
 #include "model/model.hpp"
@@ -26,16 +27,19 @@ struct BridgingString {
   Vec3 force = Vec3::Zero();         // N, on a from b when it opened
   double offset = 0, energy = 0;     // m; J, G
   double widest = 0, committed = 0;  // m, the largest opening so far: trial, committed
+  bool outwards = true;  // whether it carried something and opened in the last committed step, or is new
 
   Vec3 way(std::span<const double> x) const;  // m, from the origin
   double vanishes() const;                    // m, the opening at which it carries nothing more
   double strength() const;                    // N, carried at the largest opening
   Vec3 pull(const Vec3& way);                 // N, on a from b; moves `widest`
-  Mat3 stiffness(const Vec3& way) const;      // N/m, d pull / d way, after pull()
-  double stored(const Vec3& way) const;       // J, against closed lips
-  double lost() const;                        // J, never falls as `widest` grows
+  // N/m, d pull / d way, after pull(). onwards: at the committed opening that of going on as in the last
+  // step.
+  Mat3 stiffness(const Vec3& way, bool onwards) const;
+  double stored(const Vec3& way) const;  // J, against closed lips
+  double lost() const;                   // J, never falls as `widest` grows
   void keep(Archive& archive) {
-    archive(a, b, family, force.x(), force.y(), force.z(), offset, energy, committed);
+    archive(a, b, family, force.x(), force.y(), force.z(), offset, energy, committed, outwards);
   }
 };
 
@@ -57,6 +61,10 @@ class Tears final : public Term {
   void rollback() override;
   void keep(Archive& archive) override;
 
+  // For steps along a path, whose direction is sought: tangents at the committed state are those of going on.
+  void follow_path() { onwards_ = true; }
+  bool opens() const;                             // whether strings opened in the last step, or are new
+  double opening(const NodalRates& moved) const;  // m: by how much these open further with a motion
   // In explicit steps only lines near their strength are measured at each; the others when they are read.
   void go_explicit();
   // The joint whose yarns are nearest to their strength in the state of the last forces. In explicit steps no
@@ -144,7 +152,7 @@ class Tears final : public Term {
   double committed_share_ = 0;
   // Lines that were measured with the last forces, and whether these are all.
   std::vector<std::size_t> near_;
-  bool sparing_ = false;
+  bool sparing_ = false, onwards_ = false;
   std::uint64_t commits_ = 0;
   mutable bool all_known_ = true;
   // N, for each component of the force on each node: as long as none is larger, no line at the node is near

@@ -25,12 +25,17 @@ const std::optional<card::YarnBreak>& of_family(const card::Rupture& rupture, in
   return family == 0 ? rupture.warp : rupture.weft;
 }
 
-// Strength over its mean: after Weibull, for a length of yarn in m.
-double scattered(const card::YarnBreak& yarn, double length, double chance) {
+// Strength over its mean: after Weibull, for yarns of a length (m). Those side by side within a width (m) are
+// drawn one by one; together they have the mean of their strengths.
+double scattered(const card::YarnBreak& yarn, double length, double width, std::uint64_t seed, Index place,
+                 int family) {
   if (!yarn.scatter) return 1;
   const card::StrengthScatter& s = *yarn.scatter;
   const double size = s.length ? std::pow(*s.length / length, s.exponent.value_or(1 / s.modulus)) : 1;
-  return weibull_strength(s.modulus, chance, size);
+  const int yarns = yarn.yarns ? static_cast<int>(std::clamp(std::round(*yarn.yarns * width), 1.0, 1e6)) : 1;
+  double sum = 0;
+  for (int i = 0; i < yarns; ++i) sum += weibull_strength(s.modulus, draw(seed, place, family + 2 * i), size);
+  return sum / yarns;
 }
 
 // Tension stiffness per width (N/m) at the strain at which a family carries `strength`, N/m; and that of
@@ -189,8 +194,9 @@ void Tears::set_strengths() {
         const double h = spacing(site, 1 - family);
         const auto [entry, fresh] = known.try_emplace({z, region, family, std::lround(1e3 * std::log(h))}, 0);
         if (fresh) entry->second = coarse(zone, region, family, yarn.strength, yarn.energy, h);
-        const double strength =
-            entry->second * scattered(yarn, spacing(site, family), draw(zone.seed, site.place, family));
+        const double strength = entry->second * scattered(yarn, spacing(site, family),
+                                                          h * static_cast<double>(site.corners.size()) / 4,
+                                                          zone.seed, site.place, family);
         const auto f = static_cast<std::size_t>(family);
         if (!(strength < site.strength[f])) continue;
         site.strength[f] = strength;
