@@ -7,7 +7,6 @@
 -- warns: nine measured cloths in ten
 -- warns: the card was tested to
 -- warns: the end of the run, the ball is still in the cloth
--- warns: where a support holds it
 local fabric = require "fabric"
 local registry = require "fabric.define".registry
 local rows = registry.rows()

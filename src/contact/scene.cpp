@@ -28,19 +28,12 @@ std::int8_t small(std::ptrdiff_t count) {
   return static_cast<std::int8_t>(std::clamp<std::ptrdiff_t>(count, -127, 127));
 }
 
-// Whether a quadrilateral with equal diagonals is cut along that from its first corner. Counted from the
-// centre, every other one is cut along the diagonal that points there; `otherwise`: neither does.
+// Whether a quadrilateral with equal diagonals is cut along that from its first corner: the one that does not
+// point to the centre. All points but the centre then have six triangles. `otherwise`: neither points there.
 bool along_first(const std::array<Vec3, 4>& x, const Vec3& centre, bool otherwise) {
   const Vec3 from = (x[0] + x[1] + x[2] + x[3]) / 4 - centre;
   const double first = std::abs(from.dot(x[2] - x[0])), second = std::abs(from.dot(x[3] - x[1]));
-  if (std::abs(first - second) <= 1e-6 * (first + second)) return otherwise;
-  const Vec3 extent =
-      x[0].cwiseMax(x[1]).cwiseMax(x[2]).cwiseMax(x[3]) - x[0].cwiseMin(x[1]).cwiseMin(x[2]).cwiseMin(x[3]);
-  long steps = 0;
-  for (int i = 0; i < 3; ++i)
-    if (extent[i] > 1e-6 * extent.norm())
-      steps += std::lround(std::floor(std::abs(from[i]) / extent[i] + 0.25));
-  return (steps % 2 == 0) == (first > second);
+  return std::abs(first - second) <= 1e-6 * (first + second) ? otherwise : first < second;
 }
 
 bool is_flat(std::span<const Vec3> nodes, std::span<const std::array<mesh::Index, 4>> elements) {

@@ -23,10 +23,9 @@
 namespace fabricsh::contact {
 
 // Quadrilaterals cut along the shorter reference diagonal, and triangles as they are, oriented as the
-// elements. Diagonals of equal length alternate from one to the next: in a flat sheet with a centre so that
-// elements at mirrored places about it, along the axes, have mirrored diagonals, as a quarter of a symmetric
-// sheet and the whole one; else by the parity of the element's number. `element[i]` is the element of
-// triangle i.
+// elements. Of equal diagonals, in a flat sheet with a centre, that which does not point there, so that
+// elements at mirrored places about it have mirrored diagonals, as in a quarter of a symmetric sheet and the
+// whole one; else by the parity of the element's number. `element[i]` is the element of triangle i.
 struct Split {
   std::vector<Triangle> triangles;
   std::vector<std::int32_t> element;

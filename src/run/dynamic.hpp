@@ -106,6 +106,7 @@ class Dynamic : public Run {
     double kinetic = 0, scaled = 0;  // J, the largest so far; its part in scaled rotary inertia
     mesh::Index began = -1;          // element in which energy was created at the first warning
     std::int64_t touched = -1;       // committed steps when a moved body first touched; -1: not yet
+    int short_steps = 0;             // steps that contact has made much shorter
     void keep_reported(const DynamicState& then) {
       reported_error |= then.reported_error, reported_split |= then.reported_split;
       reported_jump |= then.reported_jump, reported_scaled |= then.reported_scaled;
@@ -114,7 +115,7 @@ class Dynamic : public Run {
     void keep(Archive& archive) {
       archive(step, loss, driven_kinetic_at_0, next_check, steps, looked, reported_error, reported_split,
               reported_jump, reported_scaled, was_over, damps, settling, surplus, kinetic, scaled, began,
-              touched);
+              touched, short_steps);
     }
   } now_;
 

@@ -26,6 +26,8 @@ constexpr int kLoadsEvery = 256;   // the same of the stiffness of springs and l
 constexpr int kBlock = 64;         // number of steps of equal size, with contact
 constexpr int kBarrierFreeBlocks = 4;  // blocks without need of it, after which a halved step is doubled
 constexpr int kHalvings = 12;          // largest number of halvings of the step for contact
+constexpr int kCostly = 5;             // halvings from which on the run is much longer than it seemed
+constexpr int kCostlySteps = 1000;     // such steps after which it says how long
 
 }  // namespace
 
@@ -248,6 +250,17 @@ void Explicit::report_guard() {
            "meanwhile");
 }
 
+void Explicit::report_cost() {
+  const double step = std::ldexp(now_.step, -block_.halved), left = duration_ - committed_time();
+  const auto nearest = contact_->nearest();
+  warn("guard", "dynamic: contact has kept the step at " + number(step) + " s, " +
+                    number(std::ldexp(1.0, block_.halved)) + " times as short as planned, for " +
+                    std::to_string(kCostlySteps) + " steps by time " + number(committed_time()) + " s (" +
+                    contact_->words(nearest.point) + ", " + number(nearest.gap) +
+                    " m above the smallest distance): if that lasts, the " + number(left) +
+                    " s that are left take " + number(left / step, 2) + " more");
+}
+
 void Explicit::split() {
   if (now_.steps % kLoadsEvery == 0) added_ = mechanics::added_rates(*assembly_, scaled_);
   const double stretched = nominal_ / std::max(1.0, assembly_->cloth().largest_stretch());
@@ -303,6 +316,7 @@ void Explicit::commit(StepReport& report) {
   if (!assembly_->constant_loads()) dead_ = problem_.external();
   work_.add(*assembly_, dead_);
   if (contact_ != nullptr) report_guard();
+  if (block_.halved >= kCostly && ++now_.short_steps == kCostlySteps) report_cost();
   problem_.commit(report.time);
   motion_.commit();
   motion_.show_trial(false);

@@ -57,6 +57,7 @@ class Explicit final : public Dynamic {
   bool step_acceptable(double dt);
   void redo(const StepReport& report);
   void report_guard();
+  void report_cost();  // of a step that contact has long kept short
   std::optional<double> try_shorter(double size, StepReport& report);
   double block_step() const { return std::ldexp(now_.step, -block_.halved); }  // s
   mesh::Index fastest_node() const;                                            // -1: no node moves

@@ -81,7 +81,6 @@ do
     end
     if a.energy.fracture < 0.999 * G * width then
       local opening = 2 * G / f0 * (1 - force / f0)
-      local E = (stretch ^ 2 - 1) / 2
       assert(math.abs(a.time * 4 * mm - length * (stretch - 1) - opening) < 1e-3 * length * (stretch - 1), a.time)
       assert(force > 0.999 * f0 or a.time < 0.19)
       back = back + 1
