@@ -171,9 +171,7 @@ void Dofs::apply_increment(std::span<const double> delta, double scale, std::spa
     const Vec3 director = at(d, i), first = at(b1, i);
     turn(at(d, i), at(b1, i), q1 * first + q2 * director.cross(first));
   };
-#pragma omp parallel for schedule(static) if (static_cast <Index>(n) >= 128)
-  for (Index i = 0; i < static_cast<Index>(n); ++i) {
-    if (!joints_.leads(i)) continue;
+  const auto move_node = [&](Index i) {
     at(d, i) = at(base.subspan(3 * n), i);
     at(b1, i) = at(base.subspan(6 * n), i);
     Vec3 u = at(base, i) - X_[i];
@@ -181,7 +179,7 @@ void Dofs::apply_increment(std::span<const double> delta, double scale, std::spa
       move(equation, u);
       at(x, i) = X_[i] + u;
       turn_director(i, step(equation[3]), step(equation[4]));
-      continue;
+      return;
     }
     const NodeFreedoms& node = freedoms_.nodes[i];
     if (node.oblique) u = node.frame * u;
@@ -193,19 +191,19 @@ void Dofs::apply_increment(std::span<const double> delta, double scale, std::spa
           Eigen::AngleAxisd(targets[motion_of(node.equation[3])], *node.turn_axis).toRotationMatrix();
       at(d, i) = R * directors_[i];
       at(b1, i) = R * first_axes_[i];
-      continue;
+      return;
     }
     const double q1 = step(node.equation[3]), q2 = step(node.equation[4]);
-    if (q1 == 0 && q2 == 0) continue;
+    if (q1 == 0 && q2 == 0) return;
     turn_director(i, q1, q2);
     realign(i);
-  }
-  // The other nodes of joints are where the leaders are.
-  if (joints_.any()) {
-#pragma omp parallel for schedule(static) if (static_cast <Index>(n) >= kParallelFrom)
-    for (Index i = 0; i < static_cast<Index>(n); ++i)
-      if (const Index leader = joints_.leader(i); leader != i)
-        for (const auto& part : {x, d, b1}) at(part, i) = at(part, leader);
+  };
+#pragma omp parallel for schedule(static) if (static_cast <Index>(n) >= 128)
+  for (Index i = 0; i < static_cast<Index>(n); ++i) {
+    if (!joints_.leads(i)) continue;
+    move_node(i);
+    for (Index other = joints_.next(i); other >= 0; other = joints_.next(other))
+      for (const auto& part : {x, d, b1}) at(part, other) = at(part, i);
   }
   apply_ties(delta, scale);
   configuration_.touch();
@@ -226,53 +224,39 @@ void Dofs::residual(std::span<const double> external, std::span<const double> in
                     const std::vector<Vec3>* moments, std::span<double> r) const {
   const auto d = std::as_const(configuration_).d(), first = std::as_const(configuration_).b1();
   const auto count = static_cast<Index>(X_.size());
+  // The sum over the nodes of a joint, whose directors are those of the leader.
+  const auto put = [&](Index leader, const auto& equation, const Mat3* frame) {
+    const auto out = [&](Index i) {
+      const Vec3 f = at(external, i) - at(internal_x, i);
+      return frame != nullptr ? Vec3(*frame * f) : f;
+    };
+    Vec3 force = out(leader);
+    for (Index i = joints_.next(leader); i >= 0; i = joints_.next(i)) force += out(i);
+    for (int c = 0; c < 3; ++c)
+      if (equation[c] >= 0) r[equation[c]] = force[c];
+    if (equation[3] < 0) return;
+    const Vec3 b1 = at(first, leader), b2 = at(d, leader).cross(b1);
+    Vec3 turning = on_director(on_d, internal_d, leader);
+    double q1 = b1.dot(turning), q2 = b2.dot(turning);
+    for (Index i = joints_.next(leader); i >= 0; i = joints_.next(i)) {
+      turning = on_director(on_d, internal_d, i);
+      q1 += b1.dot(turning);
+      q2 += b2.dot(turning);
+    }
+    r[equation[3]] = q1;
+    if (equation[4] >= 0) r[equation[4]] = q2;
+  };
 #pragma omp parallel for schedule(static) if (count >= kParallelFrom)
   for (Index i = 0; i < count; ++i) {
     if (!joints_.leads(i)) continue;
-    const Vec3 out = at(external, i) - at(internal_x, i);
-    const auto put = [&](const auto& equation, const Vec3& f) {
-      for (int c = 0; c < 3; ++c)
-        if (equation[c] >= 0) r[equation[c]] = f[c];
-      if (equation[3] < 0) return;
-      const Vec3 turning = on_director(on_d, internal_d, i), b1 = at(first, i);
-      r[equation[3]] = b1.dot(turning);
-      if (equation[4] >= 0) r[equation[4]] = at(d, i).cross(b1).dot(turning);
-    };
     if (const std::int32_t* equation = plain_equations(i)) {
-      put(equation, out);
+      put(i, equation, nullptr);
       continue;
     }
     const NodeFreedoms& node = freedoms_.nodes[i];
-    put(node.equation, node.oblique ? Vec3(node.frame * out) : out);
+    put(i, node.equation, node.oblique ? &node.frame : nullptr);
   }
-  if (joints_.any()) add_joined_residual(external, internal_x, internal_d, on_d, r);
   if (has_ties()) add_tied_residual(external, internal_x, internal_d, on_d, moments, r);
-}
-
-// The forces on the nodes that do not lead their joints, whose directors are those of the leaders.
-void Dofs::add_joined_residual(std::span<const double> external, std::span<const double> internal_x,
-                               std::span<const double> internal_d, std::span<const double> on_d,
-                               std::span<double> r) const {
-  const Configuration& s = configuration_;
-  for (Index i = 0; i < static_cast<Index>(X_.size()); ++i) {
-    const Index leader = joints_.leader(i);
-    if (leader == i) continue;
-    const Vec3 out = at(external, i) - at(internal_x, i);
-    const auto put = [&](const auto& equation, const Vec3& f) {
-      for (int c = 0; c < 3; ++c)
-        if (equation[c] >= 0) r[equation[c]] += f[c];
-      if (equation[3] < 0 && equation[4] < 0) return;
-      const Vec3 turning = on_director(on_d, internal_d, i), b1 = at(s.b1(), i);
-      if (equation[3] >= 0) r[equation[3]] += b1.dot(turning);
-      if (equation[4] >= 0) r[equation[4]] += at(s.d(), i).cross(b1).dot(turning);
-    };
-    if (const std::int32_t* equation = plain_equations(leader)) {
-      put(equation, out);
-      continue;
-    }
-    const NodeFreedoms& node = freedoms_.nodes[i];
-    put(node.equation, node.oblique ? Vec3(node.frame * out) : out);
-  }
 }
 
 Vec3 Dofs::support_force(Index n, std::span<const double> internal_x,

@@ -146,9 +146,6 @@ class Dofs {
   void add_tied_residual(std::span<const double> external, std::span<const double> internal_x,
                          std::span<const double> internal_d, std::span<const double> on_d,
                          const std::vector<Vec3>* moments, std::span<double> r) const;
-  void add_joined_residual(std::span<const double> external, std::span<const double> internal_x,
-                           std::span<const double> internal_d, std::span<const double> on_d,
-                           std::span<double> r) const;
   void gather(std::span<double> on_nodes) const;
   double largest_nodal_force(std::span<const double> on_x, std::span<const double> on_d) const;
   Vec3 tied_force(Index lead, std::span<const double> internal_x, std::span<const double> external) const;

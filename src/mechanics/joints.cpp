@@ -47,6 +47,7 @@ Joints::Joints(const mesh::Mesh& mesh) : mesh_(mesh) {
   leader_.resize(mesh.nodes.size());
   std::iota(leader_.begin(), leader_.end(), Index{0});
   for (const auto& [place, elements] : at_) divide(place);
+  link();
 }
 
 std::size_t Joints::open() const {
@@ -104,7 +105,19 @@ bool Joints::set_opened(std::vector<Edge> edges) {
   for (const Edge& edge : changed) places.insert(edge.first);
   for (const Index place : places)
     if (at_.contains(place)) divide(place);
+  link();
   return leader_ != before;
+}
+
+// Finds the next node of the joint of each node.
+void Joints::link() {
+  next_.assign(leader_.size(), -1);
+  std::vector<Index> last(leader_.size());
+  for (std::size_t n = 0; n < leader_.size(); ++n) {
+    const auto leader = static_cast<std::size_t>(leader_[n]);
+    if (leader != n) next_[static_cast<std::size_t>(last[leader])] = static_cast<Index>(n);
+    last[leader] = static_cast<Index>(n);
+  }
 }
 
 // Works out the joints of a place. As long as none of its edges is open it is one joint, even where elements

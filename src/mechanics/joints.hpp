@@ -30,6 +30,8 @@ class Joints {
   Index leader(Index node) const { return leader_.empty() ? node : leader_[static_cast<std::size_t>(node)]; }
   const std::vector<Index>& leaders() const { return leader_; }  // empty: there are no zones
   bool leads(Index node) const { return leader(node) == node; }
+  // The next node of the joint of a node, in ascending order; -1: it is the last one.
+  Index next(Index node) const { return next_.empty() ? -1 : next_[static_cast<std::size_t>(node)]; }
   std::size_t places() const { return at_.size(); }  // with several nodes
   std::size_t open() const;                          // of these, how many have more than one joint
   bool is_open(Index node) const;                    // whether its place has
@@ -44,8 +46,9 @@ class Joints {
 
  private:
   void divide(Index place);
+  void link();
   const mesh::Mesh& mesh_;
-  std::vector<Index> leader_;
+  std::vector<Index> leader_, next_;
   std::map<Index, std::vector<Index>> at_;  // of each place with several nodes: its elements
   std::vector<Edge> edges_;                 // that can be opened, both ends, ascending
   std::vector<Edge> opened_;

@@ -1,5 +1,6 @@
 #include "mesh/corners.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 namespace fabricsh::mesh {
@@ -19,18 +20,22 @@ std::shared_ptr<Mesh> split_corners(std::shared_ptr<const Mesh> whole, const std
   for (std::size_t e = 0; e < splits.size(); ++e)
     for (const Index n : whole->elements[e])
       if (n >= 0 && splits[e] == 0) taken[static_cast<std::size_t>(n)] = 1;
+  std::vector<Index*> further;  // corners that need a node of their own
   for (const Index e : elements)
     for (Index& n : out->elements[static_cast<std::size_t>(e)]) {
       if (n < 0) continue;
-      const Index place = n;
-      char& used = taken[static_cast<std::size_t>(place)];
-      if (used != 0) {
-        n = static_cast<Index>(out->nodes.size());
-        out->nodes.push_back(whole->nodes[static_cast<std::size_t>(place)]);
-        out->place.push_back(place);
-      }
+      char& used = taken[static_cast<std::size_t>(n)];
+      if (used != 0) further.push_back(&n);
       used = 1;
     }
+  // In the order of the places: what goes over all of these reads the nodes of a place one after the other.
+  std::stable_sort(further.begin(), further.end(), [](const Index* a, const Index* b) { return *a < *b; });
+  for (Index* corner : further) {
+    const Index place = *corner;
+    *corner = static_cast<Index>(out->nodes.size());
+    out->nodes.push_back(whole->nodes[static_cast<std::size_t>(place)]);
+    out->place.push_back(place);
+  }
   out->whole = std::move(whole);
   return out;
 }
