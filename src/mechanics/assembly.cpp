@@ -22,6 +22,7 @@ T& Assembly::make(Arguments&&... arguments) {
 Assembly::Assembly(const model::Model& model)
     : configuration_(model.mesh().nodes.size()), dofs_(model, configuration_) {
   auto& cloth = make<Cloth>(model, configuration_, dofs_.reference_directors());
+  cloth.read_leaders_of(dofs_.joints());
   // The second term, which sees the forces of the cloth alone.
   if (Tears::possible(model)) make<Tears>(model, std::as_const(configuration_), cloth, dofs_);
   if (!model.seams().empty()) make<Seams>(model, std::as_const(configuration_), cloth, dofs_);

@@ -324,14 +324,29 @@ void Cloth::fetch_nodes(const Batch& batch) const {
       for (const double* from : {x, d, b1}) __builtin_prefetch(from + 3 * nodes[a]);
 }
 
+void Cloth::read_leaders_of(const Joints& joints) {
+  joints_ = &joints;
+  find_sources();
+}
+
+void Cloth::find_sources() {
+  if (joints_ == nullptr || !joints_->any()) return;
+  sources_.resize(batches_.size());
+  for (std::size_t b = 0; b < batches_.size(); ++b)
+    for (int l = 0; l < lanes; ++l)
+      for (int a = 0; a < batches_[b].kind->corners; ++a)
+        sources_[b][l][a] = joints_->leader(batches_[b].nodes[l][a]);
+}
+
 void Cloth::gather(const Batch& batch, double* x, double* d, double* b) const {
+  const auto& nodes = sources_.empty() ? batch.nodes : sources_[&batch - batches_.data()];
   const double* px = configuration_.x().data();
   const double* pd = configuration_.d().data();
   const double* pb = configuration_.b1().data();
   const int corners = batch.kind->corners;
   for (int l = 0; l < lanes; ++l)
     for (int a = 0; a < corners; ++a) {
-      const Index n = 3 * batch.nodes[l][a];
+      const Index n = 3 * nodes[l][a];
       for (int i = 0; i < 3; ++i) {
         x[(3 * a + i) * lanes + l] = px[n + i];
         d[(3 * a + i) * lanes + l] = pd[n + i];

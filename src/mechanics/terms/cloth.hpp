@@ -13,6 +13,7 @@
 #include "mechanics/element_rates.hpp"
 #include "mechanics/facets.hpp"
 #include "mechanics/geometry_store.hpp"
+#include "mechanics/joints.hpp"
 #include "mechanics/law_states.hpp"
 #include "model/model.hpp"
 #include "simd/aligned.hpp"
@@ -38,6 +39,10 @@ class Cloth final : public Term, public ElementTerm {
   // law::set_initial). directors: of the nodes, unit.
   Cloth(const model::Model& model, const Configuration& configuration, const std::vector<Vec3>& directors);
   ~Cloth() override;
+  // Forces are computed from the positions of the leaders of joints, where the model has any: their other
+  // nodes, up to three quarters of all, need not be read. Keeps a reference.
+  void read_leaders_of(const Joints& joints);
+  void renumbered(Forces&) override { find_sources(); }
 
   const char* name() const override { return "cloth"; }
   Outcome add_forces(const law::Step& step, const Trial& trial, Forces& forces) override;
@@ -137,6 +142,7 @@ class Cloth final : public Term, public ElementTerm {
   void order_sums();
   Index evaluate_and_sum(const law::Step& step, double* aside, Forces& forces);
   void sum_node(Index node, Forces& forces) const;
+  void find_sources();
   void fetch(const Batch& batch, const double* trial) const;
   void fetch_nodes(const Batch& batch) const;
   void gather(const Batch& batch, double* x, double* d, double* b) const;
@@ -175,6 +181,8 @@ class Cloth final : public Term, public ElementTerm {
   const std::vector<Vec3>& X_;
   std::vector<BatchKind> kinds_;  // per region: quadrilaterals, triangles
   std::vector<Batch> batches_;
+  const Joints* joints_ = nullptr;
+  std::vector<std::array<std::array<Index, 4>, lanes>> sources_;  // leaders of each batch's nodes; or empty
   std::vector<Index> colour_start_;  // the batches of colour c are [colour_start_[c], colour_start_[c + 1])
   std::vector<Index> order_;         // in which the forces of the batches are computed
   std::vector<BatchLane> place_;     // per element
