@@ -1,5 +1,6 @@
 -- Panels from a deck's side: outlines, sets, the warp that a model takes, files, wrapping; a strip cut along the grain pulls
 -- like the mesh of a rectangle.
+-- warns: it spans 60 m
 local fabric = require "fabric"
 local mm = fabric.units.mm
 
@@ -99,3 +100,6 @@ end
 near(fabric.mesh.panel { file = name, size = 5 * mm }:check().area, 0.5 * (600 + 500) * 300 * 1e-8)
 refused("expected one of 'A', got 'B'", fabric.mesh.panel, { file = name, size = 5 * mm, piece = "B" })
 os.remove(name)
+
+-- Lengths in mm with a size that could be one in m: said once the outline spans what no cloth does.
+fabric.mesh.panel { outline = { { 0, 0 }, { 40, 0 }, { 40, 60 }, { 0, 60 } }, size = 1 }
