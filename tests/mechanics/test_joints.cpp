@@ -59,7 +59,7 @@ TEST_CASE("each corner of a zone's elements gets a node, and the elements beside
   CHECK(one.elements[3] == whole->elements[3]);
   // A set that is defined later is found with all nodes at its places.
   whole->define("later", mesh::NodeSet{0, 4});
-  CHECK(one.set("later") == mesh::NodeSet{0, 4, 10});
+  CHECK(one.set("later") == mesh::NodeSet{0, 4, 11});  // further nodes: 9, 10, 11 at the places 1, 3, 4
 }
 
 TEST_CASE("a cut opens where the elements around a place no longer hang together, and its tip stays whole") {
