@@ -3,8 +3,11 @@
 // batch); branches are written as select(), which both types support. A batch of `lanes` consists
 // of pack_parts packs; a kernel works on one such part, and at_parts() runs it on all of them.
 #pragma once
-#if defined(__SSE2__)
+// The headers of later instruction sets take a second to parse, and nearly every source includes this one.
+#if defined(__AVX2__) || defined(__AVX512F__)
 #include <immintrin.h>
+#elif defined(__SSE2__)
+#include <emmintrin.h>
 #endif
 
 #include "simd/isa.hpp"
