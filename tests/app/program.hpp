@@ -27,7 +27,6 @@ class Program {
   // empty).
   explicit Program(std::vector<std::string> words, const std::string& log = "/dev/null",
                    const std::string& in = "") {
-    words.insert(words.begin(), FABRICSH_PROGRAM);
     // A signal that comes before the program has begun ends the child, and not by the test's own handler.
     sigset_t all, before;
     sigfillset(&all);
@@ -41,7 +40,8 @@ class Program {
     dup2(out, STDOUT_FILENO);
     dup2(out, STDERR_FILENO);
     if (!in.empty()) dup2(open(in.c_str(), O_RDWR), STDIN_FILENO);  // a pipe so stays open
-    std::vector<char*> arguments;
+    std::string program = FABRICSH_PROGRAM;
+    std::vector<char*> arguments{program.data()};
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
     execv(FABRICSH_PROGRAM, arguments.data());
