@@ -4,11 +4,10 @@
 #include <filesystem>
 
 #include "base/error.hpp"
-#include "base/number.hpp"
 #include "format/deck_write.hpp"
 #include "format/source.hpp"
 #include "format/vtu.hpp"
-#include "geometry/box.hpp"
+#include "mesh/check.hpp"
 
 namespace fabricsh::format {
 
@@ -96,12 +95,12 @@ Function function_of(const std::string& path, Function MeshFormat::*has, const c
 
 // Asks about units where lengths in m would be those of no cloth.
 void ask_about_size(const std::string& path, const mesh::Mesh& mesh, Remarks& remarks) {
-  constexpr double most = 10, least = 1e-4;  // m
-  const double size = box_of(mesh.nodes).size().maxCoeff();
-  if (size > least && size < most) return;
-  remarks.push_back(path + ": the mesh spans " + number(size, 3) +
-                    " m, far from what cloth is: are its lengths in m? mesh:map changes them, as in "
-                    "mesh:map(function(x, y, z) return x/1000, y/1000, z/1000 end) for a file in mm");
+  const std::string doubt = mesh::doubt_about_units(mesh);
+  if (doubt.empty()) return;
+  remarks.push_back(
+      path + ": " + doubt +
+      " mesh:map changes them, as in mesh:map(function(x, y, z) return x/1000, y/1000, z/1000 end) "
+      "for a file in mm");
 }
 
 }  // namespace

@@ -398,6 +398,13 @@ std::vector<Index> repeated_elements(const Mesh& mesh) {
   return found;
 }
 
+std::string doubt_about_units(const Mesh& mesh) {
+  constexpr double most = 10, least = 1e-4;  // m
+  const double extent = box_of(mesh.nodes).size().maxCoeff();
+  if (extent > least && extent < most) return {};
+  return "the mesh spans " + number(extent, 3) + " m, far from what cloth is: are its lengths in m?";
+}
+
 bool Report::ok() const {
   return std::none_of(items.begin(), items.end(),
                       [](const Finding& f) { return f.severity == Severity::error; });

@@ -45,6 +45,10 @@ Report check(const Mesh& mesh);
 // The elements on the same nodes as one before them, ascending. A model refuses them: they would count twice.
 std::vector<Index> repeated_elements(const Mesh& mesh);
 
+// "the mesh spans 60 m, far from what cloth is: are its lengths in m?" where a mesh spans more than 10 m or
+// less than 0.1 mm; otherwise empty.
+std::string doubt_about_units(const Mesh& mesh);
+
 // Reverses elements until neighbours agree in orientation. Without a direction each part follows the majority
 // of its elements; with one, the mean normal of each part points along it. Returns how many elements were
 // reversed. Errors: a one-sided part, or a part whose mean normal is perpendicular to the direction.

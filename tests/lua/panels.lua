@@ -1,6 +1,6 @@
 -- Panels from a deck's side: outlines, sets, the warp that a model takes, files, wrapping; a strip cut along the grain pulls
 -- like the mesh of a rectangle.
--- warns: it spans 60 m
+-- warns: the mesh spans 60 m
 local fabric = require "fabric"
 local mm = fabric.units.mm
 

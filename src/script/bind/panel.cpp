@@ -7,7 +7,7 @@
 
 #include "base/number.hpp"
 #include "format/pattern.hpp"
-#include "geometry/box.hpp"
+#include "mesh/check.hpp"
 #include "mesh/panel.hpp"
 #include "mesh/rim.hpp"
 #include "mesh/wrap.hpp"
@@ -322,16 +322,6 @@ mesh::Panel read_outline(const Call& call) {
   return shape;
 }
 
-// Asks about units where lengths in m would be those of no cloth.
-void ask_about_extent(const Call& call, const mesh::Mesh& mesh) {
-  constexpr double most = 10;  // m
-  const double extent = box_of(mesh.nodes).size().maxCoeff();
-  if (extent > most)
-    call.session().warn("units", position(call.L()) + "panel: field 'outline': it spans " +
-                                     fabricsh::number(extent, 3) +
-                                     " m, far from what cloth is: are its lengths in m? (write 5*mm)");
-}
-
 int panel(Call& call) {
   lua_State* L = call.L();
   mesh::Panel shape = call.has("file") ? read_file(call) : read_outline(call);
@@ -343,7 +333,10 @@ int panel(Call& call) {
   if (call.has("grain")) shape.grain = call.number("grain");
   shape.triangles = call.flag("triangles");
   auto made = std::make_shared<mesh::Mesh>(mesh::panel(shape));
-  if (call.has("outline")) ask_about_extent(call, *made);
+  if (const std::string doubt = mesh::doubt_about_units(*made); !doubt.empty()) {
+    const std::string field = call.has("file") ? "file" : "outline";
+    call.session().warn("units", position(L) + "panel: field '" + field + "': " + doubt + " (write 5*mm)");
+  }
   push_object(L, std::move(made));
   return 1;
 }
