@@ -268,7 +268,21 @@ void Contact::index_slots() {
   stick_.resize(touched_.size());
   work_.resize(touched_.size());
   impact_.resize(touched_.size());
+  pressed_.resize(touched_.size());
 }
+
+class Contact::OfSlot final : public SlipSource {
+ public:
+  OfSlot(Contact& contact, std::size_t slot, std::span<const Vec3> x, const Way& way)
+      : contact_(contact), slot_(slot), x_(x), way_(way) {}
+  Slip find() const override { return contact_.slip_of(slot_, x_, way_); }
+
+ private:
+  Contact& contact_;
+  const std::size_t slot_;
+  const std::span<const Vec3> x_;
+  const Way& way_;
+};
 
 Totals Contact::add_forces(std::span<const Vec3> x, std::span<Vec3> force, const Way& way,
                            std::span<Vec3> torque) {
@@ -282,17 +296,14 @@ Totals Contact::add_forces(std::span<const Vec3> x, std::span<Vec3> force, const
     active_[std::size_t(i)] = 0;
     if (margin_[std::size_t(i)] > change) continue;  // still out of reach
     const Candidate& c = inner_[std::size_t(i)];
-    const Corners corners = corners_of(c, x);
     const Interaction& it = scene_->interactions()[std::size_t(c.interaction)];
     Force& slot = slots_[std::size_t(i)];
-    if (!way.start.empty() && it.rubs()) {
-      const Slip slip = slip_of(std::size_t(i), x, way);
-      slot = pair_force(it.law, c.pair, corners, &slip);
-    } else {
-      slot = pair_force(it.law, c.pair, corners);
-    }
-    active_[std::size_t(i)] = slot.active;
-    if (slot.active) least = std::min(least, slot.gap);
+    const OfSlot slips(*this, std::size_t(i), x, way);
+    if (!find_force(it.law, c.pair, corners_of(c, x), !way.start.empty() && it.rubs() ? &slips : nullptr,
+                    slot))
+      continue;
+    active_[std::size_t(i)] = 1;
+    least = std::min(least, slot.gap);
   }
   totals.gap = least;
   gather(force, way.start.empty() ? std::span<Vec3>() : torque, totals);
@@ -309,6 +320,7 @@ void Contact::gather(std::span<Vec3> force, std::span<Vec3> torque, Totals& tota
     const auto p = std::size_t(touched_[row]);
     Vec3 sum = Vec3::Zero(), turning = Vec3::Zero();
     double contact = 0, guard = 0, stick = 0, work = 0, impact = 0;
+    int pairs = 0;
     for (std::uint32_t k = first_[row]; k < first_[row + 1]; ++k) {
       if (!active_[of_point_[k] / 4]) continue;
       const Force& slot = slots_[of_point_[k] / 4];
@@ -320,7 +332,7 @@ void Contact::gather(std::span<Vec3> force, std::span<Vec3> torque, Totals& tota
       stick += slot.stick;
       work += slot.work;
       impact += slot.impact;
-      ++touching;
+      ++pairs;
     }
     force[p] += sum;
     if (!torque.empty()) torque[p] += turning;
@@ -329,6 +341,8 @@ void Contact::gather(std::span<Vec3> force, std::span<Vec3> torque, Totals& tota
     stick_[row] = stick;
     work_[row] = work;
     impact_[row] = impact;
+    pressed_[row] = pairs;
+    touching += std::size_t(pairs);
   }
   totals.touching = touching;
   // Over all points and not only those in the lists, which depend on the skin.

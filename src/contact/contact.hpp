@@ -128,6 +128,7 @@ class Contact {
   // The value for the rigid side of a pair; zero if no side is rigid.
   Vec3 of_body(const Candidate& c, std::span<const Vec3> by_point) const;
   struct Held;
+  class OfSlot;
   Slip slip_of(std::size_t slot, std::span<const Vec3> x, const Way& way);
   const Held* held_by(std::size_t slot);
   void note_slips(std::span<const Vec3> x, const Way& way);
@@ -161,6 +162,7 @@ class Contact {
   std::vector<std::int32_t> touched_;            // points with slots, ascending
   std::vector<std::uint32_t> first_, of_point_;  // rows: slot * 4 + corner, ascending for each touched point
   std::vector<double> energy_, guard_, stick_, work_, impact_;  // by touched point
+  std::vector<int> pressed_;  // by touched point: pairs that touch and have it as their first corner
   // The elastic slips of the pairs that touch. The first corner of a pair is what slides over the rest of it;
   // the slips are in the order of the first corners, for each in the order of the pairs.
   struct Held {

@@ -1,6 +1,8 @@
 #include "contact/pair.hpp"
 
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "contact/places.hpp"
 
@@ -138,13 +140,21 @@ class Friction {
 
 }  // namespace
 
-Force pair_force(const Law& law, const Pair& pair, const Corners& x, const Slip* slip) {
-  Force force;
+namespace {
+
+// slip(): a pointer to the slip at a pair that touches, null without friction; called once. Returns the
+// smallest distance above the floor, of any pair.
+template <class FindSlip>
+double set_force(const Law& law, const Pair& pair, const Corners& x, FindSlip slip, Force& force) {
   std::optional<Friction> friction;
-  if (slip != nullptr) friction.emplace(law, pair, *slip, force);
+  bool touches = false;
   const double nearest =
       visit_pressed(law, pair, x, nullptr, [&](const PressedPlace& at, const Modulation* m) {
-        force.active = true;
+        if (!std::exchange(touches, true)) {
+          force = {};
+          force.active = true;
+          if (const Slip* const found = slip()) friction.emplace(law, pair, *found, force);
+        }
         force.contact += at.count * at.answer.contact;
         force.guard += at.count * at.answer.guard;
         const double push = at.count * at.answer.pressure;
@@ -157,8 +167,43 @@ Force pair_force(const Law& law, const Pair& pair, const Corners& x, const Slip*
         }
         if (friction) friction->add(at);
       });
-  force.gap = nearest - law.floor() * pair.scale;
+  const double gap = nearest - law.floor() * pair.scale;
+  if (touches) force.gap = gap;
+  return gap;
+}
+
+}  // namespace
+
+Force pair_force(const Law& law, const Pair& pair, const Corners& x, const Slip* slip) {
+  Force force;
+  force.gap = set_force(
+      law, pair, x, [slip] { return slip; }, force);
   return force;
+}
+
+// Whether the pair is clearly farther apart than `reach`, m: found without the root and the division that its
+// distance and normal take.
+static bool is_far(const Pair& pair, const Corners& x, double reach) {
+  const double far = (reach + pair.offset) * (reach + pair.offset) * (1 + 1e-9);
+  if (pair.kind == Kind::plane) {
+    const Vec3 normal = (x[2] - x[1]).cross(x[3] - x[1]);
+    const double height = normal.dot(x[0] - x[1]);
+    return height > 0 && height * height > far * normal.squaredNorm();
+  }
+  if (pair.kind == Kind::facet) return squared_point_triangle(x[0], x[1], x[2], x[3]) > far;
+  return pair.kind == Kind::edges && squared_crossing(x[0], x[1], x[2], x[3]) > far;
+}
+
+bool find_force(const Law& law, const Pair& pair, const Corners& x, const SlipSource* slips, Force& force) {
+  if (is_far(pair, x, law.gap() * pair.scale)) return false;
+  std::optional<Slip> slip;
+  bool touches = false;
+  const auto find = [&]() -> const Slip* {
+    touches = true;
+    return slips == nullptr ? nullptr : &slip.emplace(slips->find());
+  };
+  set_force(law, pair, x, find, force);
+  return touches;
 }
 
 Derivatives pair_derivatives(const Law& law, const Pair& pair, const Corners& x) {

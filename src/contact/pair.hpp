@@ -81,6 +81,18 @@ struct Force {
 // Forces on the corners.
 Force pair_force(const Law& law, const Pair& pair, const Corners& x, const Slip* slip = nullptr);
 
+// Finds the slip of a pair, for those that touch alone: of the near pairs most do not.
+class SlipSource {
+ public:
+  virtual Slip find() const = 0;
+
+ protected:
+  ~SlipSource() = default;
+};
+// The same where it touches; otherwise it returns false, and `force` is not changed. slips: null without
+// friction.
+bool find_force(const Law& law, const Pair& pair, const Corners& x, const SlipSource* slips, Force& force);
+
 struct Derivatives {
   double contact = 0, guard = 0;         // J
   Vector12 gradient = Vector12::Zero();  // N; forces are its negative

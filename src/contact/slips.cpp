@@ -136,6 +136,7 @@ void Contact::note_slips(std::span<const Vec3> x, const Way& way) {
   std::vector<Held>& held = tried_->held;
   held.clear();
   for (std::size_t row = 0; row < touched_.size(); ++row) {
+    if (pressed_[row] == 0) continue;
     const std::size_t first = held.size();
     bool passes = true;
     for (std::uint32_t k = first_[row]; k < first_[row + 1]; ++k) {

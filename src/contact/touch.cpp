@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace fabricsh::contact {
 namespace {
@@ -161,6 +162,12 @@ double squared_segment_segment(const Vec3& a, const Vec3& b, const Vec3& c, cons
   if (at.inside) return (r + at.s * u - at.t * v).squaredNorm();
   return std::min(std::min(squared_point_segment(a, c, d), squared_point_segment(b, c, d)),
                   std::min(squared_point_segment(c, a, b), squared_point_segment(d, a, b)));
+}
+
+double squared_crossing(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const Vec3 u = b - a, v = d - c, r = a - c;
+  const Crossing at = crossing(u, v, r);
+  return at.inside ? (r + at.s * u - at.t * v).squaredNorm() : std::numeric_limits<double>::infinity();
 }
 
 Slides slides(const Corners& x, const Touch& touch) {

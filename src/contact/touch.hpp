@@ -62,6 +62,8 @@ std::optional<Touch> segments_crossing(const Corners& x);
 double squared_point_segment(const Vec3& p, const Vec3& a, const Vec3& b);
 double squared_point_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
 double squared_segment_segment(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+// Infinity where they do not cross.
+double squared_crossing(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
 // d xi_k / d x_j (1/m) for each free parameter k of the closest points and each corner j; row vectors.
 using Slides = std::array<std::array<Vec3, 4>, 2>;
