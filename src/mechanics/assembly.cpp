@@ -322,8 +322,8 @@ void Assembly::expect_energies(bool expected) {
   for (auto& term : terms_) term->expect_energies(expected);
 }
 
-double Assembly::step_work() const {
-  double sum = 0;
+StepWork Assembly::step_work() const {
+  StepWork sum;
   for (const auto& term : terms_) sum += term->step_work();
   return sum;
 }

@@ -122,8 +122,7 @@ class Assembly {
   std::pair<double, Index> largest_residual(std::span<const double> r) const;
   double largest_force() const { return dofs_.largest_force(force_x_, force_d_); }
   void expect_energies(bool expected);  // see Term
-  // J, external work in the step that is done neither by loads nor by supports.
-  double step_work() const;
+  StepWork step_work() const;           // that is done neither by loads nor by supports
   // Energies of all terms by name, at the trial configuration.
   std::vector<Energy> energies() const;
 

@@ -19,6 +19,7 @@
 #include "linear/matrix.hpp"
 #include "mechanics/configuration.hpp"
 #include "mechanics/motion.hpp"
+#include "mechanics/step_work.hpp"
 
 namespace fabricsh::mechanics {
 
@@ -120,9 +121,9 @@ class Term {
   // the forces; add_energies() gives the same numbers in either case.
   virtual void expect_energies(bool) {}
   virtual void add_energies(const Trial&, std::vector<Energy>&) const {}
-  // J, external work in the step from the committed to the trial configuration, besides that of loads and
+  // External work in the step from the committed to the trial configuration, besides that of loads and
   // supports.
-  virtual double step_work() const { return 0; }
+  virtual StepWork step_work() const { return {}; }
 
   // s, the largest stable step of central differences, with true or scaled rotary inertia.
   virtual double stable_step(bool /*scaled*/) const { return std::numeric_limits<double>::infinity(); }

@@ -177,6 +177,8 @@ std::vector<std::string> idle_loads(const model::Model& model, const mechanics::
 
 namespace {
 
+constexpr double kOffMiddle = 1e-6;  // of a radius
+
 bool cuts(const model::SymmetryPlane& plane, const model::Rigid& body, double extent) {
   const auto facets = model::shown(body, extent);
   double low = plane.at, high = plane.at;
@@ -186,6 +188,21 @@ bool cuts(const model::SymmetryPlane& plane, const model::Rigid& body, double ex
   }
   const double near = 1e-6 * extent;
   return low < plane.at - near && high > plane.at + near;
+}
+
+// Whether the plane cuts a ball, or a rod along it, off the middle, so that the whole would have two of them
+// that overlap. Other shapes may end beyond the plane, where no cloth is.
+bool cuts_off_middle(const model::SymmetryPlane& plane, const model::RigidShape& shape) {
+  const auto cut = [&](double middle, double radius) {
+    const double distance = std::abs(middle - plane.at);
+    return distance > kOffMiddle * radius && distance < (1 - kOffMiddle) * radius;
+  };
+  if (const auto* ball = std::get_if<model::Sphere>(&shape))
+    return cut(ball->centre[plane.axis], ball->radius);
+  const auto* rod = std::get_if<model::Cylinder>(&shape);
+  return rod != nullptr &&
+         std::abs(rod->to[plane.axis] - rod->from[plane.axis]) <= kOffMiddle * rod->radius &&
+         cut(rod->from[plane.axis], rod->radius);
 }
 
 bool moves_across(const model::BodyMotion& motion, int axis, double duration) {
@@ -212,6 +229,11 @@ void check_symmetric_loads(const model::Model& model, double duration) {
         throw Error("move: the " + model.interactions().name_of(*motion.body) + " is cut by " +
                     plane.words() +
                     ": expected a motion in the plane and a turn about its normal alone, or the whole model");
+    for (const model::RigidPointer& body : model.interactions().bodies())
+      if (!body->free() && cuts_off_middle(plane, body->shape()))
+        throw Error("model: the " + model.interactions().name_of(*body) + " is cut by " + plane.words() +
+                    " off its middle, so that the whole has two that overlap: expected its middle in the "
+                    "plane, or the whole model");
   }
 }
 

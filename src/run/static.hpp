@@ -115,17 +115,19 @@ class Static final : public Run {
   struct StaticState {                        // the variables of the run
     StepControl step;
     double arc_length = 0, tried_length = 0, longest_length = 0, landing = 0;  // along an arc
-    bool reported_pivots = false, reported_damping = false, reported_error = false;
+    bool reported_pivots = false, reported_damping = false, reported_error = false, reported_balance = false;
     bool jumps = false;                     // whether loads or motions begin with a jump at time 0
     bool settled = false;                   // whether that first step was relaxed
     bool inverted = false, turned = false;  // whether an element or a director of the committed state is
     double relaxed = 0;                     // J, see EnergyAccount
     double made = 0;                        // J, stored beyond what loads and supports can have given
+    double unsure = 0;    // J, the part of it in steps in which bodies move or seams are drawn
     double jumped = 0;    // J, the part of it in the first step of loads that begin with a jump
     double internal = 0;  // J, stored, dissipated and lost to damping in the committed state
     void keep(Archive& archive) {
       archive(step, arc_length, tried_length, longest_length, landing, reported_pivots, reported_damping,
-              reported_error, jumps, settled, inverted, turned, relaxed, made, jumped, internal);
+              reported_error, reported_balance, jumps, settled, inverted, turned, relaxed, made, unsure,
+              jumped, internal);
     }
   } now_;
 };

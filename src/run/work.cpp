@@ -24,6 +24,46 @@ double half_change(std::span<const double> before, std::span<const double> now, 
   return ordered_sum(now.size(), [&](std::size_t i) { return (now[i] - before[i]) / 2 * (to[i] - from[i]); });
 }
 
+// J, of the supports that turn in a step: along the arcs on which they go, with forces that turn with them,
+// and along the chords; and half of what the change of the forces would work.
+struct TurningWork {
+  double arcs = 0, chords = 0, change = 0;
+};
+
+TurningWork work_of_turning(const mechanics::Assembly& assembly, const std::vector<TurningSupport>& before,
+                            const std::vector<TurningSupport>& now) {
+  TurningWork sum;
+  const auto& freedoms = assembly.dofs().freedoms();
+  const auto& state = assembly.state();
+  const auto from = state.committed_kinematics(), to = state.x();
+  mechanics::Index history = -1;
+  double turn = 0;  // rad, in the step
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    const auto& node = freedoms.nodes[now[i].node];
+    const auto& motion = freedoms.motions[mechanics::motion_of(node.equation[3])];
+    if (std::exchange(history, motion.history) != motion.history) {
+      const auto angle = [&](double t) { return motion.of(freedoms.histories[history].value(t)); };
+      turn = angle(assembly.trial().time) - angle(state.time());
+    }
+    const Vec3 chord = at(to, now[i].node) - at(from, now[i].node), axis = *node.turn_axis;
+    const double half = std::sin(turn / 2), longer = std::abs(half) > 1e-9 ? turn / 2 / half - 1 : 0;
+    const Vec3 arc = chord + longer * (chord - axis.dot(chord) * axis);
+    const Mat3 half_turn = Eigen::AngleAxisd(turn / 2, axis).toRotationMatrix();
+    const Vec3 first = half_turn * before[i].force, last = half_turn.transpose() * now[i].force;
+    const double moment = (before[i].moment + now[i].moment) / 2;
+    sum.arcs += moment * turn + (first + last).dot(arc) / 2;
+    sum.chords += moment * std::sin(turn) + (before[i].force + now[i].force).dot(chord) / 2;
+    sum.change += (now[i].moment - before[i].moment) / 2 * turn + (last - first).dot(arc) / 2;
+  }
+  return sum;
+}
+
+bool turns_about_centre(const mechanics::Freedoms& freedoms, mechanics::Index node) {
+  const auto equation = freedoms.nodes[node].equation[0];
+  return equation != mechanics::tied && equation <= mechanics::driven(0) &&
+         freedoms.motions[mechanics::motion_of(equation)].kind == mechanics::DrivenFreedom::FreedomKind::arm;
+}
+
 // Whether the working forces are only dead loads that are constant in time.
 bool is_constant(const mechanics::Assembly& assembly) {
   const auto followers = assembly.all<mechanics::FollowerLoad>();
@@ -42,16 +82,22 @@ void find_working_forces(const mechanics::Assembly& assembly, std::span<const do
   const auto& dofs = assembly.dofs();
   const auto& nodes = dofs.freedoms().nodes;
   const auto followers = assembly.all<mechanics::FollowerLoad>();
-  bool turns =
-      std::any_of(followers.begin(), followers.end(), [](const auto* l) { return l->follows_directors(); });
-  for (const auto n : dofs.driven_nodes()) turns = turns || nodes[n].turn_axis;
-  if (turns) out.on_d.assign(dead.size(), 0);
+  if (std::any_of(followers.begin(), followers.end(), [](const auto* l) { return l->follows_directors(); }))
+    out.on_d.assign(dead.size(), 0);
   const mechanics::Trial trial = assembly.trial();
   for (const auto* const load : followers) load->add_follower(trial.time, trial, out.on_x, out.on_d);
   const auto internal = assembly.internal();
+  const auto d = assembly.state().d();
+  out.turning.clear();
+  out.loaded = !followers.empty() || std::any_of(dead.begin(), dead.end(), [](double f) { return f != 0; });
   for (const auto n : dofs.driven_nodes()) {
-    at(out.on_x, n) += dofs.support_force(n, internal.on_x, dead);
-    if (nodes[n].turn_axis) at(out.on_d, n) += at(internal.on_d, n);
+    const Vec3 force = dofs.support_force(n, internal.on_x, dead);
+    const auto& axis = nodes[n].turn_axis;
+    const bool circles = axis && turns_about_centre(dofs.freedoms(), n);
+    if (!circles) at(out.on_x, n) += force;
+    if (axis)
+      out.turning.push_back(
+          {n, circles ? force : Vec3::Zero(), axis->dot(at(d, n).cross(at(internal.on_d, n)))});
   }
 }
 
@@ -60,34 +106,39 @@ void ExternalWork::start(mechanics::Assembly& assembly, std::span<const double> 
   loaded_.reset();
 }
 
-ExternalWork::Bounded ExternalWork::of_step(mechanics::Assembly& assembly, std::span<const double> dead,
-                                            bool bounded) {
+mechanics::StepWork ExternalWork::of_step(mechanics::Assembly& assembly, std::span<const double> dead,
+                                          bool bounded) {
   const mechanics::Configuration& now = assembly.state();
   const std::size_t n = 3 * now.nodes();
   const auto from = now.committed_kinematics();
+  mechanics::StepWork sum = assembly.step_work();
   if (is_constant(assembly)) {  // only dead loads that are constant
     if (!loaded_) loaded_ = std::any_of(dead.begin(), dead.end(), [](double f) { return f != 0; });
-    const double work = *loaded_ ? trapezoid(dead, dead, from.first(n), now.x()) : 0;
-    return {work + assembly.step_work()};
+    sum.work += *loaded_ ? trapezoid(dead, dead, from.first(n), now.x()) : 0;
+    return sum;
   }
   find_working_forces(assembly, dead, now_);
   double work = trapezoid(before_.on_x, now_.on_x, from.first(n), now.x());
-  if (!now_.on_d.empty()) work += trapezoid(before_.on_d, now_.on_d, from.subspan(n, n), now.d());
-  double half = 0;
-  if (bounded) {
-    half = half_change(before_.on_x, now_.on_x, from.first(n), now.x());
-    if (!now_.on_d.empty()) half += half_change(before_.on_d, now_.on_d, from.subspan(n, n), now.d());
+  double change = bounded ? half_change(before_.on_x, now_.on_x, from.first(n), now.x()) : 0;
+  if (!now_.on_d.empty()) {
+    work += trapezoid(before_.on_d, now_.on_d, from.subspan(n, n), now.d());
+    if (bounded) change += half_change(before_.on_d, now_.on_d, from.subspan(n, n), now.d());
   }
+  // Forces of the cloth turn with its supports. Those of weights do not, and beside pressures only chords
+  // close the balance of what turns as a whole; there the work is uncertain by the difference.
+  const TurningWork turning = work_of_turning(assembly, before_.turning, now_.turning);
+  sum += {work + (now_.loaded ? turning.chords : turning.arcs),
+          std::abs(change + turning.change) + std::abs(turning.arcs - turning.chords)};
   std::swap(before_, now_);
-  return {work + assembly.step_work(), std::abs(half)};
+  return sum;
 }
 
 void ExternalWork::add(mechanics::Assembly& assembly, std::span<const double> dead) {
   add(of_step(assembly, dead, false).work);
 }
 
-ExternalWork::Bounded ExternalWork::add_bounded(mechanics::Assembly& assembly, std::span<const double> dead) {
-  const Bounded step = of_step(assembly, dead, true);
+mechanics::StepWork ExternalWork::add_bounded(mechanics::Assembly& assembly, std::span<const double> dead) {
+  const mechanics::StepWork step = of_step(assembly, dead, true);
   add(step.work);
   return step;
 }

@@ -8,10 +8,21 @@
 
 namespace fabricsh::run {
 
+// Of a node whose director is driven about an axis. The force is that of the support on a node that goes
+// about a centre; of others it is zero here and among the forces on positions.
+struct TurningSupport {
+  mechanics::Index node = -1;
+  Vec3 force = Vec3::Zero();  // N
+  double moment = 0;          // N m, about the axis
+  void keep(Archive& archive) { archive(node, force[0], force[1], force[2], moment); }
+};
+
 // The external forces that do work on the cloth; 3 per node, global.
 struct WorkingForces {
   std::vector<double> on_x;  // N
-  std::vector<double> on_d;  // N m, on directors; empty if no load and no moving support acts on them
+  std::vector<double> on_d;  // N m, on directors; empty if no load acts on them
+  std::vector<TurningSupport> turning;
+  bool loaded = false;  // whether there is more than supports
 };
 // Dead loads, follower loads and the forces of moving supports at the trial configuration, whose forces must
 // have been computed after set_time() at its time. dead: as for ExternalWork.
@@ -26,18 +37,15 @@ class ExternalWork {
   void add(mechanics::Assembly& assembly, std::span<const double> dead);
   // The same where the path between the states is unknown (relaxation). With forces that change monotonically
   // along it the work lies between that of the first and of the last state's forces.
-  struct Bounded {
-    double work = 0, half = 0;  // J, by the trapezoidal rule; how far the work can lie from that
-  };
-  Bounded add_bounded(mechanics::Assembly& assembly, std::span<const double> dead);
+  mechanics::StepWork add_bounded(mechanics::Assembly& assembly, std::span<const double> dead);
   // J, adds work known from elsewhere.
   void add(double work);
-  void keep(Archive& archive) { archive(total_, largest_, before_.on_x, before_.on_d); }
+  void keep(Archive& archive) { archive(total_, largest_, before_.on_x, before_.on_d, before_.turning); }
   double total() const { return total_; }      // J
   double largest() const { return largest_; }  // J, the largest |total| so far
 
  private:
-  Bounded of_step(mechanics::Assembly& assembly, std::span<const double> dead, bool bounded);
+  mechanics::StepWork of_step(mechanics::Assembly& assembly, std::span<const double> dead, bool bounded);
   double total_ = 0, largest_ = 0;
   WorkingForces before_, now_;
   std::optional<bool> loaded_;  // whether constant dead loads are other than zero, once known

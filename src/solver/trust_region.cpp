@@ -54,7 +54,7 @@ class Walk final : public Downhill {
   double next_factor(const TrialStep& step);
   double work_at(double fraction, TrialStep& step);
   void evaluate(TrialStep& step);
-  void search(double fraction, TrialStep& step);
+  void search(double fraction, bool moving, TrialStep& step);
   bool is_lowest(const TrialStep& step) const;
   bool accepts(const TrialStep& step) const;
   void adapt(const TrialStep& step);
@@ -135,9 +135,10 @@ double Walk::work_at(double fraction, TrialStep& step) {
 // Goes along delta_ as far as is safe. The energy that this takes away is the work of the forces along the
 // step, by Simpson's rule, which is exact for stresses that are linear in the Green-Lagrange strains.
 void Walk::evaluate(TrialStep& step) {
+  const bool moving = !problem_.at_target();
   const double fraction = problem_.limit(delta_);
   if (!(fraction > 0)) return;
-  if (step.turn * fraction < kLinear) return search(fraction, step);
+  if (step.turn * fraction < kLinear) return search(fraction, moving, step);
   const double half = work_at(fraction / 2, step);
   if (step.answer != Answer::ok) return;
   const double end = work_at(fraction, step);
@@ -148,10 +149,12 @@ void Walk::evaluate(TrialStep& step) {
   step.ratio = model > 0 ? step.drop / model : 0;
 }
 
-// A short step changes the forces linearly but for switches of yarns, which the line search finds.
-void Walk::search(double fraction, TrialStep& step) {
+// A short step changes the forces linearly but for switches of yarns, which the line search finds. moving:
+// something besides is on its way, for which the step is made, while the cloth may be in balance but for
+// rounding.
+void Walk::search(double fraction, bool moving, TrialStep& step) {
   double end = 0;
-  const auto found = line_search(work_, {true, true, fraction}, [&](double s) -> TriedFraction {
+  const auto found = line_search(work_, {!moving, true, fraction}, [&](double s) -> TriedFraction {
     end = work_at(s, step);
     return {step.answer, end};
   });

@@ -102,6 +102,17 @@ says(moved, function() pressed(0, { z = fabric.ramp(-0.01, 1), x = function(t) r
 says(moved, function() pressed(0, { turn = { axis = { 1, 0, 0.1 }, angle = fabric.ramp(20, 1) } }) end)
 pressed(0, { y = fabric.ramp(0.01, 1), turn = { axis = { -2, 0, 0 }, angle = fabric.ramp(20, 1) } })
 pressed(0.02, { x = fabric.ramp(0.001, 1) }) -- the plane does not cut it
+-- Nor may the plane cut a ball or a rod that stands still, or is moved along the plane, off its middle: the whole would have two of them.
+local function beside(body)
+  local mesh = fabric.mesh.rectangle { width = 0.03, height = 0.06, nx = 3, ny = 6 }
+  local m = fabric.model { mesh = mesh, card = card, points = 1, warp = 0 }
+  return fabric.static { model = m:symmetry("left", "x"):contact { between = { body, "all" } }:move(body, { z = fabric.ramp(-0.01, 1) }), duration = 1 }
+end
+local function still(x) return fabric.rigid.sphere { radius = 0.005, centre = { x, 0.03, 0.006 } } end
+local function along(x, tilt) return fabric.rigid.cylinder { radius = 0.004, from = { x, 0.01, 0.006 }, to = { x + tilt, 0.05, 0.006 } } end
+says("model: the sphere is cut by the plane of symmetry x = 0 m of set 'left' off its middle, so that the whole has two that overlap: expected its middle in the plane, or the whole model", function() beside(still(0.002)) end)
+says("model: the cylinder is cut by the plane of symmetry x = 0 m of set 'left' off its middle", function() beside(along(-0.001, 0)) end)
+for _, body in ipairs { still(0), still(0.006), along(0, 0), along(0.005, 0), along(0, 0.01) } do beside(body) end
 
 -- A quarter of a sheet that falls on a ball goes as the whole one: its squares are cut for contact along mirrored diagonals.
 for _, case in ipairs { { 5, 0, 1e-12 }, { 6, 0, 1e-12 }, { 6, 0.2, 1e-6 } } do -- friction makes much of what rounding leaves

@@ -45,13 +45,14 @@ double Bands::pull_on_rest(const Piece& piece, double strain) const {
 
 Outcome Bands::add_forces(const law::Step&, const Trial& trial, Forces& forces) {
   const auto x = trial.configuration.x();
-  work_ = 0;
+  work_ = {};
   aimed_ = trial.time;
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const Piece& piece = pieces_[i];
     const double e = strain(piece, trial);
     now_[i] = pull_on_rest(piece, e);
-    work_ += (now_[i] + pulling_[i]) / 2 * (rest(piece, trial.time) - rest(piece, time_));
+    const double way = rest(piece, trial.time) - rest(piece, time_);
+    work_ += {(now_[i] + pulling_[i]) / 2 * way, std::abs((now_[i] - pulling_[i]) / 2 * way)};
     if (!(e > 0)) continue;
     const Vec3 force = bands_[piece.band].stiffness * e * (at(x, piece.b) - at(x, piece.a)).normalized();
     at(forces.on_x, piece.a) -= force;

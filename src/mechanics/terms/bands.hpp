@@ -16,7 +16,7 @@ class Bands final : public Term {
   Outcome add_forces(const law::Step&, const Trial& trial, Forces& forces) override;
   void add_tangent(const Trial& trial, TangentSink& sink) const override;
   void add_energies(const Trial& trial, std::vector<Energy>& out) const override;
-  double step_work() const override { return work_; }
+  StepWork step_work() const override { return work_; }
   void commit() override;
   void keep(Archive& archive) override { archive(time_, pulling_); }
 
@@ -34,7 +34,7 @@ class Bands final : public Term {
   std::vector<Piece> pieces_;
   std::vector<double> pulling_, now_;  // N: the last of these at the committed and the trial state
   double time_ = 0, aimed_ = 0;        // s: committed, of the trial state
-  double work_ = 0;                    // J, of shortening the bands in the step
+  StepWork work_;                      // of shortening the bands in the step
 };
 
 }  // namespace fabricsh::mechanics

@@ -483,22 +483,28 @@ double Bodies::kinetic() const {
   return sum;
 }
 
-double Bodies::step_work() const {
-  double work = 0;
-  if (!loaded_) return work;
+StepWork Bodies::step_work() const {
+  StepWork sum;
+  if (!loaded_) return sum;
   for (const Body& body : bodies_) {
     if (body.free >= 0) {
       const Free& free = free_[body.free];
       const Vec3 moved = free.predicted.centre() - free.committed.centre();
-      work += free.committed.mass() * (gravity(from_) + gravity(to_)).dot(moved) / 2;
+      sum.work += free.committed.mass() * (gravity(from_) + gravity(to_)).dot(moved) / 2;
       continue;
     }
     const auto& force = implicit_ ? trial_force_ : force_;
-    for (std::size_t i = body.first; i < body.first + body.count; ++i)
-      work -= (force[i] + trial_force_[i]).dot(target_[i] - committed_[i]) / 2;
-    work -= ((implicit_ ? body.trial_torque : body.torque) + body.trial_torque).dot(body.turned) / 2;
+    const Vec3& torque = implicit_ ? body.trial_torque : body.torque;
+    double change = (torque - body.trial_torque).dot(body.turned) / 2;
+    for (std::size_t i = body.first; i < body.first + body.count; ++i) {
+      const Vec3 way = target_[i] - committed_[i];
+      sum.work -= (force[i] + trial_force_[i]).dot(way) / 2;
+      change += (force[i] - trial_force_[i]).dot(way) / 2;
+    }
+    sum.work -= (torque + body.trial_torque).dot(body.turned) / 2;
+    sum.spread += std::abs(change);
   }
-  return work;
+  return sum;
 }
 
 Vec3 Bodies::force(std::size_t i) const {

@@ -17,6 +17,7 @@
 #include "base/archive.hpp"
 #include "contact/rigid.hpp"
 #include "geometry/box.hpp"
+#include "mechanics/step_work.hpp"
 #include "model/model.hpp"
 
 namespace fabricsh::mechanics {
@@ -80,9 +81,8 @@ class Bodies {
 
   // --- in the trial state if its forces are known, otherwise in the committed state
   double kinetic() const;  // J, of the free bodies
-  // J, external work on cloth and bodies in the step: that of driven bodies, and that of gravity on free
-  // ones.
-  double step_work() const;
+  // External work on cloth and bodies in the step: that of driven bodies, and that of gravity on free ones.
+  StepWork step_work() const;
   Vec3 force(std::size_t i) const;  // N, of the cloth on body i
   struct BodyKinematics {
     Vec3 place, velocity, spin;  // of its centre, m, m/s; rad/s

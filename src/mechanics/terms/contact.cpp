@@ -417,14 +417,14 @@ double Contacts::opening_pace(std::span<const Vec3> x, double time, double dt) {
 // The work of opening in the step, by the trapezoid rule from its rates at both ends of the step. Returns
 // false if there is not enough room for the opening. Afterwards contact is opened as at the end of the step.
 bool Contacts::work_of_opening() {
-  opening_work_ = 0;
+  opening_work_ = {};
   const double from = configuration_.time(), dt = trial_time_ - from;
   if (!(from < opened_at_) || !(dt > 0)) return true;
   positions(configuration_.committed_kinematics(), 0, start_);
   const double first = opening_pace(start_, from, dt), last = opening_pace(x_, trial_time_, dt);
-  opening_work_ = (first + last) / 2;
+  opening_work_ = {(first + last) / 2, std::abs(last - first) / 2};
   open_to(trial_time_);
-  return std::isfinite(opening_work_);
+  return std::isfinite(opening_work_.work);
 }
 
 void Contacts::set_time(double time) {
@@ -536,7 +536,13 @@ double Contacts::taken() const {
   for (std::size_t i = nodes_; i < x_.size(); ++i) work += torque_[i].dot(turning_[i]);
   // What friction takes has its own account; the damping of approach belongs to this one.
   const double given = committed_.contact + committed_.guard - trial_.contact - trial_.guard;
-  return std::max(0.0, opening_work_ + given - work);
+  return std::max(0.0, opening_work_.work + given - work);
+}
+
+StepWork Contacts::step_work() const {
+  StepWork sum = bodies_.step_work();
+  if (evaluated_) sum += opening_work_;
+  return sum;
 }
 
 double Contacts::work_on_cloth() const {

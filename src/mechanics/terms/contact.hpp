@@ -36,7 +36,7 @@ class Contacts final : public Term, public StepLimiter, public OwnUnknowns, publ
   void couple(const Trial& trial, std::vector<NodePair>& pairs) override;
   void add_energies(const Trial&, std::vector<Energy>& out) const override;
   // Of what drives bodies, of gravity on free ones, and of what opens overlaps.
-  double step_work() const override { return bodies_.step_work() + (evaluated_ ? opening_work_ : 0); }
+  StepWork step_work() const override;
   void set_time(double time) override;
   void commit() override;
   void rollback() override;
@@ -222,7 +222,7 @@ class Contacts final : public Term, public StepLimiter, public OwnUnknowns, publ
   std::vector<Meeting> meetings_;         // by interaction
   double trial_time_ = 0;                 // s
   double opened_at_ = 0;                  // s: when all overlaps are opened
-  double opening_work_ = 0;               // J, in the step
+  StepWork opening_work_;                 // in the step
   mutable std::vector<double> share_of_;  // see open_to()
   bool friction_ = false, explicit_ = false, moves_ = false, blocked_ = false;
   double least_areal_ = 0, step_ = 0;  // kg/m2; s, step for which stiffnesses are limited

@@ -254,15 +254,16 @@ void Seams::add_energies(const Trial& trial, std::vector<Energy>& out) const {
 }
 
 // Of what shortens the threads.
-double Seams::step_work() const {
-  double work = 0;
+StepWork Seams::step_work() const {
+  StepWork sum;
   for (std::size_t i = 0; i < threads_.size(); ++i) {
     const Thread& t = threads_[i];
     if (!seam(i).over || (state(i) != State::drawn && state(i) != State::own)) continue;
     const Vec3 before = t.stiffness() * (t.gap_before - t.target_before) + t.damping_before;
-    work -= (t.force() + before).dot(t.target - t.target_before) / 2;
+    const Vec3 way = t.target - t.target_before;
+    sum += {-(t.force() + before).dot(way) / 2, std::abs((t.force() - before).dot(way)) / 2};
   }
-  return work;
+  return sum;
 }
 
 // --- strength

@@ -52,7 +52,7 @@ class Seams final : public Term {
   void add_tangent(const Trial& trial, TangentSink& sink) const override;
   void couple(const Trial&, std::vector<NodePair>& pairs) override;
   void add_energies(const Trial& trial, std::vector<Energy>& out) const override;
-  double step_work() const override;
+  StepWork step_work() const override;
   void renumbered(Forces& forces) override;
   void commit() override;
   void rollback() override;

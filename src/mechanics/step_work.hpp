@@ -1,0 +1,18 @@
+// The work of forces of which only the two ends of a step are known.
+#pragma once
+#include <cmath>
+
+namespace fabricsh::mechanics {
+
+// J. By the trapezoidal rule, and how far the work can lie from that if the forces change monotonically
+// within the step: to either end's forces alone.
+struct StepWork {
+  double work = 0, spread = 0;
+  StepWork& operator+=(const StepWork& other) {
+    work += other.work;
+    spread += other.spread;
+    return *this;
+  }
+};
+
+}  // namespace fabricsh::mechanics
