@@ -77,12 +77,12 @@ struct Bending {
 // Confidence bands of measured parameters, in the order loading coefficients (of points: their stresses
 // beyond the origin, Pa), unloading, poisson (shear has no poisson). covariance refers to the same
 // parameters, row by row. Empty: not known.
-struct Band {
+struct ParameterBand {
   std::vector<double> low, high, covariance;
 };
-struct Bands {
+struct ParameterBands {
   double level = 0.95;  // probability that a parameter lies in its band
-  Band warp, weft, shear;
+  ParameterBand warp, weft, shear;
 };
 
 // The woven law, and those of folders of the room law that take its card in its place.
@@ -103,7 +103,7 @@ struct Woven {
   bool shear_hysteresis = true;                 // comparison laws only
   std::optional<Biaxial> biaxial;
   rheology::Given parallel;  // law "potential" only: elements on its springs and in parallel to them
-  std::optional<Bands> bands;
+  std::optional<ParameterBands> bands;
 };
 
 struct Svk {  // St. Venant-Kirchhoff (theory.md, 4); shear is the engineering modulus, S12 = 2 G E12

@@ -33,7 +33,7 @@ enum class FieldType {
 };
 
 // The description of a field. Units are SI.
-struct Row {
+struct FieldRow {
   std::string name;
   FieldType holds = FieldType::number;
   std::string unit;
@@ -61,7 +61,7 @@ struct Row {
 };
 
 template <class Owner>
-struct FieldOf : Row {
+struct FieldOf : FieldRow {
   std::function<Value(const Owner&)> get;
   std::function<void(Owner&, const Value&)> set;
   std::function<std::string(const Owner&)> say;  // replaces the phrase; "": print nothing
@@ -258,7 +258,7 @@ FieldOf<Owner> number_or_curve(std::string name, double Owner::*place, Curve Own
 template <class Whole, class Part, class Enter>
 FieldOf<Whole> lifted(const FieldOf<Part>& f, Enter enter) {
   FieldOf<Whole> out;
-  static_cast<Row&>(out) = f;
+  static_cast<FieldRow&>(out) = f;
   if (f.get) out.get = [get = f.get, enter](const Whole& w) { return get(enter(w)); };
   if (f.set) out.set = [set = f.set, enter](Whole& w, const Value& v) { set(enter(w), v); };
   if (f.say) out.say = [say = f.say, enter](const Whole& w) { return say(enter(w)); };

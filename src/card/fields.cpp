@@ -176,25 +176,25 @@ void add_elements(Rows<Woven>& rows) {
   });
 }
 
-Rows<Band> band_rows() {
+Rows<ParameterBand> band_rows() {
   return {
-      numbers("low", &Band::low, "",
+      numbers("low", &ParameterBand::low, "",
               "of loading coefficients (of points: their stresses beyond zero strain), unloading, poisson")
           .unprinted(),
-      numbers("high", &Band::high, "", "of the same parameters").unprinted(),
-      numbers("covariance", &Band::covariance, "", "of the same parameters, row by row")
+      numbers("high", &ParameterBand::high, "", "of the same parameters").unprinted(),
+      numbers("covariance", &ParameterBand::covariance, "", "of the same parameters, row by row")
           .next_line()
           .unprinted()};
 }
 
-FieldOf<Bands> band(const std::string& name, Band Bands::*place) {
+FieldOf<ParameterBands> band(const std::string& name, ParameterBand ParameterBands::*place) {
   auto f = group(name, place, band_rows(), "of the " + name + "'s parameters").optional();
-  f.there = [place](const Bands& bands) { return !(bands.*place).low.empty(); };
+  f.there = [place](const ParameterBands& bands) { return !(bands.*place).low.empty(); };
   return f;
 }
 
 // Lists the parts that have confidence bands, and those that do not.
-std::string bands_words(const Bands& bands) {
+std::string bands_words(const ParameterBands& bands) {
   std::string with, without;
   for (const auto& [name, band] :
        {std::pair{"warp", &bands.warp}, {"weft", &bands.weft}, {"shear", &bands.shear}}) {
@@ -206,11 +206,12 @@ std::string bands_words(const Bands& bands) {
   return with.empty() ? "none" : of + " on " + with + ", none on " + without;
 }
 
-Rows<Bands> bands_rows() {
-  return {number("level", &Bands::level, "", Range{0, 1, true, true}, "of confidence")
+Rows<ParameterBands> bands_rows() {
+  return {number("level", &ParameterBands::level, "", Range{0, 1, true, true}, "of confidence")
               .or_else(0.95)
               .said(bands_words),
-          band("warp", &Bands::warp), band("weft", &Bands::weft), band("shear", &Bands::shear)};
+          band("warp", &ParameterBands::warp), band("weft", &ParameterBands::weft),
+          band("shear", &ParameterBands::shear)};
 }
 
 Rows<BendingFriction> friction_rows(const std::string& side) {

@@ -26,23 +26,25 @@ double mean_edge(const Scene& scene) {
 }
 
 // What lips come back with does not stop within a gap far below that of the law.
-double grown(double apart, const Law& law) { return apart < grown_from * law.gap() ? 0 : of_apart * apart; }
+double grown(double apart, const ContactLaw& law) {
+  return apart < grown_from * law.gap() ? 0 : of_apart * apart;
+}
 
 // The corners of a pair move from x to end; the share of that motion until the pair reaches its floor.
-double pair_share(const Candidate& c, const Law& law, const Corners& x, const Corners& end) {
+double pair_share(const Candidate& c, const ContactLaw& law, const Corners& x, const Corners& end) {
   const double least = c.pair.offset + law.floor() * c.pair.scale;
   const auto pairs = Simplices::segment_segment;
   switch (c.pair.kind) {
-    case Kind::facet:
+    case PairKind::facet:
       return safe_share(Simplices::point_triangle, x, end, least);
-    case Kind::edges:
-    case Kind::wrap:
+    case PairKind::edges:
+    case PairKind::wrap:
       return safe_share(pairs, x, end, least);
-    case Kind::segment:
+    case PairKind::segment:
       return safe_share(pairs, {x[0], x[0], x[1], x[2]}, {end[0], end[0], end[1], end[2]}, least);
-    case Kind::centre:
+    case PairKind::centre:
       return safe_share(pairs, {x[0], x[0], x[1], x[1]}, {end[0], end[0], end[1], end[1]}, least);
-    case Kind::plane:
+    case PairKind::plane:
       break;
   }
   const double from = point_plane(x).distance - least, to = point_plane(end).distance - least;
@@ -58,7 +60,7 @@ double narrowest(const Scene& scene, double least) {
     gap = std::max(gap, it.law.gap());
   }
   for (const Candidate& c : find_pairs(scene, scene.reference(), 0.2 * gap)) {
-    const Law& law = scene.interactions()[std::size_t(c.interaction)].law;
+    const ContactLaw& law = scene.interactions()[std::size_t(c.interaction)].law;
     least = std::min(least, c.start * c.pair.scale * (law.gap() - law.floor()));
   }
   return least;
@@ -268,7 +270,7 @@ void Contact::index_slots() {
   stick_.resize(touched_.size());
   work_.resize(touched_.size());
   impact_.resize(touched_.size());
-  pressed_.resize(touched_.size());
+  first_slip_.assign(touched_.size() + 1, 0);
 }
 
 class Contact::OfSlot final : public SlipSource {
@@ -299,10 +301,9 @@ Totals Contact::add_forces(std::span<const Vec3> x, std::span<Vec3> force, const
     const Interaction& it = scene_->interactions()[std::size_t(c.interaction)];
     Force& slot = slots_[std::size_t(i)];
     const OfSlot slips(*this, std::size_t(i), x, way);
-    if (!find_force(it.law, c.pair, corners_of(c, x), !way.start.empty() && it.rubs() ? &slips : nullptr,
-                    slot))
-      continue;
-    active_[std::size_t(i)] = 1;
+    const bool rubs = !way.start.empty() && it.rubs();
+    if (!find_force(it.law, c.pair, corners_of(c, x), rubs ? &slips : nullptr, slot)) continue;
+    active_[std::size_t(i)] = rubs ? rubbing : pressing;
     least = std::min(least, slot.gap);
   }
   totals.gap = least;
@@ -320,19 +321,21 @@ void Contact::gather(std::span<Vec3> force, std::span<Vec3> torque, Totals& tota
     const auto p = std::size_t(touched_[row]);
     Vec3 sum = Vec3::Zero(), turning = Vec3::Zero();
     double contact = 0, guard = 0, stick = 0, work = 0, impact = 0;
-    int pairs = 0;
+    std::uint32_t slips = 0;
+    const bool turns = !torque.empty() && rigid(std::int32_t(p));
     for (std::uint32_t k = first_[row]; k < first_[row + 1]; ++k) {
       if (!active_[of_point_[k] / 4]) continue;
       const Force& slot = slots_[of_point_[k] / 4];
       sum += slot.on[of_point_[k] % 4];
-      if (!torque.empty() && holds_torque(of_point_[k])) turning += slot.torque;
+      if (turns && holds_torque(of_point_[k])) turning += slot.torque;
       if (of_point_[k] % 4 != 0) continue;  // the energies of a pair are counted at its first corner
       contact += slot.contact;
       guard += slot.guard;
       stick += slot.stick;
       work += slot.work;
       impact += slot.impact;
-      ++pairs;
+      ++touching;
+      slips += active_[of_point_[k] / 4] == rubbing ? 1 : 0;
     }
     force[p] += sum;
     if (!torque.empty()) torque[p] += turning;
@@ -341,8 +344,7 @@ void Contact::gather(std::span<Vec3> force, std::span<Vec3> torque, Totals& tota
     stick_[row] = stick;
     work_[row] = work;
     impact_[row] = impact;
-    pressed_[row] = pairs;
-    touching += std::size_t(pairs);
+    first_slip_[row + 1] = slips;
   }
   totals.touching = touching;
   // Over all points and not only those in the lists, which depend on the skin.

@@ -143,7 +143,9 @@ class Contact {
   double share_of(const std::vector<Candidate>& pairs, std::span<const Vec3> x,
                   std::span<const Vec3> by) const;
   void gather(std::span<Vec3> force, std::span<Vec3> torque, Totals& totals);
-  const Law& law(const Candidate& c) const { return scene_->interactions()[std::size_t(c.interaction)].law; }
+  const ContactLaw& law(const Candidate& c) const {
+    return scene_->interactions()[std::size_t(c.interaction)].law;
+  }
 
   const Scene* scene_;
   Skins skins_;
@@ -158,17 +160,20 @@ class Contact {
   std::vector<double> outer_margin_;  // of each pair of the outer list: the same in search()
   std::vector<double> margin_;  // of each pair of the inner list: how far out of reach it was in refine()
   std::vector<Force> slots_;
-  std::vector<char> active_;                     // whether the slot of a pair is in use
+  static constexpr char pressing = 1, rubbing = 2;
+  std::vector<char> active_;  // whether the slot of a pair is in use, with or without a slip; 0: it is not
   std::vector<std::int32_t> touched_;            // points with slots, ascending
   std::vector<std::uint32_t> first_, of_point_;  // rows: slot * 4 + corner, ascending for each touched point
   std::vector<double> energy_, guard_, stick_, work_, impact_;  // by touched point
-  std::vector<int> pressed_;  // by touched point: pairs that touch and have it as their first corner
+  // By touched point: where the slips of the pairs that have it as their first corner begin, see
+  // note_slips(); before that, how many these are, one place further on.
+  std::vector<std::uint32_t> first_slip_;
   // The elastic slips of the pairs that touch. The first corner of a pair is what slides over the rest of it;
   // the slips are in the order of the first corners, for each in the order of the pairs.
   struct Held {
     std::array<std::int32_t, 4> point{};
     std::int32_t interaction = 0;
-    Kind kind = Kind::facet;
+    PairKind kind = PairKind::facet;
     std::size_t slot = 0;  // of the list at that time
     double gap = 0;        // m
     Vec3 slip = Vec3::Zero(), pull = Vec3::Zero();

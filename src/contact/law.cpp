@@ -41,7 +41,7 @@ double between(double a, double b) { return 2 * a * b / (a + b); }
 
 }  // namespace
 
-Law::Law(const LawData& data) : floor_(data.floor) {
+ContactLaw::ContactLaw(const LawData& data) : floor_(data.floor) {
   check_length("floor", data.floor);
   if (data.curve.empty()) {
     check_length("gap", data.gap);
@@ -64,7 +64,7 @@ Law::Law(const LawData& data) : floor_(data.floor) {
 }
 
 // Adds a knot below the last one. Between knots stiffness is linear, pressure quadratic, energy cubic.
-void Law::add(double gap, double stiffness) {
+void ContactLaw::add(double gap, double stiffness) {
   Knot knot{gap, stiffness, 0, 0};
   if (!knots_.empty()) {
     const Knot& last = knots_.back();
@@ -79,7 +79,7 @@ void Law::add(double gap, double stiffness) {
 // gap a parabola runs out to zero pressure and stiffness. Below the smallest measured gap, at the height a
 // above the floor with the stiffness k, the stiffness is k a^2 / (d - d_f)^2 down to the guard, in linear
 // pieces. A given bound replaces a larger stiffness.
-void Law::add_curve(const LawData& data) {
+void ContactLaw::add_curve(const LawData& data) {
   const auto& c = data.curve;
   const std::size_t n = c.size();
   std::vector<double> secant(n - 1), slope(n);
@@ -111,7 +111,7 @@ void Law::add_curve(const LawData& data) {
   }
 }
 
-ContactResponse Law::operator()(double d) const {
+ContactResponse ContactLaw::operator()(double d) const {
   ContactResponse out;
   if (d >= gap_) return out;
   if (!(d > floor_)) {
@@ -136,7 +136,7 @@ ContactResponse Law::operator()(double d) const {
   return out;
 }
 
-ContactResponse Law::scaled(double d, double scale) const {
+ContactResponse ContactLaw::scaled(double d, double scale) const {
   ContactResponse out = (*this)(d / scale);
   out.contact *= scale * scale;
   out.guard *= scale * scale;

@@ -29,12 +29,12 @@ struct ContactResponse {
   double stiffness = 0;           // -d pressure/dd, Pa/m
 };
 
-class Law {
+class ContactLaw {
  public:
-  Law() = default;
+  ContactLaw() = default;
   // Errors: floor not below the gap, a value not positive and finite, a curve that is not strictly monotone
   // or reaches down to the floor.
-  explicit Law(const LawData& data);
+  explicit ContactLaw(const LawData& data);
 
   double gap() const { return gap_; }            // m
   double floor() const { return floor_; }        // m

@@ -19,7 +19,8 @@ struct PressedPlace {
 // Calls visit(pressed, modulation) for every place within the law's range; returns the smallest gap. The
 // modulation is null for kinds that have none; its second derivatives go to `hessian`, if they are wanted.
 template <class Visit>
-double visit_pressed(const Law& law, const Pair& pair, const Corners& x, Matrix12* hessian, Visit visit) {
+double visit_pressed(const ContactLaw& law, const Pair& pair, const Corners& x, Matrix12* hessian,
+                     Visit visit) {
   std::optional<Modulation> m;
   return visit_places(pair, x, law.gap() * pair.scale, [&](const Place& place) {
     double count = place.plain;
@@ -54,7 +55,7 @@ struct Slid {
 };
 
 // An implicit step has the stiffness at its beginning, so that the pressure is linear in the approach.
-void damp(const Law& law, const Pair& pair, const PressedPlace& at, const Slip& slip, Slid& out) {
+void damp(const ContactLaw& law, const Pair& pair, const PressedPlace& at, const Slip& slip, Slid& out) {
   const double opened = at.place.touch.normal.dot(out.moved);
   if (slip.loss == 0 || slip.dt == 0 || opened >= 0) return;
   const double gap = at.place.touch.distance - pair.offset - (slip.step == 0 ? opened : 0);
@@ -63,7 +64,7 @@ void damp(const Law& law, const Pair& pair, const PressedPlace& at, const Slip& 
   out.damping = out.damping_slope * opened;
 }
 
-Slid slide(const Law& law, const Pair& pair, const PressedPlace& at, const Slip& slip) {
+Slid slide(const ContactLaw& law, const Pair& pair, const PressedPlace& at, const Slip& slip) {
   const Touch& touch = at.place.touch;
   Slid out;
   out.lever = pair.offset * touch.normal;
@@ -91,7 +92,7 @@ double resistance(const Touch& touch, const Slip& slip) {
 // The slip of a pair is that of its nearest place, which comes first; that of an edge on a rod the mean.
 class Friction {
  public:
-  Friction(const Law& law, const Pair& pair, const Slip& slip, Force& force)
+  Friction(const ContactLaw& law, const Pair& pair, const Slip& slip, Force& force)
       : law_(law), pair_(pair), slip_(slip), force_(force) {}
   void add(const PressedPlace& at) {
     const Slid s = slide(law_, pair_, at, slip_);
@@ -114,7 +115,7 @@ class Friction {
     const double before = slip_.step == 0 ? 0 : 0.5;
     force_.work += (1 - before) * pull.dot(s.slid);
     if (first_) force_.work += before * slip_.pull.dot(s.slid);
-    const double weight = pair_.kind == Kind::wrap ? s.bound() : first_ ? 1 : 0;
+    const double weight = pair_.kind == PairKind::wrap ? s.bound() : first_ ? 1 : 0;
     share_ += weight;
     force_.slides = force_.slides || (weight > 0 && (s.goes_on || !s.sticks()));
     if (weight > 0) force_.slip += weight / share_ * (kept * s.trial - force_.slip);
@@ -130,7 +131,7 @@ class Friction {
     force_.impact += (1 - before) * press * closed;
   }
 
-  const Law& law_;
+  const ContactLaw& law_;
   const Pair& pair_;
   const Slip& slip_;
   Force& force_;
@@ -145,7 +146,7 @@ namespace {
 // slip(): a pointer to the slip at a pair that touches, null without friction; called once. Returns the
 // smallest distance above the floor, of any pair.
 template <class FindSlip>
-double set_force(const Law& law, const Pair& pair, const Corners& x, FindSlip slip, Force& force) {
+double set_force(const ContactLaw& law, const Pair& pair, const Corners& x, FindSlip slip, Force& force) {
   std::optional<Friction> friction;
   bool touches = false;
   const double nearest =
@@ -174,7 +175,7 @@ double set_force(const Law& law, const Pair& pair, const Corners& x, FindSlip sl
 
 }  // namespace
 
-Force pair_force(const Law& law, const Pair& pair, const Corners& x, const Slip* slip) {
+Force pair_force(const ContactLaw& law, const Pair& pair, const Corners& x, const Slip* slip) {
   Force force;
   force.gap = set_force(
       law, pair, x, [slip] { return slip; }, force);
@@ -185,16 +186,17 @@ Force pair_force(const Law& law, const Pair& pair, const Corners& x, const Slip*
 // distance and normal take.
 static bool is_far(const Pair& pair, const Corners& x, double reach) {
   const double far = (reach + pair.offset) * (reach + pair.offset) * (1 + 1e-9);
-  if (pair.kind == Kind::plane) {
+  if (pair.kind == PairKind::plane) {
     const Vec3 normal = (x[2] - x[1]).cross(x[3] - x[1]);
     const double height = normal.dot(x[0] - x[1]);
     return height > 0 && height * height > far * normal.squaredNorm();
   }
-  if (pair.kind == Kind::facet) return squared_point_triangle(x[0], x[1], x[2], x[3]) > far;
-  return pair.kind == Kind::edges && squared_crossing(x[0], x[1], x[2], x[3]) > far;
+  if (pair.kind == PairKind::facet) return squared_point_triangle(x[0], x[1], x[2], x[3]) > far;
+  return pair.kind == PairKind::edges && squared_crossing(x[0], x[1], x[2], x[3]) > far;
 }
 
-bool find_force(const Law& law, const Pair& pair, const Corners& x, const SlipSource* slips, Force& force) {
+bool find_force(const ContactLaw& law, const Pair& pair, const Corners& x, const SlipSource* slips,
+                Force& force) {
   if (is_far(pair, x, law.gap() * pair.scale)) return false;
   std::optional<Slip> slip;
   bool touches = false;
@@ -206,7 +208,7 @@ bool find_force(const Law& law, const Pair& pair, const Corners& x, const SlipSo
   return touches;
 }
 
-Derivatives pair_derivatives(const Law& law, const Pair& pair, const Corners& x) {
+Derivatives pair_derivatives(const ContactLaw& law, const Pair& pair, const Corners& x) {
   Derivatives out;
   Matrix12 bends = Matrix12::Zero();  // second derivatives of the modulation
   visit_pressed(law, pair, x, &bends, [&](const PressedPlace& at, const Modulation* m) {
@@ -273,7 +275,8 @@ Place3 sliding_by_corner(const Touch& touch, const Corners& x, const Slip& slip,
 
 }  // namespace
 
-FrictionTangent friction_tangent(const Law& law, const Pair& pair, const Corners& x, const Slip& slip) {
+FrictionTangent friction_tangent(const ContactLaw& law, const Pair& pair, const Corners& x,
+                                 const Slip& slip) {
   FrictionTangent out;
   visit_pressed(law, pair, x, nullptr, [&](const PressedPlace& at, const Modulation* m) {
     const Touch& touch = at.place.touch;

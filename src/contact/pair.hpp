@@ -11,7 +11,7 @@
 
 namespace fabricsh::contact {
 
-enum class Kind : std::uint8_t {
+enum class PairKind : std::uint8_t {
   facet,    // point 0 against the triangle 1, 2, 3
   plane,    // point 0 against the whole plane through 1, 2, 3, from the side that sees them counter-clockwise
   edges,    // segment 0-1 against segment 2-3 where they cross, with a weight that fades towards their ends
@@ -21,7 +21,7 @@ enum class Kind : std::uint8_t {
 };
 
 struct Pair {
-  Kind kind = Kind::facet;
+  PairKind kind = PairKind::facet;
   double area = 0;    // m2, reference
   double scale = 1;   // factor on the law's lengths, for neighbours in a sheet
   double offset = 0;  // m: radii subtracted from the distance
@@ -79,7 +79,7 @@ struct Force {
 };
 
 // Forces on the corners.
-Force pair_force(const Law& law, const Pair& pair, const Corners& x, const Slip* slip = nullptr);
+Force pair_force(const ContactLaw& law, const Pair& pair, const Corners& x, const Slip* slip = nullptr);
 
 // Finds the slip of a pair, for those that touch alone: of the near pairs most do not.
 class SlipSource {
@@ -91,14 +91,15 @@ class SlipSource {
 };
 // The same where it touches; otherwise it returns false, and `force` is not changed. slips: null without
 // friction.
-bool find_force(const Law& law, const Pair& pair, const Corners& x, const SlipSource* slips, Force& force);
+bool find_force(const ContactLaw& law, const Pair& pair, const Corners& x, const SlipSource* slips,
+                Force& force);
 
 struct Derivatives {
   double contact = 0, guard = 0;         // J
   Vector12 gradient = Vector12::Zero();  // N; forces are its negative
   Matrix12 hessian = Matrix12::Zero();   // N/m
 };
-Derivatives pair_derivatives(const Law& law, const Pair& pair, const Corners& x);
+Derivatives pair_derivatives(const ContactLaw& law, const Pair& pair, const Corners& x);
 // The nearest matrix (in the Frobenius norm) without negative eigenvalues.
 Matrix12 positive_part(const Matrix12& hessian);
 
@@ -110,6 +111,6 @@ struct FrictionTangent {
   Eigen::Matrix<double, 3, 12> torque_by_x = Eigen::Matrix<double, 3, 12>::Zero();
   Mat3 torque_by_turn = Mat3::Zero();
 };
-FrictionTangent friction_tangent(const Law& law, const Pair& pair, const Corners& x, const Slip& slip);
+FrictionTangent friction_tangent(const ContactLaw& law, const Pair& pair, const Corners& x, const Slip& slip);
 
 }  // namespace fabricsh::contact

@@ -22,7 +22,7 @@ double visit_places(const Pair& pair, const Corners& x, double reach, Visit visi
     return touch.distance - pair.offset;
   };
   switch (pair.kind) {
-    case Kind::facet: {
+    case PairKind::facet: {
       const FacetTouch nearest = point_triangle(x);
       const double gap = within(nearest.touch, 1, 0);
       if (gap >= reach) return gap;
@@ -33,27 +33,27 @@ double visit_places(const Pair& pair, const Corners& x, double reach, Visit visi
       }
       return gap;
     }
-    case Kind::plane:
+    case PairKind::plane:
       return within(point_plane(x), 1, 0);
-    case Kind::edges: {
+    case PairKind::edges: {
       const std::optional<Touch> touch = segments_crossing(x);
       return touch ? within(*touch, 0, 1) : std::numeric_limits<double>::infinity();
     }
-    case Kind::wrap: {
+    case PairKind::wrap: {
       const double gap = within(segment_segment(x), 0, 1);
       if (gap >= reach) return gap;
       within(point_segment(x, 0, 2, 3), 0.5, -0.5);
       within(point_segment(x, 1, 2, 3), 0.5, -0.5);
       return gap;
     }
-    case Kind::segment:
+    case PairKind::segment:
       return within(point_segment(x, 0, 1, 2), 1, 0);
-    case Kind::centre:
+    case PairKind::centre:
       break;
   }
   return within(point_point(x, 0, 1), 1, 0);
 }
 
-inline bool modulates(Kind kind) { return kind == Kind::edges || kind == Kind::wrap; }
+inline bool modulates(PairKind kind) { return kind == PairKind::edges || kind == PairKind::wrap; }
 
 }  // namespace fabricsh::contact

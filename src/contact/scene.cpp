@@ -380,7 +380,7 @@ int points_first(Shape shape) { return shape == Shape::ball ? 0 : shape == Shape
 
 }  // namespace
 
-void Scene::meet(int first, int second, const Law& law, double friction, double loss,
+void Scene::meet(int first, int second, const ContactLaw& law, double friction, double loss,
                  std::optional<double> sticking) {
   const int count = int(surfaces_.size());
   if (first < 0 || second < 0 || first >= count || second >= count)

@@ -62,7 +62,7 @@ struct TriangleRow {
 
 struct Interaction {
   std::int32_t first = 0, second = 0;  // surfaces; equal for a cloth in contact with itself
-  Law law;
+  ContactLaw law;
   double friction = 0;
   double sticking = 0;  // static friction, at least `friction`, which is that of what slides
   double loss = 0;      // sqrt(kg)/m: 2 zeta sqrt(areal mass), where zeta is the share of critical damping
@@ -93,13 +93,13 @@ class Scene {
   // pressure: they begin to press where their surfaces touch, and its gap is how deep they come at most.
   // Errors: unknown surfaces, two rigid ones with friction or of shapes that do not meet (can_meet), friction
   // or a loss that is negative or not finite, a pair declared already.
-  void meet(int first, int second, const Law& law, double friction, double loss = 0,
+  void meet(int first, int second, const ContactLaw& law, double friction, double loss = 0,
             std::optional<double> sticking = {});
   // Whether rigid shapes meet each other: a ball anything but cloth, a rod a ball or a wall.
   static bool can_meet(Shape first, Shape second);
 
   // Another law of the same gap and floor.
-  void replace_law(std::size_t interaction, const Law& law) { interactions_[interaction].law = law; }
+  void replace_law(std::size_t interaction, const ContactLaw& law) { interactions_[interaction].law = law; }
   // See Interaction::opening. Sheets of one surface that share no node then no longer count as neighbours.
   void open(std::size_t interaction, std::vector<double> opening) {
     interactions_[interaction].opening = std::move(opening);

@@ -153,7 +153,7 @@ class Search {
     return scene_.interactions()[std::size_t(which)].opening.empty() || scene_.same_sheet(p, q);
   }
   // Factor on the law's lengths: 1, less for neighbours in a sheet, 0 for pairs that share a node.
-  double scale(double reference_distance, const Law& law) const {
+  double scale(double reference_distance, const ContactLaw& law) const {
     return std::min(1.0, neighbour_share * reference_distance / law.gap());
   }
   // Whether a pair at this distance in the reference is one of lips.
@@ -163,7 +163,7 @@ class Search {
            std::any_of(other.begin(), other.end(), is_lip);
   }
   // The same for lips, which may lie at the same place and are no neighbours then.
-  double scale(double reference_distance, const Law& law, bool lips) const {
+  double scale(double reference_distance, const ContactLaw& law, bool lips) const {
     return lips && reference_distance < same_place * cell_ ? 1 : scale(reference_distance, law);
   }
   // Whether a seam holds a point and one of others together; `parted`: it did until it was opened.
@@ -179,7 +179,7 @@ class Search {
     }
     return together;
   }
-  double facet_scale(std::int32_t p, const Triangle& t, const Law& law, bool& are_lips) const {
+  double facet_scale(std::int32_t p, const Triangle& t, const ContactLaw& law, bool& are_lips) const {
     are_lips = false;
     if (p == t[0] || p == t[1] || p == t[2]) return 0;
     const double distance =
@@ -191,15 +191,15 @@ class Search {
   static double start(const Candidate& row, const std::vector<double>& opening) {
     if (opening.empty()) return 1;
     double least = opening[std::size_t(row.point[0])];
-    if (row.pair.kind == Kind::edges || row.pair.kind == Kind::wrap)
+    if (row.pair.kind == PairKind::edges || row.pair.kind == PairKind::wrap)
       for (const std::int32_t p : row.point) least = std::min(least, opening[std::size_t(p)]);
     return least;
   }
   // Pairs out of reach at the law's whole gap need no further look.
-  bool far(const Candidate& row, const Law& law) const {
+  bool far(const Candidate& row, const ContactLaw& law) const {
     return gap_of(row, corners_of(row, x_)) >= law.gap() + skin_;
   }
-  bool keep(Candidate& row, const Law& law, Rows& rows) const {
+  bool keep(Candidate& row, const ContactLaw& law, Rows& rows) const {
     const double gap = gap_of(row, corners_of(row, x_));
     if (gap >= law.gap() * row.pair.scale + skin_) return false;
     row.whole = row.pair.scale;
@@ -215,11 +215,11 @@ class Search {
     if (p == row.nodes[0] || p == row.nodes[1] || p == row.nodes[2]) return;
     bool parted = false;
     if (sewn(p, row.nodes, parted)) return;
-    const Law& law = scene_.interactions()[std::size_t(which)].law;
+    const ContactLaw& law = scene_.interactions()[std::size_t(which)].law;
     Candidate out;
     out.point = {p, row.nodes[0], row.nodes[1], row.nodes[2]};
     out.interaction = which;
-    out.pair.kind = Kind::facet;
+    out.pair.kind = PairKind::facet;
     out.pair.edge = row.edge;
     out.pair.corner = row.corner;
     out.pair.offset = surface(owner).radius + surface(row.surface).radius;
@@ -242,7 +242,7 @@ class Search {
 
   // Next to a facet that has the point as a neighbour nothing is
   // subtracted: places there count more than once rather than not at all.
-  void uncount_neighbours(Candidate& out, const TriangleRow& row, const Law& law) const {
+  void uncount_neighbours(Candidate& out, const TriangleRow& row, const ContactLaw& law) const {
     const auto neighbour = [&](std::span<const std::int32_t> triangles) {
       for (const std::int32_t t : triangles) {
         const TriangleRow& other = scene_.triangles()[std::size_t(t)];
@@ -269,11 +269,11 @@ class Search {
     bool parted = false;
     const std::array<std::int32_t, 2> ends{b.a, b.b};
     if (sewn(a.a, ends, parted) || sewn(a.b, ends, parted)) return;
-    const Law& law = scene_.interactions()[std::size_t(which)].law;
+    const ContactLaw& law = scene_.interactions()[std::size_t(which)].law;
     Candidate out;
     out.point = {a.a, a.b, b.a, b.b};
     out.interaction = which;
-    out.pair.kind = Kind::edges;
+    out.pair.kind = PairKind::edges;
     out.pair.offset = surface(a.surface).radius + surface(b.surface).radius;
     if (a.surface == b.surface && same_sheet(which, a.a, b.a)) {
       if (far(out, law)) return;
@@ -320,10 +320,10 @@ class Search {
     row.interaction = which;
     row.pair.area = 1;
     row.pair.offset = points.radius + shape.radius - it.law.gap();
-    row.pair.kind = shape.shape == Shape::wall    ? Kind::plane
-                    : shape.shape == Shape::rod   ? Kind::segment
-                    : shape.shape == Shape::solid ? Kind::facet
-                                                  : Kind::centre;
+    row.pair.kind = shape.shape == Shape::wall    ? PairKind::plane
+                    : shape.shape == Shape::rod   ? PairKind::segment
+                    : shape.shape == Shape::solid ? PairKind::facet
+                                                  : PairKind::centre;
     for (const std::int32_t p : points.points) {
       row.point[0] = p;
       if (shape.shape == Shape::solid) {
@@ -349,7 +349,7 @@ class Search {
              Rows& out) const {
     const std::int32_t v = shape.first_vertex;
     const bool wall = shape.shape == Shape::wall;
-    row.pair.kind = wall ? Kind::plane : shape.shape == Shape::rod ? Kind::segment : Kind::centre;
+    row.pair.kind = wall ? PairKind::plane : shape.shape == Shape::rod ? PairKind::segment : PairKind::centre;
     const double reach = it.law.gap() + shape.radius + skin_;
     const Box box = wall ? Box{} : shape.vertices == 1 ? box_of({v}, reach) : box_of({v, v + 1}, reach);
     const Vec3 normal = wall ? Vec3((at(v + 1) - at(v)).cross(at(v + 2) - at(v)).normalized()) : Vec3::Zero();
@@ -365,7 +365,7 @@ class Search {
   }
 
   void wraps(const Interaction& it, const Surface& sheet, std::int32_t v, Candidate row, Rows& out) const {
-    row.pair.kind = Kind::wrap;
+    row.pair.kind = PairKind::wrap;
     const Box box = box_of({v, v + 1}, it.law.gap() + row.pair.offset + skin_);
     join(std::size_t(sheet.edges), out, [&](std::size_t i, std::vector<std::int32_t>&, Rows& rows) {
       const EdgeRow& e = scene_.edges()[std::size_t(sheet.first_edge) + i];
@@ -378,7 +378,7 @@ class Search {
   }
 
   void facets(const Interaction& it, const Surface& sheet, std::int32_t v, Candidate row, Rows& out) const {
-    row.pair.kind = Kind::facet;
+    row.pair.kind = PairKind::facet;
     const Box box = box_of({v}, it.law.gap() + row.pair.offset + skin_);
     join(std::size_t(sheet.triangles), out, [&](std::size_t i, std::vector<std::int32_t>&, Rows& rows) {
       const TriangleRow& t = scene_.triangles()[std::size_t(sheet.first_triangle) + i];
@@ -417,16 +417,16 @@ Corners corners_of(const Candidate& candidate, std::span<const Vec3> x) {
 double gap_of(const Candidate& candidate, const Corners& x) {
   const double offset = candidate.pair.offset;
   switch (candidate.pair.kind) {
-    case Kind::facet:
+    case PairKind::facet:
       return std::sqrt(squared_point_triangle(x[0], x[1], x[2], x[3])) - offset;
-    case Kind::plane:
+    case PairKind::plane:
       return point_plane(x).distance - offset;
-    case Kind::edges:
-    case Kind::wrap:
+    case PairKind::edges:
+    case PairKind::wrap:
       return std::sqrt(squared_segment_segment(x[0], x[1], x[2], x[3])) - offset;
-    case Kind::segment:
+    case PairKind::segment:
       return std::sqrt(squared_point_segment(x[0], x[1], x[2])) - offset;
-    case Kind::centre:
+    case PairKind::centre:
       break;
   }
   return (x[0] - x[1]).norm() - offset;

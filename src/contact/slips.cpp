@@ -5,6 +5,7 @@
 // weights of facets, edges and corners cancel for friction as they do for pressure.
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "contact/contact.hpp"
 
@@ -34,10 +35,10 @@ Vec3 turned(const Candidate& c, const Vec3& slip, const Corners& from, const Cor
     return carried(slip, side(from, a, b), side(from, p, q), side(to, a, b), side(to, p, q));
   };
   switch (c.pair.kind) {
-    case Kind::facet:
-    case Kind::plane:
+    case PairKind::facet:
+    case PairKind::plane:
       return from[1] == to[1] && from[2] == to[2] && from[3] == to[3] ? slip : pairs(1, 2, 1, 3);
-    case Kind::edges:
+    case PairKind::edges:
       return pairs(0, 1, 2, 3);
     default:
       break;
@@ -49,7 +50,8 @@ Vec3 turned(const Candidate& c, const Vec3& slip, const Corners& from, const Cor
 }  // namespace
 
 bool Contact::Held::beside(const Held& other) const {
-  if (kind != Kind::facet || other.kind != Kind::facet || interaction != other.interaction) return false;
+  if (kind != PairKind::facet || other.kind != PairKind::facet || interaction != other.interaction)
+    return false;
   for (std::size_t i = 1; i < 4; ++i)
     for (std::size_t j = 1; j < 4; ++j)
       if (point[i] == other.point[j]) return true;
@@ -64,7 +66,7 @@ void Contact::Held::keep(Archive& archive) {
 
 // Balls and rods lie on many facets at once, each with a slip of its own.
 bool Contact::passes_on(const Candidate& c) const {
-  if (c.pair.kind != Kind::facet) return false;
+  if (c.pair.kind != PairKind::facet) return false;
   const Interaction& it = scene_->interactions()[std::size_t(c.interaction)];
   return !rigid(c.point[0]) || scene_->surfaces()[std::size_t(it.second)].shape == Shape::solid;
 }
@@ -134,25 +136,29 @@ void Contact::note_slips(std::span<const Vec3> x, const Way& way) {
   if (!tried_) tried_.emplace();
   tried_->version = version_;
   std::vector<Held>& held = tried_->held;
-  held.clear();
-  for (std::size_t row = 0; row < touched_.size(); ++row) {
-    if (pressed_[row] == 0) continue;
-    const std::size_t first = held.size();
+  std::partial_sum(first_slip_.begin(), first_slip_.end(), first_slip_.begin());
+  held.resize(first_slip_.back());
+  const auto n = std::ptrdiff_t(touched_.size());
+#pragma omp parallel for schedule(static) if (held.size() > 256)
+  for (std::ptrdiff_t t = 0; t < n; ++t) {
+    const auto row = std::size_t(t);
+    const std::span<Held> own(held.data() + first_slip_[row], first_slip_[row + 1] - first_slip_[row]);
+    if (own.empty()) continue;
     bool passes = true;
+    Held* next = own.data();
     for (std::uint32_t k = first_[row]; k < first_[row + 1]; ++k) {
       const std::size_t slot = of_point_[k] / 4;
-      if (of_point_[k] % 4 != 0 || !active_[slot]) continue;
+      if (of_point_[k] % 4 != 0 || active_[slot] != rubbing) continue;
       const Candidate& c = inner_[slot];
-      if (!scene_->interactions()[std::size_t(c.interaction)].rubs()) continue;
       const Force& force = slots_[slot];
       Vec3 slip = force.slip;
       if (!slip.isZero(0))
         slip = turned(c, slip, corners_of(c, way.start), corners_of(c, x), of_body(c, way.turn));
-      held.push_back({c.point, c.interaction, c.pair.kind, slot, force.gap, slip, force.pull, force.damped,
-                      force.slides});
-      passes = passes && (c.pair.kind != Kind::facet || passes_on(c));
+      *next++ = {c.point, c.interaction, c.pair.kind,  slot,        force.gap,
+                 slip,    force.pull,    force.damped, force.slides};
+      passes = passes && (c.pair.kind != PairKind::facet || passes_on(c));
     }
-    if (passes) join(std::span(held).subspan(first));
+    if (passes) join(own);
   }
 }
 

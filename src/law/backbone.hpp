@@ -35,7 +35,7 @@ struct PieceAt {
 template <int terms, class T>
 PieceAt<terms, T> piece_at(const Backbone& curve, T x) {
   PieceAt<terms, T> q;
-  const auto take = [&](const Piece& from, auto pick) {
+  const auto take = [&](const CurvePiece& from, auto pick) {
     q.start = pick(from.start, q.start);
     q.P0 = pick(from.P0, q.P0);
     q.U0 = pick(from.U0, q.U0);

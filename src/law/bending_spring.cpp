@@ -25,7 +25,8 @@ struct BendingDirection {
 std::string micro(double rigidity) { return number(1e6 * rigidity) + " uN.m"; }
 
 // The curvature (1/m) up to which the pieces are used; beyond it B is constant.
-double range_of(const BendingDirection& side, const card::Curve& curve, const std::vector<Piece>& pieces) {
+double range_of(const BendingDirection& side, const card::Curve& curve,
+                const std::vector<CurvePiece>& pieces) {
   const double stated = side.card.bending->tested;
   const double last = curve.points.empty() ? usual_range : curve.points.back().first;
   const double end = stated > 0 ? (curve.points.empty() ? stated : std::min(stated, last)) : last;

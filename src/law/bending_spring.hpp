@@ -23,7 +23,7 @@ struct BendingCurve {
   BendingCurve(const BendingCurve&) = delete;
   BendingCurve& operator=(const BendingCurve&) = delete;
   Backbone backbone;
-  std::vector<Piece> pieces;  // what the backbone points to
+  std::vector<CurvePiece> pieces;  // what the backbone points to
 };
 
 struct BendingSpring {

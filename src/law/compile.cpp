@@ -26,7 +26,7 @@ void require_ratios(const card::Card& card, double nu12, double nu21) {
 }
 
 void compile_axis(const card::Card& card, const std::string& side, const std::string& strain,
-                  const card::Yarn& yarn, double tested, AxisData& axis, std::vector<Piece>& pieces) {
+                  const card::Yarn& yarn, double tested, AxisData& axis, std::vector<CurvePiece>& pieces) {
   axis.unloading = yarn.unloading;
   axis.poisson = yarn.poisson;
   CurveSpec spec;
@@ -39,7 +39,7 @@ void compile_axis(const card::Card& card, const std::string& side, const std::st
 }
 
 void compile_shear(const card::Card& card, const card::Shear& shear, double tested, ShearData& out,
-                   std::vector<Piece>& pieces) {
+                   std::vector<CurvePiece>& pieces) {
   const bool tensor = shear.measure == card::StrainMeasure::tensor;
   CurveSpec spec;
   spec.card = card.name;
@@ -55,7 +55,7 @@ void compile_shear(const card::Card& card, const card::Shear& shear, double test
   out.curve = compile_curve(shear.loading, spec, pieces);
 }
 
-void compile_biaxial(const card::Biaxial& spring, BiaxialData& out, std::vector<Piece>& pieces) {
+void compile_biaxial(const card::Biaxial& spring, BiaxialData& out, std::vector<CurvePiece>& pieces) {
   pieces = polynomial_pieces({0, spring.loading}, 1);
   out.on = true;
   out.alpha = spring.alpha;
@@ -172,7 +172,7 @@ void compile_state(Law& law) {
 }
 
 std::optional<CubicBackbone> cubic(const Backbone& curve) {
-  const Piece& piece = curve.piece[0];
+  const CurvePiece& piece = curve.piece[0];
   if (curve.pieces != 1 || curve.terms != 4 || piece.start != 0 || piece.P0 != 0 || piece.U0 != 0) return {};
   CubicBackbone c;
   c.limit = curve.limit;

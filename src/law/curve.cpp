@@ -31,7 +31,7 @@ double first_where(double from, double to, const std::function<bool(double)>& ho
 }
 
 // x_c: the smallest x >= x_t where D >= Du or D stops rising. The intervals searched become ever longer.
-double guard_from(const std::vector<Piece>& pieces, double Du, double tested) {
+double guard_from(const std::vector<CurvePiece>& pieces, double Du, double tested) {
   const auto acts = [&](double x) {
     const RawCurve at = raw_curve(pieces, x);
     return at.D >= Du || at.slope <= 0;
@@ -47,7 +47,7 @@ double guard_from(const std::vector<Piece>& pieces, double Du, double tested) {
 
 // x_c if the curve violates 0 < D <= Du inside the range:
 // where D reaches Du, or the last maximum before D falls to 0.
-double guard_inside(const std::vector<Piece>& pieces, const Departure& leaves) {
+double guard_inside(const std::vector<CurvePiece>& pieces, const Departure& leaves) {
   if (!leaves.too_soft) return leaves.x;
   constexpr int samples = 4000;
   double best = 0, high = leaves.x;
@@ -92,7 +92,7 @@ void check_points(const card::Curve& curve, const CurveSpec& spec) {
 }
 
 // Refuses the card unless 0 < D <= Du and P <= Du x over the tested range.
-void refuse(const CurveSpec& spec, const std::vector<Piece>& pieces, const Departure& leaves) {
+void refuse(const CurveSpec& spec, const std::vector<CurvePiece>& pieces, const Departure& leaves) {
   if (!leaves.found) return;
   const RawCurve at = raw_curve(pieces, leaves.x);
   const double user = leaves.x / spec.scale;
@@ -116,7 +116,7 @@ double tested_end(const card::Curve& curve, const CurveSpec& spec) {
 
 }  // namespace
 
-Departure departure(const std::vector<Piece>& pieces, double Du, double end) {
+Departure departure(const std::vector<CurvePiece>& pieces, double Du, double end) {
   const auto leaves = [&](double x) {
     const double D = raw_curve(pieces, x).D;
     return !(D > 0) || D > Du * (1 + slack_in_Du);
@@ -126,7 +126,7 @@ Departure departure(const std::vector<Piece>& pieces, double Du, double end) {
   return {x, true, !(raw_curve(pieces, x).D > 0)};
 }
 
-Backbone compile_curve(const card::Curve& curve, const CurveSpec& spec, std::vector<Piece>& pieces) {
+Backbone compile_curve(const card::Curve& curve, const CurveSpec& spec, std::vector<CurvePiece>& pieces) {
   check_coefficients(curve, spec);
   if (!curve.points.empty()) check_points(curve, spec);
   pieces = curve.points.empty() ? polynomial_pieces(curve.coefficients, spec.scale)

@@ -19,20 +19,20 @@ struct CurveSpec {
 };
 
 // Pieces of a polynomial or of points. A user's strain e becomes scale * e, a modulus D becomes D / scale.
-std::vector<Piece> polynomial_pieces(const std::vector<double>& coefficients, double scale);
+std::vector<CurvePiece> polynomial_pieces(const std::vector<double>& coefficients, double scale);
 
 // Monotone piecewise cubic interpolation of (0, 0) and the
 // points [Fritsch and Carlson 1980, Fritsch and Butland 1984].
-std::vector<Piece> pchip_pieces(const std::vector<std::pair<double, double>>& points, double scale);
+std::vector<CurvePiece> pchip_pieces(const std::vector<std::pair<double, double>>& points, double scale);
 
 // The backbone with its guard on `pieces`, which must outlive it. Throws Error if the curve is refused.
-Backbone compile_curve(const card::Curve& curve, const CurveSpec& spec, std::vector<Piece>& pieces);
+Backbone compile_curve(const card::Curve& curve, const CurveSpec& spec, std::vector<CurvePiece>& pieces);
 
 // D, D' and P of the pieces at x >= 0, without the guard.
 struct RawCurve {
   double D, slope, P;
 };
-RawCurve raw_curve(const std::vector<Piece>& pieces, double x);
+RawCurve raw_curve(const std::vector<CurvePiece>& pieces, double x);
 
 // The first x in (0, end] where D <= 0 or D > Du; without one x = end and found = false.
 struct Departure {
@@ -40,6 +40,6 @@ struct Departure {
   bool found;
   bool too_soft;  // D <= 0; otherwise D > Du
 };
-Departure departure(const std::vector<Piece>& pieces, double Du, double end);
+Departure departure(const std::vector<CurvePiece>& pieces, double Du, double end);
 
 }  // namespace fabricsh::law

@@ -8,7 +8,7 @@ namespace fabricsh::law {
 namespace {
 
 // Computes the coefficients of P and U from those of D.
-void integrate(Piece& piece) {
+void integrate(CurvePiece& piece) {
   for (int k = 0; k < max_terms; ++k) {
     piece.p[k] = piece.d[k] / (k + 1);
     piece.u[k] = piece.d[k] / ((k + 1) * (k + 2));
@@ -16,7 +16,7 @@ void integrate(Piece& piece) {
 }
 
 // P and U of a piece at distance t from its start.
-std::pair<double, double> integrals_at(const Piece& piece, double t) {
+std::pair<double, double> integrals_at(const CurvePiece& piece, double t) {
   double P = 0, U = 0;
   for (int k = max_terms - 1; k >= 0; --k) {
     P = P * t + piece.p[k];
@@ -47,15 +47,15 @@ std::vector<double> knot_slopes(const std::vector<double>& h, const std::vector<
 
 }  // namespace
 
-std::vector<Piece> polynomial_pieces(const std::vector<double>& coefficients, double scale) {
-  Piece piece;
+std::vector<CurvePiece> polynomial_pieces(const std::vector<double>& coefficients, double scale) {
+  CurvePiece piece;
   double power = scale;
   for (std::size_t k = 0; k < coefficients.size(); ++k, power *= scale) piece.d[k] = coefficients[k] / power;
   integrate(piece);
   return {piece};
 }
 
-std::vector<Piece> pchip_pieces(const std::vector<std::pair<double, double>>& points, double scale) {
+std::vector<CurvePiece> pchip_pieces(const std::vector<std::pair<double, double>>& points, double scale) {
   std::vector<double> x, y;
   for (const auto& [strain, stress] : points) {
     x.push_back(scale * strain);
@@ -67,10 +67,10 @@ std::vector<Piece> pchip_pieces(const std::vector<std::pair<double, double>>& po
     secant.push_back((y[i + 1] - y[i]) / h.back());
   }
   const auto slope = knot_slopes(h, secant);
-  std::vector<Piece> pieces;
+  std::vector<CurvePiece> pieces;
   double U = 0;
   for (std::size_t i = 0; i < h.size(); ++i) {
-    Piece piece;
+    CurvePiece piece;
     piece.start = x[i];
     piece.P0 = y[i];
     piece.U0 = U;
@@ -84,10 +84,10 @@ std::vector<Piece> pchip_pieces(const std::vector<std::pair<double, double>>& po
   return pieces;
 }
 
-RawCurve raw_curve(const std::vector<Piece>& pieces, double x) {
+RawCurve raw_curve(const std::vector<CurvePiece>& pieces, double x) {
   const auto after = std::upper_bound(pieces.begin() + 1, pieces.end(), x,
-                                      [](double at, const Piece& p) { return at < p.start; });
-  const Piece& piece = *(after - 1);
+                                      [](double at, const CurvePiece& p) { return at < p.start; });
+  const CurvePiece& piece = *(after - 1);
   const double t = x - piece.start;
   double D = 0, slope = 0;
   for (int k = max_terms - 1; k >= 0; --k) {

@@ -13,7 +13,7 @@ inline constexpr int max_terms = 8;  // largest number of coefficients of D in o
 
 // One polynomial piece of a backbone in t = x - start: D = sum d_k t^k, P = P0 + sum p_k t^(k+1),
 // U = U0 + P0 t + sum u_k t^(k+2).
-struct Piece {
+struct CurvePiece {
   double start = 0, P0 = 0, U0 = 0;
   double d[max_terms] = {}, p[max_terms] = {}, u[max_terms] = {};
 };
@@ -21,7 +21,7 @@ struct Piece {
 // Virgin loading curve of one spring: tangent modulus D, stress P = int D, energy U =
 // int P, for x >= 0. Beyond `limit` (x_c, where the range guard begins) D is constant.
 struct Backbone {
-  const Piece* piece = nullptr;
+  const CurvePiece* piece = nullptr;
   int pieces = 0;
   int terms = 4;      // 4 or max_terms
   double limit = 0;   // x_c
@@ -130,7 +130,8 @@ class Law {
   ElasticData elastic;
   bool is_plain = false;  // law "potential" with all data in `plain`
   PlainWoven plain;
-  std::vector<Piece> warp_pieces, weft_pieces, shear_pieces, biaxial_pieces;  // referred to by the backbones
+  std::vector<CurvePiece> warp_pieces, weft_pieces, shear_pieces,
+      biaxial_pieces;  // referred to by the backbones
 };
 
 // State of law "potential": one number for each of these.

@@ -33,7 +33,7 @@ Assembly::Assembly(const model::Model& model)
   if (!model.pressures().empty()) make<Pressure>(model);
   if (!model.moments().empty()) make<Moments>(model);
   if (!model.springs().empty()) make<Springs>(model);
-  if (!model.bands().empty()) make<Bands>(model);
+  if (!model.bands().empty()) make<EdgeBands>(model);
   if (model.interactions().any()) make<Contacts>(model, std::as_const(configuration_), cloth, dofs_);
   force_x_.assign(3 * configuration_.nodes(), 0);
   force_d_.assign(3 * configuration_.nodes(), 0);

@@ -132,13 +132,13 @@ class Dofs {
   void follow();
   void check_gaps(const Sewn& before, double within) const;
   void meet_seams(std::span<const double> mass, std::span<const double> rotary);
-  struct Row {  // what an unknown does to a node and to its director, global
+  struct DofRow {  // what an unknown does to a node and to its director, global
     Index equation;
     Vec3 x, d;
   };
-  std::vector<Row> row_of(Index node) const;
+  std::vector<DofRow> row_of(Index node) const;
   Transfer transfer_seams(const std::vector<std::array<Index, 5>>& before, Index bodies_before,
-                          const std::vector<std::vector<Row>>& rows, std::span<const double> mass,
+                          const std::vector<std::vector<DofRow>>& rows, std::span<const double> mass,
                           std::span<const double> rotary) const;
   double lever(Index unknown) const;  // m, by which its moments are divided; 1 for a displacement
   void realign(Index node);

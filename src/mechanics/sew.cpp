@@ -125,13 +125,13 @@ void Dofs::meet_seams(std::span<const double> mass, std::span<const double> rota
   configuration_.touch();
 }
 
-std::vector<Dofs::Row> Dofs::row_of(Index n) const {
+std::vector<Dofs::DofRow> Dofs::row_of(Index n) const {
   std::vector<Link> links;
   this->links(n, links);
   const Configuration& s = configuration_;
   const Vec3 b1 = at(s.b1(), n), b2 = Vec3(at(s.d(), n)).cross(b1);
   const Mat3 frame = freedoms_.nodes[n].frame.transpose();
-  std::vector<Row> row;
+  std::vector<DofRow> row;
   for (const Link& l : links)
     if (l.equation >= 0)
       row.push_back({l.equation, frame * l.column.head<3>(), l.column[3] * b1 + l.column[4] * b2});
@@ -141,7 +141,7 @@ std::vector<Dofs::Row> Dofs::row_of(Index n) const {
 // The velocity of an unknown is the mean of those of all nodes that it moves, by their masses and weights:
 // the momentum stays.
 Transfer Dofs::transfer_seams(const std::vector<std::array<Index, 5>>& before, Index bodies_before,
-                              const std::vector<std::vector<Row>>& rows, std::span<const double> mass,
+                              const std::vector<std::vector<DofRow>>& rows, std::span<const double> mass,
                               std::span<const double> rotary) const {
   std::vector<Index> from(static_cast<std::size_t>(freedoms_.unknowns), -1);
   for (std::size_t n = 0; n < before.size(); ++n)
@@ -156,10 +156,10 @@ Transfer Dofs::transfer_seams(const std::vector<std::array<Index, 5>>& before, I
   std::map<Index, double> whole;
   for (std::size_t k = 0; k < seam_nodes_.size(); ++k) {
     const Index n = seam_nodes_[k];
-    for (const Row& now : row_of(n)) {
+    for (const DofRow& now : row_of(n)) {
       whole[now.equation] += mass[n] * now.x.norm() + rotary[n] * now.d.norm();
       auto& parts = mixed[now.equation];
-      for (const Row& old : rows[k])
+      for (const DofRow& old : rows[k])
         if (const double w = mass[n] * now.x.dot(old.x) + rotary[n] * now.d.dot(old.d); w != 0)
           parts[old.equation] += w;
     }
@@ -182,7 +182,7 @@ std::optional<Transfer> Dofs::sew(Sewn next, std::span<const double> mass, std::
   std::vector<std::array<Index, 5>> equations;
   for (const NodeFreedoms& node : freedoms_.nodes) equations.push_back(node.equation);
   const Index bodies = freedoms_.bodies.empty() ? 0 : freedoms_.bodies.front().equation;
-  std::vector<std::vector<Row>> rows;
+  std::vector<std::vector<DofRow>> rows;
   for (const Index n : seam_nodes_) rows.push_back(row_of(n));
   const Sewn before = std::exchange(sewn_, std::move(next));
   try {

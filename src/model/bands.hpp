@@ -5,7 +5,7 @@
 
 namespace fabricsh::model {
 
-struct Band {
+struct EdgeBand {
   std::string set;                  // nodes of an edge
   double stiffness = 0;             // N, force per strain of the band
   double ease = 0;                  // by what share of the edge the band is shorter

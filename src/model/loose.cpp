@@ -11,7 +11,7 @@ Loose loose(const card::Card& card) {
   contact::LawData data;
   data.floor = s.compression.front().first / 2;  // where contact begins does not depend on it
   data.curve = s.compression;
-  return {contact::Law(data).gap(), s.solid_thickness};
+  return {contact::ContactLaw(data).gap(), s.solid_thickness};
 }
 
 }  // namespace fabricsh::model

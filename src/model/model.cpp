@@ -331,7 +331,7 @@ void Model::seam(Seam seam) {
   seams_.push_back(std::move(seam));
 }
 
-void Model::band(Band band) {
+void Model::band(EdgeBand band) {
   check_open("band");
   mesh_->set(band.set);
   if (!(band.stiffness > 0) || !std::isfinite(band.stiffness))
@@ -557,7 +557,7 @@ void Model::validate() const {
     check_zones();
     work_out_ties(*this);
     work_out_seams(*this);
-    for (const Band& b : bands_of_edges_) chain_of(*mesh_, b.set);
+    for (const EdgeBand& b : bands_of_edges_) chain_of(*mesh_, b.set);
   }
   check_symmetry(*this);
   interactions_.validate(*mesh_);

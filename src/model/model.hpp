@@ -225,10 +225,10 @@ class Model {
   void seam(Seam seam);
   const std::vector<Seam>& seams() const { return seams_; }
 
-  // A band along an edge: see Band. Errors: unknown set; a stiffness, ease or time out of range; later, in
-  // validate(): those of chain_of.
-  void band(Band band);
-  const std::vector<Band>& bands() const { return bands_of_edges_; }
+  // A band along an edge: see EdgeBand. Errors: unknown set; a stiffness, ease or time out of range; later,
+  // in validate(): those of chain_of.
+  void band(EdgeBand band);
+  const std::vector<EdgeBand>& bands() const { return bands_of_edges_; }
 
   // Removes the i-th declaration (from 0) of a kind; for gravity i is ignored. Error: it does not
   // exist.
@@ -332,7 +332,7 @@ class Model {
   std::vector<Zone> zones_;
   std::vector<StrengthGiven> strengths_;
   std::vector<Seam> seams_;
-  std::vector<Band> bands_of_edges_;
+  std::vector<EdgeBand> bands_of_edges_;
   Components gravity_;
   std::vector<InitialVelocity> velocities_;
   Interactions interactions_;

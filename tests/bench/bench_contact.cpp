@@ -28,14 +28,14 @@ double least(int runs, Work work) {
 }
 
 void pairs() {
-  const Law law({0.8, 0.02, 3, {}});
+  const ContactLaw law({0.8, 0.02, 3, {}});
   const char* names[] = {"facet", "plane", "edges", "wrap", "segment", "centre"};
   Random random(1);
   for (int k = 0; k < 6; ++k) {
     Pair pair;
-    pair.kind = Kind(k);
+    pair.kind = PairKind(k);
     pair.area = 1;
-    pair.fading = {pair.kind == Kind::edges, 0.1, 0.1};
+    pair.fading = {pair.kind == PairKind::edges, 0.1, 0.1};
     std::vector<Corners> touching;
     while (touching.size() < 1000) {
       const Corners x = {random.vector(1), random.vector(1), random.vector(1), random.vector(1)};

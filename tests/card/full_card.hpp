@@ -10,7 +10,7 @@ namespace fabricsh::test {
 namespace detail {
 
 // A number in the row's range, another one each time.
-inline double next_number(const card::Row& row, int& count) {
+inline double next_number(const card::FieldRow& row, int& count) {
   double x = 0.25 + 1e-3 * ++count;
   if (!row.range.holds(x)) x = (row.range.low + row.range.high) / 2 + 1e-6 * count;
   return x;

@@ -8,7 +8,7 @@
 
 namespace fabricsh::test {
 
-inline contact::Law blend_law() { return contact::Law({0.38e-3, 0.15e-3, 2e10, {}}); }
+inline contact::ContactLaw blend_law() { return contact::ContactLaw({0.38e-3, 0.15e-3, 2e10, {}}); }
 
 // Square sheets of n x n quadrilaterals, one node numbering.
 struct Sheets {
@@ -38,7 +38,7 @@ inline Vec3 sum(const std::vector<Vec3>& f, std::size_t from, std::size_t to) {
 inline std::vector<Vec3> none(std::size_t n) { return std::vector<Vec3>(n, Vec3::Zero()); }
 
 // The gap at which the law presses with p, Pa.
-inline double gap_at(const contact::Law& law, double p) {
+inline double gap_at(const contact::ContactLaw& law, double p) {
   double low = law.floor(), high = law.gap();
   for (int i = 0; i < 200; ++i) (law(0.5 * (low + high)).pressure > p ? low : high) = 0.5 * (low + high);
   return 0.5 * (low + high);

@@ -11,7 +11,7 @@ namespace {
 
 // A closed tape of n quadrilaterals about a rod along y, width 10 mm. Returns the tension (N/m) that balances
 // the contact's forces on its nodes.
-double tape_tension(int n, double r, double rod, const Law& law) {
+double tape_tension(int n, double r, double rod, const ContactLaw& law) {
   const double width = 0.01;
   std::vector<Vec3> nodes;
   std::vector<std::array<mesh::Index, 4>> elements;
@@ -42,7 +42,7 @@ struct Block {
   std::vector<Vec3> x, v;
   std::vector<double> mass, inverse_mass;
   double lost = 0, stick = 0;
-  Block(const Law& law, double friction, double sigma)
+  Block(const ContactLaw& law, double friction, double sigma)
       : sheets([] {
           Sheets s;
           s.add(0.05, 4, Vec3::Zero());
@@ -82,7 +82,7 @@ struct Block {
 }  // namespace
 
 TEST_CASE("closed form: tape on a cylinder, p = T/R, to the second order of the facets", "[contact]") {
-  const Law law({0.4e-3, 0.1e-3, 1e9, {}});
+  const ContactLaw law({0.4e-3, 0.1e-3, 1e9, {}});
   const double rod = 0.02, d = 0.25e-3, r = rod + d, wanted = law(d).pressure * r;
   double last = 0;
   for (const int n : {250, 500, 1000}) {
@@ -98,7 +98,7 @@ TEST_CASE(
     "closed form: a block on an incline sticks up to tan(alpha) = mu and else slides at g(sin - mu cos)",
     "[contact]") {
   const double sigma = 0.23, g = 9.81, mu = 0.3, dt = 2e-6;
-  const Law law({0.38e-3, 0.15e-3, 0.2 * sigma / (dt * dt), {}});
+  const ContactLaw law({0.38e-3, 0.15e-3, 0.2 * sigma / (dt * dt), {}});
   for (const double alpha : {0.1, 0.28, 0.32, 0.6}) {
     Block block(law, mu, sigma);
     const Vec3 gravity = g * Vec3(std::sin(alpha), 0, -std::cos(alpha));
@@ -127,7 +127,7 @@ TEST_CASE(
 TEST_CASE("closed form: a sheet thrown flat at a wall comes back with its energy, after pi sqrt(sigma/kappa)",
           "[contact]") {
   const double sigma = 0.23, kappa = 1e9, speed = 25, dt = 5e-8;
-  const Law law({1e-3, 0.1e-3, kappa, {}});
+  const ContactLaw law({1e-3, 0.1e-3, kappa, {}});
   Block block(law, 0, sigma);
   for (std::size_t i = 0; i < block.scene.nodes(); ++i) {
     block.x[i].z() = law.gap();

@@ -52,7 +52,7 @@ struct Heap {
 
 TEST_CASE("contact: aligned layers press exactly as the law says, whatever is shared", "[contact]") {
   for (const int n : {1, 2, 7}) {
-    const Law law = blend_law();
+    const ContactLaw law = blend_law();
     const double d = 0.31e-3, side = 0.05;
     Sheets sheets;
     for (int layer = 0; layer < 4; ++layer) sheets.add(side, n, Vec3(0, 0, layer * d));
@@ -75,7 +75,7 @@ TEST_CASE("contact: aligned layers press exactly as the law says, whatever is sh
 
 TEST_CASE("contact: layers out of line press no more than a fifth too much, from crossing edges",
           "[contact]") {
-  const Law law = blend_law();
+  const ContactLaw law = blend_law();
   const double d = 0.31e-3;
   for (const double shift : {0.1, 0.3, 0.5}) {
     Sheets sheets;
@@ -96,7 +96,7 @@ TEST_CASE("contact: layers out of line press no more than a fifth too much, from
 }
 
 TEST_CASE("contact: a node over a flat surface of many facets counts once wherever it is", "[contact]") {
-  const Law law = blend_law();
+  const ContactLaw law = blend_law();
   Sheets sheets;
   sheets.add(0.001, 1, Vec3::Zero());
   Scene scene = sheets.scene();
@@ -120,7 +120,7 @@ TEST_CASE("contact: a node over a flat surface of many facets counts once wherev
       x[i] += Vec3(k == 0 ? 0 : random(-2e-4, 2e-4), k == 0 ? 0 : random(-2e-4, 2e-4), d);
     double energy = 0, force = 0;
     for (const Candidate& c : find_pairs(scene, x, 0)) {
-      if (c.pair.kind != Kind::facet || c.point[0] != 0) continue;
+      if (c.pair.kind != PairKind::facet || c.point[0] != 0) continue;
       const Force one = pair_force(law, c.pair, corners_of(c, x));
       energy += one.contact;
       force += one.on[0].z();
@@ -132,7 +132,7 @@ TEST_CASE("contact: a node over a flat surface of many facets counts once wherev
 }
 
 TEST_CASE("contact: a sheet at rest on a wall has the pressure of its weight", "[contact]") {
-  const Law law = blend_law();
+  const ContactLaw law = blend_law();
   Sheets sheets;
   sheets.add(0.05, 6, Vec3::Zero());
   Scene scene = sheets.scene();
@@ -233,7 +233,7 @@ TEST_CASE("contact: friction turns a ball with its radius as the lever", "[conta
 }
 
 TEST_CASE("contact: what begins too near is opened smoothly, and its work is what it stores", "[contact]") {
-  const Law law = blend_law();
+  const ContactLaw law = blend_law();
   Sheets sheets;
   sheets.add(0.02, 4, Vec3::Zero());
   sheets.add(0.02, 4, Vec3(0, 0, 0.1 * law.floor()));
@@ -262,7 +262,7 @@ TEST_CASE("contact: what begins too near is opened smoothly, and its work is wha
 TEST_CASE(
     "contact: where overlaps are opened, sheets of one surface are no neighbours, one sheet's places are",
     "[contact]") {
-  const Law law = blend_law();
+  const ContactLaw law = blend_law();
   mesh::Mesh two = mesh::rectangle(0.02, 0.02, 4, 4);
   const auto n = static_cast<mesh::Index>(two.nodes.size());
   const auto elements = two.elements;
@@ -366,7 +366,7 @@ TEST_CASE("contact: a sheet thicker than its elements rests in its reference and
 }
 
 TEST_CASE("contact: a step stops before cloth passes cloth, a ball, a rod and a wall", "[contact]") {
-  const Law law = blend_law();
+  const ContactLaw law = blend_law();
   Sheets sheets;
   sheets.add(0.05, 5, Vec3::Zero());
   sheets.add(0.05, 7, Vec3(0.001, 0.002, 0.01));

@@ -12,10 +12,10 @@ namespace {
 
 LawData blend() { return {0.38e-3, 0.15e-3, 2e10, {}}; }
 
-double energy(const Law& law, double d) { return law(d).contact + law(d).guard; }
+double energy(const ContactLaw& law, double d) { return law(d).contact + law(d).guard; }
 
 // Pressure and stiffness are derivatives of the energy, by slope.
-void check_derivatives(const Law& law, double d) {
+void check_derivatives(const ContactLaw& law, double d) {
   INFO("gap " << d);
   const double h = 0.02 * (d - law.floor());
   const auto error = [&](double step) {
@@ -31,7 +31,7 @@ void check_derivatives(const Law& law, double d) {
 }  // namespace
 
 TEST_CASE("law: linear beyond its onset, with the stiffness asked for", "[contact]") {
-  const Law law(blend());
+  const ContactLaw law(blend());
   const double crush = 0.23e-3;
   CHECK(law(0.38e-3).pressure == 0);
   CHECK(law(0.5).pressure == 0);
@@ -42,7 +42,7 @@ TEST_CASE("law: linear beyond its onset, with the stiffness asked for", "[contac
 }
 
 TEST_CASE("law: two continuous derivatives where its pieces meet", "[contact]") {
-  const Law law(blend());
+  const ContactLaw law(blend());
   const double crush = law.gap() - law.floor();
   for (const double knot : {law.gap(), law.gap() - 0.2 * crush, law.guard_gap()}) {
     const double h = 1e-9 * crush;
@@ -52,14 +52,14 @@ TEST_CASE("law: two continuous derivatives where its pieces meet", "[contact]") 
 }
 
 TEST_CASE("law: pressure and stiffness are the energy's derivatives", "[contact]") {
-  const Law law(blend());
+  const ContactLaw law(blend());
   const double crush = law.gap() - law.floor();
   for (const double share : {0.02, 0.1, 0.15, 0.2, 0.4, 0.6, 0.9})
     check_derivatives(law, law.floor() + share * crush);
 }
 
 TEST_CASE("law: the guard has an account of its own and rises without bound", "[contact]") {
-  const Law law(blend());
+  const ContactLaw law(blend());
   CHECK(law(law.guard_gap()).guard == 0);
   CHECK(law(law.guard_gap() + 1e-7).guard == 0);
   const double quarter = law.guard_gap() - law.floor();
@@ -78,7 +78,7 @@ TEST_CASE("law: a measured curve is met at its points, monotone and smooth betwe
   LawData data;
   data.floor = 0.15e-3;
   data.curve = {{0.3e-3, 5000}, {0.35e-3, 1200}, {0.45e-3, 300}, {0.6e-3, 49}};
-  const Law law(data);
+  const ContactLaw law(data);
   for (const auto& [gap, pressure] : data.curve) {
     INFO(gap);
     CHECK(law(gap).pressure == Approx(pressure).epsilon(1e-12));
@@ -98,7 +98,7 @@ TEST_CASE("law: a curve's stiffness can be bounded", "[contact]") {
   data.floor = 0.15e-3;
   data.curve = {{0.3e-3, 5000}, {0.35e-3, 1200}, {0.45e-3, 300}, {0.6e-3, 49}};
   data.stiffness = 2e7;
-  const Law law(data);
+  const ContactLaw law(data);
   CHECK(law.stiffest() == 2e7);
   for (double d = law.gap(); d > law.guard_gap(); d -= 1e-6) CHECK(law(d).stiffness <= 2e7 * (1 + 1e-12));
   check_derivatives(law, 0.33e-3);
@@ -111,7 +111,7 @@ TEST_CASE(
   LawData data;
   data.floor = 0.15e-3;
   data.curve = {{0.2e-3, 5000}, {0.22e-3, 3000}, {0.4e-3, 300}, {0.6e-3, 49}};
-  const Law law(data);
+  const ContactLaw law(data);
   CHECK(law.guard_gap() == Approx(0.175e-3).epsilon(1e-12));  // half of what is left below 0.2 mm
   const double stiffness = 2000 / 0.02e-3;
   CHECK(law(0.2e-3).stiffness == Approx(stiffness).epsilon(1e-12));
@@ -127,7 +127,7 @@ TEST_CASE(
 }
 
 TEST_CASE("law: scaled lengths keep the stiffness", "[contact]") {
-  const Law law(blend());
+  const ContactLaw law(blend());
   const double d = 0.7 * law.gap(), scale = 0.5;
   CHECK(law.scaled(scale * d, scale).stiffness == law(d).stiffness);
   CHECK(law.scaled(scale * d, scale).pressure == Approx(scale * law(d).pressure).epsilon(1e-15));
@@ -135,7 +135,7 @@ TEST_CASE("law: scaled lengths keep the stiffness", "[contact]") {
 }
 
 TEST_CASE("law: what cannot be is refused with what was expected", "[contact]") {
-  const auto refusal = [](LawData data) { return message_of([&] { Law law(data); }); };
+  const auto refusal = [](LawData data) { return message_of([&] { ContactLaw law(data); }); };
   CHECK(refusal({0.1e-3, 0.15e-3, 1, {}}) ==
         "contact: gap: expected more than the floor of 0.00015 m, got 0.0001 m");
   CHECK(refusal({0.3e-3, 0.15e-3, -1, {}}) ==

@@ -55,7 +55,7 @@ Totals forces(Contact& contact, const std::vector<Vec3>& x, Vec3* on_second = nu
 TEST_CASE("contact: lips are not pressed when they part, and are held up at 0.9 of how far they have been") {
   const Vec3 way = GENERATE(Vec3(0, 1, 0), Vec3(0, 0, 1));  // in the plane, and out of it
   const Rows rows;
-  const Law law = test::blend_law();
+  const ContactLaw law = test::blend_law();
   Scene scene = rows.scene();
   scene.set_apart(rows.lips(0));
   Contact contact(scene);
@@ -91,7 +91,7 @@ TEST_CASE("contact: lips are not pressed when they part, and are held up at 0.9 
 
 TEST_CASE("contact: lips that have been farther apart than the gap touch as sheets that never were one") {
   const Rows rows;
-  const Law law = test::blend_law();
+  const ContactLaw law = test::blend_law();
   Scene scene = rows.scene();
   scene.set_apart(rows.lips(0));
   Contact contact(scene);

@@ -13,22 +13,22 @@ using test::Random;
 
 namespace {
 
-const Law& law() {
-  static const Law made({0.8, 0.02, 3, {}});
+const ContactLaw& law() {
+  static const ContactLaw made({0.8, 0.02, 3, {}});
   return made;
 }
 
-Pair pair_of(Kind kind) {
+Pair pair_of(PairKind kind) {
   Pair pair;
   pair.kind = kind;
   pair.area = 1.7;
   pair.offset = 0.05;
-  if (kind == Kind::facet) {
+  if (kind == PairKind::facet) {
     // Other counts than those of a surface, with which a facet and its edge cancel to rounding.
     pair.edge = {-2, 0, 1};
     pair.corner = {0, 1, 2};
   }
-  if (kind == Kind::edges) pair.fading = {true, 0.3, 0.2};
+  if (kind == PairKind::edges) pair.fading = {true, 0.3, 0.2};
   return pair;
 }
 
@@ -56,7 +56,7 @@ double energy(const Pair& pair, const Corners& x) {
 }
 
 // Corners at which the pair touches; every third case of segments is nearly parallel.
-Corners touching(Random& random, Kind kind, int n) {
+Corners touching(Random& random, PairKind kind, int n) {
   Corners x = {random.vector(1), random.vector(1), random.vector(1), random.vector(1)};
   if (modulates(kind) && n % 3 == 0) x[3] = x[2] + random(0.5, 1.5) * (x[1] - x[0]) + random.vector(0.1);
   return x;
@@ -84,12 +84,13 @@ void at_states(const Pair& pair, int cases,
   CHECK(used == cases);
 }
 
-const Kind kinds[] = {Kind::facet, Kind::plane, Kind::edges, Kind::wrap, Kind::segment, Kind::centre};
+const PairKind kinds[] = {PairKind::facet, PairKind::plane,   PairKind::edges,
+                          PairKind::wrap,  PairKind::segment, PairKind::centre};
 
 }  // namespace
 
 TEST_CASE("pair: the gradient is the energy's derivative, the Hessian the gradient's", "[contact]") {
-  for (const Kind kind : kinds) {
+  for (const PairKind kind : kinds) {
     const Pair pair = pair_of(kind);
     INFO("kind " << int(kind));
     at_states(pair, 150, [&](const Corners& x, const Vector12& by, double h) {
@@ -107,7 +108,7 @@ TEST_CASE("pair: the gradient is the energy's derivative, the Hessian the gradie
 }
 
 TEST_CASE("pair: forces are the negative gradient, and balance", "[contact]") {
-  for (const Kind kind : kinds) {
+  for (const PairKind kind : kinds) {
     const Pair pair = pair_of(kind);
     at_states(pair, 50, [&](const Corners& x, const Vector12&, double) {
       const Derivatives at = pair_derivatives(law(), pair, x);
@@ -131,7 +132,7 @@ TEST_CASE("pair: the positive part has no negative eigenvalue and keeps what is 
   int indefinite = 0;
   for (int n = 0; n < 100; ++n) {
     const Matrix12 h =
-        pair_derivatives(law(), pair_of(Kind::facet), touching(random, Kind::facet, n)).hessian;
+        pair_derivatives(law(), pair_of(PairKind::facet), touching(random, PairKind::facet, n)).hessian;
     const Matrix12 p = positive_part(h);
     const double size = h.norm();
     if (size == 0 || !std::isfinite(size)) continue;
@@ -146,7 +147,7 @@ TEST_CASE("pair: the positive part has no negative eigenvalue and keeps what is 
 namespace {
 
 // Of friction alone.
-Force friction_of(const Law& law, const Pair& pair, const Corners& x, const Slip& slip) {
+Force friction_of(const ContactLaw& law, const Pair& pair, const Corners& x, const Slip& slip) {
   Force both = pair_force(law, pair, x, &slip);
   const Force pressed = pair_force(law, pair, x);
   for (std::size_t i = 0; i < 4; ++i) both.on[i] -= pressed.on[i];
@@ -171,7 +172,7 @@ const Corners flat = {Vec3(0.2, 0.3, 0.4), Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0,
 }  // namespace
 
 TEST_CASE("pair: the Jacobian of friction by slope, its unsymmetric part included", "[contact]") {
-  for (const Kind kind : kinds) {
+  for (const PairKind kind : kinds) {
     const Pair pair = pair_of(kind);
     INFO("kind " << int(kind));
     Random random(11);
@@ -199,7 +200,7 @@ TEST_CASE("pair: the Jacobian of friction by slope, its unsymmetric part include
 
 TEST_CASE("pair: friction is a spring until it pulls with mu times the normal force, and then slips",
           "[contact]") {
-  const Pair pair = pair_of(Kind::plane);
+  const Pair pair = pair_of(PairKind::plane);
   const double normal = pair_force(law(), pair, flat).on[0].z(), k = 7;
   REQUIRE(normal > 0);
   const double spring = k * pair.area, most = 0.25 * normal, give = most / spring;  // m, where it gives way
@@ -222,7 +223,7 @@ TEST_CASE("pair: friction is a spring until it pulls with mu times the normal fo
 }
 
 TEST_CASE("pair: explicit friction resists slow sliding and is mu times the normal force else", "[contact]") {
-  const Pair pair = pair_of(Kind::plane);
+  const Pair pair = pair_of(PairKind::plane);
   const double normal = pair_force(law(), pair, flat).on[0].z(), mass = 0.5, dt = 1e-3;
   Slip slip{0.3, 0};
   slip.step = dt;
@@ -238,7 +239,7 @@ TEST_CASE("pair: explicit friction resists slow sliding and is mu times the norm
 
 TEST_CASE("pair: an approach is damped by the law's stiffness where it is, at most by its largest",
           "[contact]") {
-  const Pair pair = pair_of(Kind::plane);
+  const Pair pair = pair_of(PairKind::plane);
   const double loss = 2, dt = 1e-3, speed = 40, guard = law().guard_gap(), floor = law().floor();
   for (const double gap : {0.9 * law().gap(), 0.5 * (guard + floor), 0.1 * guard + 0.9 * floor}) {
     const double stiffness = gap < guard ? law().stiffest() : law()(gap).stiffness;
@@ -258,7 +259,7 @@ TEST_CASE("pair: an approach is damped by the law's stiffness where it is, at mo
 
 TEST_CASE("pair: an edge that slides off another's end, or turns parallel to it, leaves without a jump",
           "[contact]") {
-  const Pair pair = pair_of(Kind::edges);
+  const Pair pair = pair_of(PairKind::edges);
   const auto crossed = [](double shift, double angle) {
     return Corners{Vec3(-0.5 + shift, 0, 0.3), Vec3(0.5 + shift, 0, 0.3),
                    0.5 * Vec3(-std::cos(angle), -std::sin(angle), 0),
@@ -273,7 +274,7 @@ TEST_CASE("pair: an edge that slides off another's end, or turns parallel to it,
 }
 
 TEST_CASE("pair: an edge about an axis counts once, crossing or parallel", "[contact]") {
-  Pair pair = pair_of(Kind::wrap);
+  Pair pair = pair_of(PairKind::wrap);
   const double one = pair.area * law()(0.3 - pair.offset).contact;
   for (const double angle : {0.0, 1e-4, 0.05, 0.1, 0.3, 1.5}) {
     // Short, so that all of it is as far from the axis as its middle, to the order of its length squared.
@@ -285,9 +286,9 @@ TEST_CASE("pair: an edge about an axis counts once, crossing or parallel", "[con
 
 TEST_CASE("friction: forces and torque change with the turn of a body as their derivatives say",
           "[contact]") {
-  const Law law({0.38e-3, 0.15e-3, 2e10, {}});
+  const ContactLaw law({0.38e-3, 0.15e-3, 2e10, {}});
   Pair pair;
-  pair.kind = Kind::facet;
+  pair.kind = PairKind::facet;
   pair.area = 1e-5;
   pair.offset = 0.03;  // a ball above a triangle
   const Corners x = {Vec3(0.001, 0.0015, 0.03025), Vec3(0, 0, 0), Vec3(0.004, 0, 1e-4),

@@ -39,7 +39,7 @@ TEST_CASE("patches: what folds up fast is searched seldom, and nothing is left o
   Sheets sheets;
   sheets.add(0.1, 20, Vec3::Zero());
   Scene scene = sheets.scene();
-  scene.meet(0, 0, Law({1e-3, 0.15e-3, 2e10, {}}), 0);
+  scene.meet(0, 0, ContactLaw({1e-3, 0.15e-3, 2e10, {}}), 0);
   // It is rolled about x = 0.05 until its edges meet: all of it flies by 60 mm a step, the far ends
   // move against each other by a millimetre.
   const std::size_t searches = compare(scene, 300, [&](int step, std::vector<Vec3>& x) {
@@ -60,7 +60,7 @@ TEST_CASE("patches: motion at random, balls and a wall that turns leave nothing 
   Scene scene = sheets.scene();
   const int ball = scene.add_ball(Vec3(0.02, 0.02, 0.0115), 0.01),
             wall = scene.add_wall(Vec3(-2, 0, -0.4e-3), Vec3::UnitZ());
-  const Law law({1e-3, 0.15e-3, 2e10, {}});
+  const ContactLaw law({1e-3, 0.15e-3, 2e10, {}});
   for (const int s : {0, 1}) {
     scene.meet(s, s, law, 0);
     scene.meet(s, ball, law, 0);

@@ -147,10 +147,10 @@ TEST_CASE("law: a bounded curve is as stiff as the unbounded one or the bound, w
   LawData data;
   data.floor = 0.15e-3;
   data.curve = {{0.3e-3, 5000}, {0.35e-3, 1200}, {0.45e-3, 300}, {0.6e-3, 49}};
-  const Law whole(data);
+  const ContactLaw whole(data);
   for (const double bound : {3e6, 2e7, 5e7, 1e8}) {
     data.stiffness = bound;
-    const Law law(data);
+    const ContactLaw law(data);
     INFO(bound);
     CHECK(law.gap() == whole.gap());
     bool below = false, above = false;
@@ -175,7 +175,7 @@ TEST_CASE(
     "contact: two crossing edges press over the narrower strip, and fade at the law's gap from either end",
     "[contact]") {
   // Two triangles above each other whose long edges cross, of lengths 8 and 3 mm and heights 1 and 4 mm.
-  const Law law = blend_law();
+  const ContactLaw law = blend_law();
   const double la = 8e-3, ha = 1e-3, lb = 3e-3, hb = 4e-3, z = 0.6 * law.gap();
   const auto pair_at = [&](double s, double t) {  // where they cross, in m from the first end of each
     Scene scene({Vec3(-s, 0, 0), Vec3(la - s, 0, 0), Vec3(0.5 * la - s, -ha, 0), Vec3(0, -t, z),
@@ -184,7 +184,7 @@ TEST_CASE(
     scene.add_cloth(std::vector<std::array<mesh::Index, 4>>{{3, 4, 5, -1}});
     scene.meet(0, 1, law, 0);
     for (const Candidate& c : find_pairs(scene, scene.reference(), 0)) {
-      const bool both = c.pair.kind == Kind::edges && c.point == std::array<std::int32_t, 4>{0, 1, 3, 4};
+      const bool both = c.pair.kind == PairKind::edges && c.point == std::array<std::int32_t, 4>{0, 1, 3, 4};
       if (both) return std::pair(c.pair, pair_force(law, c.pair, corners_of(c, scene.reference())));
     }
     return std::pair(Pair{}, Force{});

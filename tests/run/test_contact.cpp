@@ -241,7 +241,7 @@ TEST_CASE("contact: what begins too near is opened, and the ledger holds the wor
       run = moving_run(m, 4e-4, 2.5e-7, kind == 2);
     }
     // Half way the smooth rise stands at one half: lengths are the mean of those at the start and of all.
-    const contact::Law law({gap, floor, kappa, {}});
+    const contact::ContactLaw law({gap, floor, kappa, {}});
     const double start = 0.05 * t / gap;
     // As far as the law opens without coming to its floor.
     const auto pressed = [&](double time) {

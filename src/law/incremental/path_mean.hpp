@@ -61,7 +61,7 @@ void add_smooth(PathMean<T>& sum, const Path<T>& path, const Stretch<T>& part, F
 template <class T>
 void add_backbone(PathMean<T>& sum, const Backbone& curve, const Path<T>& path, T from) {
   for (int i = 0; i < curve.pieces; ++i) {
-    const Piece& piece = curve.piece[i];
+    const CurvePiece& piece = curve.piece[i];
     const double end = i + 1 < curve.pieces ? curve.piece[i + 1].start : curve.limit;
     const T stop = min(T(end), T(curve.limit));
     const auto part = stretch(path, max(from, min(T(piece.start), stop)), max(from, stop));

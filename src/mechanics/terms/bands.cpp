@@ -13,7 +13,7 @@ constexpr double kTaut = 1e-9;  // a strain above minus this is one of a taut ba
 
 }  // namespace
 
-Bands::Bands(const model::Model& model) : bands_(model.bands()) {
+EdgeBands::EdgeBands(const model::Model& model) : bands_(model.bands()) {
   for (std::size_t i = 0; i < bands_.size(); ++i) {
     const model::EdgeChain chain = model::chain_of(model.mesh().uncut(), bands_[i].set);
     const std::size_t count = chain.nodes.size();
@@ -27,28 +27,28 @@ Bands::Bands(const model::Model& model) : bands_(model.bands()) {
   now_ = pulling_;
 }
 
-double Bands::rest(const Piece& piece, double time) const {
-  const model::Band& band = bands_[piece.band];
+double EdgeBands::rest(const BandPiece& piece, double time) const {
+  const model::EdgeBand& band = bands_[piece.band];
   const double s = band.over ? std::clamp(time / *band.over, 0.0, 1.0) : 1;
   return piece.length * (1 - band.ease * s * s * s * (10 - 15 * s + 6 * s * s));
 }
 
-double Bands::strain(const Piece& piece, const Trial& trial) const {
+double EdgeBands::strain(const BandPiece& piece, const Trial& trial) const {
   const auto x = trial.configuration.x();
   return (at(x, piece.b) - at(x, piece.a)).norm() / rest(piece, trial.time) - 1;
 }
 
 // Of S L e^2 / 2 with e = l/L - 1: S (1 - (l/L)^2) / 2.
-double Bands::pull_on_rest(const Piece& piece, double strain) const {
+double EdgeBands::pull_on_rest(const BandPiece& piece, double strain) const {
   return strain > 0 ? bands_[piece.band].stiffness * (1 - (1 + strain) * (1 + strain)) / 2 : 0;
 }
 
-Outcome Bands::add_forces(const law::Step&, const Trial& trial, Forces& forces) {
+Outcome EdgeBands::add_forces(const law::Step&, const Trial& trial, Forces& forces) {
   const auto x = trial.configuration.x();
   work_ = {};
   aimed_ = trial.time;
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
-    const Piece& piece = pieces_[i];
+    const BandPiece& piece = pieces_[i];
     const double e = strain(piece, trial);
     now_[i] = pull_on_rest(piece, e);
     const double way = rest(piece, trial.time) - rest(piece, time_);
@@ -62,10 +62,10 @@ Outcome Bands::add_forces(const law::Step&, const Trial& trial, Forces& forces) 
 }
 
 // In explicit motion, where it bounds the step, also of slack bands.
-void Bands::add_tangent(const Trial& trial, TangentSink& sink) const {
+void EdgeBands::add_tangent(const Trial& trial, TangentSink& sink) const {
   const bool bounds = trial.motion != nullptr && trial.motion->moves() && trial.motion->damping_weight() == 0;
   const auto x = trial.configuration.x();
-  for (const Piece& piece : pieces_) {
+  for (const BandPiece& piece : pieces_) {
     const double e = strain(piece, trial), stiffness = bands_[piece.band].stiffness;
     if (!(e > -kTaut) && !bounds) continue;
     const Vec3 way = at(x, piece.b) - at(x, piece.a), n = way.normalized();
@@ -79,16 +79,16 @@ void Bands::add_tangent(const Trial& trial, TangentSink& sink) const {
   }
 }
 
-void Bands::add_energies(const Trial& trial, std::vector<Energy>& out) const {
+void EdgeBands::add_energies(const Trial& trial, std::vector<Energy>& out) const {
   double stored = 0;
-  for (const Piece& piece : pieces_) {
+  for (const BandPiece& piece : pieces_) {
     const double e = std::max(0.0, strain(piece, trial));
     stored += bands_[piece.band].stiffness * rest(piece, trial.time) * e * e / 2;
   }
   out.push_back({"bands", Account::stored, stored});
 }
 
-void Bands::commit() {
+void EdgeBands::commit() {
   pulling_ = now_;
   time_ = aimed_;
 }

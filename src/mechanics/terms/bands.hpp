@@ -8,9 +8,9 @@
 
 namespace fabricsh::mechanics {
 
-class Bands final : public Term {
+class EdgeBands final : public Term {
  public:
-  explicit Bands(const model::Model& model);
+  explicit EdgeBands(const model::Model& model);
 
   const char* name() const override { return "bands"; }
   Outcome add_forces(const law::Step&, const Trial& trial, Forces& forces) override;
@@ -21,17 +21,17 @@ class Bands final : public Term {
   void keep(Archive& archive) override { archive(time_, pulling_); }
 
  private:
-  struct Piece {
+  struct BandPiece {
     Index a, b;
     double length;  // m, of the edge
     std::size_t band;
   };
-  double rest(const Piece& piece, double time) const;  // m
-  double strain(const Piece& piece, const Trial& trial) const;
-  double pull_on_rest(const Piece& piece, double strain) const;  // N, d(energy) / d(rest length)
+  double rest(const BandPiece& piece, double time) const;  // m
+  double strain(const BandPiece& piece, const Trial& trial) const;
+  double pull_on_rest(const BandPiece& piece, double strain) const;  // N, d(energy) / d(rest length)
 
-  const std::vector<model::Band> bands_;
-  std::vector<Piece> pieces_;
+  const std::vector<model::EdgeBand> bands_;
+  std::vector<BandPiece> pieces_;
   std::vector<double> pulling_, now_;  // N: the last of these at the committed and the trial state
   double time_ = 0, aimed_ = 0;        // s: committed, of the trial state
   StepWork work_;                      // of shortening the bands in the step

@@ -191,7 +191,8 @@ Contacts::Contacts(const model::Model& model, const Configuration& configuration
     const auto& given = model.interactions().contacts()[m.contact];
     meetings_.push_back(meeting_of(m));
     const double loss = 2 * damping_of(given.restitution) * std::sqrt(moving_mass(m));
-    scene_.meet(m.first, m.second, contact::Law(meetings_.back().data), given.friction, loss, given.sticking);
+    scene_.meet(m.first, m.second, contact::ContactLaw(meetings_.back().data), given.friction, loss,
+                given.sticking);
     friction_ = friction_ || given.friction > 0 || given.sticking.value_or(0) > 0;
     rubs_ = rubs_ || friction_ || loss > 0;
   }
@@ -287,7 +288,7 @@ Contacts::Meeting Contacts::meeting_of(const model::SurfacePair& m) const {
   return out;
 }
 
-std::string Contacts::stiffness_words(const Meeting& m, const contact::Law& law) const {
+std::string Contacts::stiffness_words(const Meeting& m, const contact::ContactLaw& law) const {
   const bool measured = !m.data.curve.empty();
   const std::string carried = m.softened ? ", no more than the mesh carries in motion" : "";
   if (!measured)
@@ -329,7 +330,7 @@ void Contacts::soften(bool measured) {
     if (scene_.interactions()[i].law.stiffest() <= m.carried) continue;
     m.softened = true;
     m.data.stiffness = m.carried;
-    scene_.replace_law(i, contact::Law(m.data));
+    scene_.replace_law(i, contact::ContactLaw(m.data));
   }
 }
 
@@ -371,7 +372,7 @@ void Contacts::open_overlaps() {
     if (share.empty()) continue;
     const double whole = c.whole * scene_.interactions()[static_cast<std::size_t>(c.interaction)].law.gap(),
                  gap = contact::gap_of(c, contact::corners_of(c, scene_.reference()));
-    const bool edges = c.pair.kind == contact::Kind::edges || c.pair.kind == contact::Kind::wrap;
+    const bool edges = c.pair.kind == contact::PairKind::edges || c.pair.kind == contact::PairKind::wrap;
     for (std::size_t k = 0; k < (edges ? 4u : 1u); ++k)
       if (double& s = share[static_cast<std::size_t>(c.point[k])]; c.point[k] >= 0)
         s = std::min(s, gap / whole);
@@ -743,7 +744,7 @@ const Contacts::Reading& Contacts::read() const {
   return reading_;
 }
 
-Contacts::Nearest Contacts::nearest() const {
+Contacts::NearestPair Contacts::nearest() const {
   const auto found = contact_->nearest(read().x);
   return {found.gap, found.point};
 }

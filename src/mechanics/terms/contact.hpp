@@ -108,11 +108,11 @@ class Contacts final : public Term, public StepLimiter, public OwnUnknowns, publ
   // --- reading of the present state of the configuration
   const Bodies& bodies() const { return bodies_; }
   int find_body(const model::Rigid& body) const;  // -1: not in this model
-  struct Nearest {
+  struct NearestPair {
     double gap;                         // m, above the floor
     std::array<std::int32_t, 4> point;  // corners, -1: none
   };
-  Nearest nearest() const;
+  NearestPair nearest() const;
   double gap(Index node) const;       // m, above the floor; at most the range of contact
   double pressure(Index node) const;  // Pa, without friction, of both faces added
   // What the cloth does to a body whose shape is a surface.
@@ -182,7 +182,7 @@ class Contacts final : public Term, public StepLimiter, public OwnUnknowns, publ
   Meeting meeting_of_bodies(const model::SurfacePair& meeting) const;
   double moving_mass(const model::SurfacePair& m) const;
   std::string name_of(int side) const;
-  std::string stiffness_words(const Meeting& m, const contact::Law& law) const;
+  std::string stiffness_words(const Meeting& m, const contact::ContactLaw& law) const;
   double weakest_share(const contact::Interaction& it) const;
   double carried_by_bodies(double share, bool guarded) const;
   void soften(bool measured);

@@ -55,12 +55,12 @@ Contacts::OnSkin Contacts::on_skin(std::size_t i) const {
     out.pressure.push_back(area > 0 ? -force.dot(across[v]) / (area * area) : 0);
   }
   // The nearest facet of the body to each node that is near to any.
-  struct Nearest {
+  struct NearestVertex {
     double distance = std::numeric_limits<double>::infinity();
     std::array<std::int32_t, 3> corner{};
     std::array<double, 3> weight{};
   };
-  std::map<std::int32_t, Nearest> nearest;
+  std::map<std::int32_t, NearestVertex> nearest;
   contact_->couples(now.x, [&](const std::array<std::int32_t, 4>& p) {
     const bool facet = p[0] >= 0 && p[0] < static_cast<std::int32_t>(nodes_) &&
                        std::all_of(p.begin() + 1, p.end(), [&](auto c) { return c >= begin && c < end; });
@@ -69,7 +69,7 @@ Contacts::OnSkin Contacts::on_skin(std::size_t i) const {
                            {now.x[static_cast<std::size_t>(p[0])], now.x[static_cast<std::size_t>(p[1])],
                             now.x[static_cast<std::size_t>(p[2])], now.x[static_cast<std::size_t>(p[3])]})
                            .touch;
-    Nearest& best = nearest[p[0]];
+    NearestVertex& best = nearest[p[0]];
     if (touch.distance < best.distance)
       best = {touch.distance,
               {p[1] - begin, p[2] - begin, p[3] - begin},

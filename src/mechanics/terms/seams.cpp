@@ -355,7 +355,7 @@ void Seams::spread() {
   });
 }
 
-Seams::Worst Seams::worst() const {
+Seams::WorstStitch Seams::worst() const {
   const auto most = std::max_element(share_.begin(), share_.end());
   if (most == share_.end() || !(*most > 0)) return {};
   const auto i = static_cast<std::size_t>(most - share_.begin());

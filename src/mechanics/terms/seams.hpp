@@ -64,12 +64,12 @@ class Seams final : public Term {
   // SewnEdges.
   void decide_turning(Sewn& next) const;
   // The stitch that is nearest to its strength in the committed state.
-  struct Worst {
+  struct WorstStitch {
     double share = 0, strength = 0;  // N/m
     std::string seam;
     Vec3 at = Vec3::Zero();  // m, reference
   };
-  Worst worst() const;
+  WorstStitch worst() const;
   double committed_share() const { return committed_share_; }  // its share
   // Prepares strings for all closed stitches that have reached it, stable with a step in s; 0: in steps that
   // iterate.

@@ -185,8 +185,8 @@ void Tears::know_all() const {
   all_known_ = true;
 }
 
-Tears::Worst Tears::at_support() const {
-  Worst worst;
+Tears::WorstPlace Tears::at_support() const {
+  WorstPlace worst;
   if (grips_.empty()) return worst;
   const std::vector<double> on_x = last_forces();
   const auto x = configuration_.x();
@@ -227,7 +227,7 @@ void Tears::add_energies(const Trial& trial, std::vector<Energy>& out) const {
 
 // --- opening
 
-Tears::Worst Tears::worst() const {
+Tears::WorstPlace Tears::worst() const {
   const Line* most = nullptr;
   for (const std::size_t i : near_)
     if (most == nullptr || most->share < lines_[i].share) most = &lines_[i];

@@ -69,14 +69,14 @@ class Tears final : public Term {
   void go_explicit();
   // The joint whose yarns are nearest to their strength in the state of the last forces. In explicit steps no
   // joint, with a share of 0, as long as none is near.
-  struct Worst {
+  struct WorstPlace {
     double share = 0, strength = 0;  // N/m
     const char* yarn = "";
     Vec3 at = Vec3::Zero();  // m, reference
   };
-  Worst worst() const;
+  WorstPlace worst() const;
   // The same where supports hold the yarns themselves: there nothing breaks, however hard the cloth pulls.
-  Worst at_support() const;
+  WorstPlace at_support() const;
   // Whether it is time to look there: in explicit steps now and then, in others always.
   bool supports_due() { return !grips_.empty() && (!sparing_ || ++commits_ % 64 == 0); }
   double committed_share() const { return committed_share_; }  // its share

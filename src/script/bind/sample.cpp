@@ -11,11 +11,12 @@ namespace fabricsh::script {
 
 namespace {
 
-using card::Band;
+using card::ParameterBand;
 using card::Woven;
 
 // Draws the parameters of one part, for example "warp", from their confidence band.
-void draw(card::Card& card, const char* part, const Band& band, double level, std::mt19937_64& random) {
+void draw(card::Card& card, const char* part, const ParameterBand& band, double level,
+          std::mt19937_64& random) {
   if (band.low.empty()) return;
   const card::Field& group = *card::find_field(card::fields(card), part);
   std::vector<double> half;
@@ -29,7 +30,7 @@ std::shared_ptr<card::Card> drawn_card(const card::Card& from, std::mt19937_64& 
   for (int attempt = 0; attempt < 1000; ++attempt) {
     auto copy = std::make_shared<card::Card>(from);
     auto& law = std::get<Woven>(copy->law);
-    const card::Bands bands = *law.bands;
+    const card::ParameterBands bands = *law.bands;
     draw(*copy, "warp", bands.warp, bands.level, random);
     draw(*copy, "weft", bands.weft, bands.level, random);
     draw(*copy, "shear", bands.shear, bands.level, random);

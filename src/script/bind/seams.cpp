@@ -93,7 +93,7 @@ int seam(Call& call) {
 }
 
 int band(Call& call) {
-  model::Band band{call.text("set"), call.number("stiffness"), call.number("ease"), {}};
+  model::EdgeBand band{call.text("set"), call.number("stiffness"), call.number("ease"), {}};
   if (call.has("over")) band.over = call.number("over");
   call.self<Model>()->band(std::move(band));
   return return_self(call);
