@@ -8,7 +8,7 @@ set(precompiled_headers
 # fabricsh_precompile(target owner header...): the target reads what the owner precompiles, which are these headers
 # and those above; the owner itself is the first to be named.
 function(fabricsh_precompile target owner)
-  if(NOT FABRICSH_PRECOMPILE)
+  if(NOT FABRICSH_PRECOMPILE OR NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")  # the only compiler that it was tried with
     return()
   endif()
   if(target STREQUAL owner)
@@ -17,7 +17,5 @@ function(fabricsh_precompile target owner)
     target_precompile_headers(${target} REUSE_FROM ${owner})
   endif()
   # GCC forgets for precompiled headers that they are the system's, and is wrong about std::string in them.
-  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    target_compile_options(${target} PRIVATE -Wno-stringop-overflow -Wno-array-bounds -Wno-stringop-overread)
-  endif()
+  target_compile_options(${target} PRIVATE -Wno-stringop-overflow -Wno-array-bounds -Wno-stringop-overread)
 endfunction()
