@@ -273,6 +273,7 @@ void Contact::index_slots() {
   first_slip_.assign(touched_.size() + 1, 0);
 }
 
+// The slip of the pair in a slot.
 class Contact::OfSlot final : public SlipSource {
  public:
   OfSlot(Contact& contact, std::size_t slot, std::span<const Vec3> x, const Way& way)

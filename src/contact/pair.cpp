@@ -139,10 +139,6 @@ class Friction {
   double share_ = 0;
 };
 
-}  // namespace
-
-namespace {
-
 // slip(): a pointer to the slip at a pair that touches, null without friction; called once. Returns the
 // smallest distance above the floor, of any pair.
 template <class FindSlip>
@@ -173,18 +169,9 @@ double set_force(const ContactLaw& law, const Pair& pair, const Corners& x, Find
   return gap;
 }
 
-}  // namespace
-
-Force pair_force(const ContactLaw& law, const Pair& pair, const Corners& x, const Slip* slip) {
-  Force force;
-  force.gap = set_force(
-      law, pair, x, [slip] { return slip; }, force);
-  return force;
-}
-
 // Whether the pair is clearly farther apart than `reach`, m: found without the root and the division that its
 // distance and normal take.
-static bool is_far(const Pair& pair, const Corners& x, double reach) {
+bool is_far(const Pair& pair, const Corners& x, double reach) {
   const double far = (reach + pair.offset) * (reach + pair.offset) * (1 + 1e-9);
   if (pair.kind == PairKind::plane) {
     const Vec3 normal = (x[2] - x[1]).cross(x[3] - x[1]);
@@ -193,6 +180,15 @@ static bool is_far(const Pair& pair, const Corners& x, double reach) {
   }
   if (pair.kind == PairKind::facet) return squared_point_triangle(x[0], x[1], x[2], x[3]) > far;
   return pair.kind == PairKind::edges && squared_crossing(x[0], x[1], x[2], x[3]) > far;
+}
+
+}  // namespace
+
+Force pair_force(const ContactLaw& law, const Pair& pair, const Corners& x, const Slip* slip) {
+  Force force;
+  force.gap = set_force(
+      law, pair, x, [slip] { return slip; }, force);
+  return force;
 }
 
 bool find_force(const ContactLaw& law, const Pair& pair, const Corners& x, const SlipSource* slips,

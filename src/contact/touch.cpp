@@ -156,18 +156,16 @@ double squared_point_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const
   return (p - a - at.v * (b - a) - at.w * (c - a)).squaredNorm();
 }
 
-double squared_segment_segment(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  const Vec3 u = b - a, v = d - c, r = a - c;
-  const Crossing at = crossing(u, v, r);
-  if (at.inside) return (r + at.s * u - at.t * v).squaredNorm();
-  return std::min(std::min(squared_point_segment(a, c, d), squared_point_segment(b, c, d)),
-                  std::min(squared_point_segment(c, a, b), squared_point_segment(d, a, b)));
-}
-
 double squared_crossing(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const Vec3 u = b - a, v = d - c, r = a - c;
   const Crossing at = crossing(u, v, r);
   return at.inside ? (r + at.s * u - at.t * v).squaredNorm() : std::numeric_limits<double>::infinity();
+}
+
+double squared_segment_segment(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  if (const double crossing = squared_crossing(a, b, c, d); std::isfinite(crossing)) return crossing;
+  return std::min(std::min(squared_point_segment(a, c, d), squared_point_segment(b, c, d)),
+                  std::min(squared_point_segment(c, a, b), squared_point_segment(d, a, b)));
 }
 
 Slides slides(const Corners& x, const Touch& touch) {

@@ -64,6 +64,10 @@ bool turns_about_centre(const mechanics::Freedoms& freedoms, mechanics::Index no
          freedoms.motions[mechanics::motion_of(equation)].kind == mechanics::DrivenFreedom::FreedomKind::arm;
 }
 
+bool any_load(std::span<const double> dead) {
+  return std::any_of(dead.begin(), dead.end(), [](double f) { return f != 0; });
+}
+
 // Whether the working forces are only dead loads that are constant in time.
 bool is_constant(const mechanics::Assembly& assembly) {
   const auto followers = assembly.all<mechanics::FollowerLoad>();
@@ -89,7 +93,6 @@ void find_working_forces(const mechanics::Assembly& assembly, std::span<const do
   const auto internal = assembly.internal();
   const auto d = assembly.state().d();
   out.turning.clear();
-  out.loaded = !followers.empty() || std::any_of(dead.begin(), dead.end(), [](double f) { return f != 0; });
   for (const auto n : dofs.driven_nodes()) {
     const Vec3 force = dofs.support_force(n, internal.on_x, dead);
     const auto& axis = nodes[n].turn_axis;
@@ -113,7 +116,7 @@ mechanics::StepWork ExternalWork::of_step(mechanics::Assembly& assembly, std::sp
   const auto from = now.committed_kinematics();
   mechanics::StepWork sum = assembly.step_work();
   if (is_constant(assembly)) {  // only dead loads that are constant
-    if (!loaded_) loaded_ = std::any_of(dead.begin(), dead.end(), [](double f) { return f != 0; });
+    if (!loaded_) loaded_ = any_load(dead);
     sum.work += *loaded_ ? trapezoid(dead, dead, from.first(n), now.x()) : 0;
     return sum;
   }
@@ -126,9 +129,13 @@ mechanics::StepWork ExternalWork::of_step(mechanics::Assembly& assembly, std::sp
   }
   // Forces of the cloth turn with its supports. Those of weights do not, and beside pressures only chords
   // close the balance of what turns as a whole; there the work is uncertain by the difference.
-  const TurningWork turning = work_of_turning(assembly, before_.turning, now_.turning);
-  sum += {work + (now_.loaded ? turning.chords : turning.arcs),
-          std::abs(change + turning.change) + std::abs(turning.arcs - turning.chords)};
+  TurningWork turning;
+  if (!now_.turning.empty()) {
+    turning = work_of_turning(assembly, before_.turning, now_.turning);
+    const bool loaded = assembly.find<mechanics::FollowerLoad>() != nullptr || any_load(dead);
+    work += loaded ? turning.chords : turning.arcs;
+  }
+  sum += {work, std::abs(change + turning.change) + std::abs(turning.arcs - turning.chords)};
   std::swap(before_, now_);
   return sum;
 }

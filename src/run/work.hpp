@@ -22,7 +22,6 @@ struct WorkingForces {
   std::vector<double> on_x;  // N
   std::vector<double> on_d;  // N m, on directors; empty if no load acts on them
   std::vector<TurningSupport> turning;
-  bool loaded = false;  // whether there is more than supports
 };
 // Dead loads, follower loads and the forces of moving supports at the trial configuration, whose forces must
 // have been computed after set_time() at its time. dead: as for ExternalWork.
