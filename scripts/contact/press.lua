@@ -1,7 +1,7 @@
 -- What is pressed, in statics by the default method and from flat or round, against closed forms without friction:
 --
 --   fabricsh scripts/contact/press.lua             a fold and a tube between two plates, a ball on a flat disc
---   fabricsh scripts/contact/press.lua explicit    the same in slow explicit motion, and what time that takes
+--   fabricsh scripts/contact/press.lua explicit    the same in slow explicit motion, and what time that takes; likewise implicit, relaxation
 --
 -- A fold of a strip with the bending rigidity B between plates at the distance D (of midsurfaces) pushes with F = 2.8711 B / D^2 per width; its
 -- greatest curvature is 2.3963 / D. The strip stands flat between the plates at first.
@@ -16,13 +16,15 @@
 -- warns: nine measured cloths in ten have 1 to 70 uN.m
 local fabric = require "fabric"
 local mm = fabric.units.mm
-local moves = arg[1] == "explicit"
+local scheme = arg[1] or "static"
+local moves = scheme == "explicit" or scheme == "implicit"
 local B, width, t = 1e-5, 1 * mm, 0.3 * mm
 local strip = fabric.svk { young = 50e6, poisson = 0, density = 500, thickness = t, name = "strip", bending = { warp = B, weft = B, twist = B / 2 } }
 
 -- Runs to the given shares of the duration and calls look(run) at each; returns the run and its processor time.
 local function press(m, step, duration, shares, look)
-  local run = moves and fabric.dynamic { model = m, duration = duration, damping = { mass = 60 } } or fabric.static { model = m, duration = duration, step = step * duration }
+  local run = moves and fabric.dynamic { model = m, duration = duration, scheme = scheme, step = scheme == "implicit" and 1e-3 or nil, damping = { mass = 60 } }
+    or fabric.static { model = m, duration = duration, step = step * duration, method = scheme == "relaxation" and scheme or nil }
   local begun = os.clock()
   for _, share in ipairs(shares) do
     run:advance(share * duration)

@@ -302,6 +302,14 @@ std::string Dynamic::share_text(double made, const EnergyAccount& e, double scal
   return text;
 }
 
+// At the beginning the work is almost zero, so the error is compared with the largest energies of the run,
+// and at least with what rounding can cause, so that rounding is no error before anything moves, and with the
+// weight over a thickness where cloth rests on something and hardly any work is done.
+double Dynamic::ledger_scale(const EnergyAccount& e) const {
+  return std::max({work_.largest(), e.initial, e.kinetic + e.internal(), energy_of_rest(),
+                   energy_of_rounding(*assembly_, now_.step) / kWarning});
+}
+
 void Dynamic::check() {
   // The cost of a check is small compared with an implicit step, and the energy balance of implicit steps is
   // good from the first one on.
@@ -315,11 +323,7 @@ void Dynamic::check() {
   now_.looked = now_.steps;
   const EnergyAccount e = energy();
   weigh_inertia(e.kinetic, e.scaled);
-  // At the beginning the work is almost zero, so the error is compared with the largest energies of the run,
-  // and at least with what rounding can cause, so that rounding is no error before anything moves, and with
-  // the weight over a thickness where cloth rests on something and hardly any work is done.
-  const double scale = std::max({work_.largest(), e.initial, e.kinetic + e.internal(), energy_of_rest(),
-                                 energy_of_rounding(*assembly_, now_.step) / kWarning});
+  const double scale = ledger_scale(e);
   const double made = imbalance(e, scale) + e.created;
   // If supports begin to move with a jump in velocity, the trapezoidal rule gives their work badly at
   // first; so it does where a moved body comes to touch.
@@ -340,12 +344,9 @@ void Dynamic::check() {
     return;
   }
   const std::string share = share_text(made, e, scale);
-  const bool begins = std::isfinite(made) && e.surplus() > 0 && begin_to_damp();
-  const std::string damping = begins
-                                  ? "from here on high frequencies are damped (hht=" + number(kDampingAlpha) +
-                                        ", the loss is in energy.damping); "
-                                  : "";
-  if (!now_.reported_error || begins) {
+  const bool is_made = std::isfinite(made) && e.surplus() > 0;
+  const std::string damping = is_made ? begin_to_damp(made / scale) : "";
+  if (!now_.reported_error || !damping.empty()) {
     now_.reported_error = true;
     now_.began = suspect();
     warn("ledger",

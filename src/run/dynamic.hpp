@@ -17,6 +17,9 @@ enum class Scheme { explicit_steps, implicit_steps };
 // of the energy of one with 20 steps to its period, in a period.
 inline constexpr double kDampingAlpha = -0.2;
 
+// How far an implicit run whose deck chose no scheme has begun to damp, because it made energy.
+enum class Damping { none, hht, strong };
+
 struct DynamicOptions {
   double duration = 0;              // s, required, positive
   std::optional<double> step = {};  // s; explicit: default 0.7 of the stable one; implicit: duration / 200
@@ -65,7 +68,7 @@ class Dynamic : public Run {
   // The dissipation of the scheme (gamma, hht) in a step: W_ext - W_int - W_damp - change of kinetic energy.
   bool damps() const {
     const bool implicit = options_.scheme == Scheme::implicit_steps;
-    return now_.damps || options_.gamma != 0.5 || options_.hht.value_or(0) != 0 ||
+    return now_.damping != Damping::none || options_.gamma != 0.5 || options_.hht.value_or(0) != 0 ||
            (implicit && options_.beta.value_or(0.25) != 0.25);
   }
   std::vector<double> driven_rates() const;  // of the driven freedoms at the trial time, m/s or 1/s
@@ -84,8 +87,11 @@ class Dynamic : public Run {
   void report_dropped_rates(const mechanics::NodalRates& rates);
   std::string share_text(double made, const EnergyAccount& energies, double scale) const;
   std::string remedy(const EnergyAccount& energies) const;  // advice for an error of the ledger
-  // Whether the scheme, which did not damp, damps high frequencies from the next step on.
-  virtual bool begin_to_damp() { return false; }
+  // Lets the scheme damp from the next step on, or more than so far, as the error of the ledger over its
+  // scale demands. Returns what is said of it; empty: nothing changes.
+  virtual std::string begin_to_damp(double /*error*/) { return {}; }
+  // J: what the error of the ledger is compared with.
+  double ledger_scale(const EnergyAccount& energies) const;
 
   virtual void take_options(const DynamicOptions& options) = 0;  // after a change of settings
 
@@ -100,7 +106,7 @@ class Dynamic : public Run {
     std::int64_t steps = 0, looked = 0;  // committed; at the last check of the ledger
     bool reported_error = false, reported_split = false, reported_jump = false, reported_scaled = false,
          was_over = false;
-    bool damps = false;              // the scheme has begun to damp because it made energy
+    Damping damping = Damping::none;
     int settling = 0;                // implicit steps left in which directors of opened joints settle
     double surplus = 0;              // J, of the ledger before the present one of these
     double kinetic = 0, scaled = 0;  // J, the largest so far; its part in scaled rotary inertia
@@ -114,7 +120,7 @@ class Dynamic : public Run {
     }
     void keep(Archive& archive) {
       archive(step, loss, driven_kinetic_at_0, next_check, steps, looked, reported_error, reported_split,
-              reported_jump, reported_scaled, was_over, damps, settling, surplus, kinetic, scaled, began,
+              reported_jump, reported_scaled, was_over, damping, settling, surplus, kinetic, scaled, began,
               touched, short_steps);
     }
   } now_;

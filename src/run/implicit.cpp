@@ -18,10 +18,19 @@ namespace {
 constexpr NewmarkScheme kSettling{1.5, 1, 0};
 constexpr int kSettlingSteps = 2;
 
+// Where a stiff strip turns within a step, forces that alpha averages over it still make energy; those at the
+// step's end do not. Leaves a third of the amplitude of what no step resolves after a step.
+constexpr NewmarkScheme kStrong{1, 0.5625, 0};
+constexpr double kTooMuch = 0.5;  // share of the ledger's limit from which on hht is not enough
+
 NewmarkScheme scheme_of(const DynamicOptions& o) {
   const double hht = o.hht.value_or(0);
   if (hht != 0) return NewmarkScheme::of_hht(hht);
   return {o.gamma, o.beta.value_or(0.25 * (0.5 + o.gamma) * (0.5 + o.gamma)), 0};
+}
+
+mechanics::NodalRates still(const mechanics::NodalRates& like) {
+  return {std::vector<double>(like.x.size(), 0), std::vector<double>(like.d.size(), 0)};
 }
 
 StepControl control_of(const DynamicOptions& o, const mechanics::Assembly& assembly) {
@@ -99,7 +108,37 @@ void Implicit::set_motion(const mechanics::NodalRates& rates) {
   problem_.start(possible);
 }
 
+// A repeated step that fails or is interrupted leaves no trace.
 double Implicit::try_step(double limit, StepReport& report) {
+  using Try = Repeatable::Try;
+  if (repeatable_.which == Try::first) mark_repeatable();
+  try {
+    return reach(limit, report);
+  } catch (const NumericalFailure&) {
+    if (repeatable_.which != Try::damped) throw;
+  } catch (...) {
+    if (repeatable_.which == Try::damped) return_to_start(Try::first);
+    throw;
+  }
+  return_to_start(Try::first_again);
+  report = {};
+  return reach(limit, report);
+}
+
+void Implicit::mark_repeatable() {
+  repeatable_.start.clear();
+  if (chooses_scheme() && now_.damping != Damping::strong && now_.settling == 0)
+    repeatable_ = {save_state(), energy().surplus()};
+}
+
+void Implicit::return_to_start(Repeatable::Try next) {
+  const DynamicState reported = now_;
+  go_back(repeatable_.start);
+  now_.keep_reported(reported);
+  repeatable_.which = next;
+}
+
+double Implicit::reach(double limit, StepReport& report) {
   double size = control_.end(committed_time(), next_landing(limit, control_.current()));
   const StepControl before = control_;
   step_.tries.clear();
@@ -170,18 +209,58 @@ const mechanics::NodalRates& Implicit::rates() const { return newmark_.velocitie
 
 // Average acceleration keeps the energy of linear systems alone: the kinks of a fabric's law feed frequencies
 // that no step resolves, until they carry more than the motion [hughes1978].
-bool Implicit::begin_to_damp() {
-  const bool chosen = options_.hht || options_.beta || options_.gamma != 0.5;
-  if (chosen || now_.damps) return false;
-  now_.damps = true;
+std::string Implicit::begin_to_damp(double error) {
+  if (!chooses_scheme() || now_.damping == Damping::strong) return {};
+  if (now_.damping == Damping::hht && error <= kTooMuch * options_.ledger_limit) return {};
+  damp(now_.damping == Damping::none ? Damping::hht : Damping::strong);
+  return damping_text();
+}
+
+void Implicit::damp(Damping damping) {
+  now_.damping = damping;
   take_scheme();
-  return true;
+  // With average acceleration those of frequencies that no step resolves grow from step to step.
+  if (damping == Damping::strong) newmark_.set_accelerations(still(newmark_.committed().a));
+}
+
+std::string Implicit::damping_text() const {
+  const bool strong = now_.damping == Damping::strong;
+  return "from here on high frequencies are damped (" +
+         (strong ? "gamma=" + number(kStrong.gamma) : "hht=" + number(kDampingAlpha)) +
+         ", the loss is in energy.damping); ";
+}
+
+// A step that makes more energy than the ledger allows is repeated with strong damping, which is kept if that
+// makes less than half as much: the work of a support that begins to move with a jump, which the ledger does
+// not know well, is no reason.
+bool Implicit::takes_back() {
+  using Try = Repeatable::Try;
+  const Try which = std::exchange(repeatable_.which, Try::first);
+  if (repeatable_.start.empty() || which == Try::first_again) return false;
+  const EnergyAccount now = energy();
+  const double made = (now.surplus() - repeatable_.surplus) / ledger_scale(now);
+  if (which == Try::first) {
+    if (!(made > options_.ledger_limit)) return false;
+    repeatable_.made = made;
+    return_to_start(Try::damped);
+    damp(Damping::strong);
+    return true;
+  }
+  if (!(made < repeatable_.made / 2)) {
+    return_to_start(Try::first_again);
+    return true;
+  }
+  warn("ledger", "dynamic: a step to time " + number(committed_time()) + " s would have made " +
+                     number(100 * repeatable_.made) + " % of the energy there and was repeated: " +
+                     damping_text() + "repeat with a smaller step to see whether the step is the cause");
+  return false;
 }
 
 void Implicit::take_scheme() {
-  newmark_.set_scheme(now_.settling > 0 ? kSettling
-                      : now_.damps      ? NewmarkScheme::of_hht(kDampingAlpha)
-                                        : scheme_of(options_));
+  newmark_.set_scheme(now_.settling > 0                 ? kSettling
+                      : now_.damping == Damping::strong ? kStrong
+                      : now_.damping == Damping::hht    ? NewmarkScheme::of_hht(kDampingAlpha)
+                                                        : scheme_of(options_));
   weigh_step_ends();
 }
 

@@ -35,7 +35,12 @@ class Implicit final : public Dynamic {
   void resize() override { problem_.resize(); }
   void take(const mechanics::Transfer& change, const std::vector<double>& rates) override;
   void begin_free();
-  bool begin_to_damp() override;
+  bool chooses_scheme() const { return !options_.hht && !options_.beta && options_.gamma == 0.5; }
+  std::string begin_to_damp(double error) override;
+  void damp(Damping damping);
+  std::string damping_text() const;
+  double reach(double limit, StepReport& report);  // the step, cut where necessary; see try_step()
+  bool takes_back() override;
   void weigh_step_ends();
   void take_scheme();  // that of the options, the one that damps, or the one in which directors settle
   bool has_turning_directors() const;
@@ -46,6 +51,16 @@ class Implicit final : public Dynamic {
   solver::Newton newton_;
   StepControl control_;
   Diagnosis step_;  // the present one
+  // The present step, if it may be taken back: as it is tried first, repeated with strong damping, or as at
+  // first for good.
+  struct Repeatable {
+    enum class Try { first, damped, first_again };
+    std::string start;             // the state before it; empty: it is not taken back
+    double surplus = 0, made = 0;  // J, of the ledger before it; its first try's share of the ledger's scale
+    Try which = Try::first;
+  } repeatable_;
+  void mark_repeatable();
+  void return_to_start(Repeatable::Try next);
 };
 
 }  // namespace fabricsh::run

@@ -234,7 +234,7 @@ void Run::rollback() {
   trial_time_ = committed_time();
 }
 
-void Run::advance_to(double limit) {
+StepReport Run::make_step(double limit) {
   StepReport report;
   stepping_ = true;
   try {
@@ -245,6 +245,12 @@ void Run::advance_to(double limit) {
     throw;
   }
   commit(report);
+  return report;
+}
+
+void Run::advance_to(double limit) {
+  StepReport report = make_step(limit);
+  while (takes_back()) report = make_step(limit);
   stepping_ = false;
   trial_time_ = report.time;
   reports_.push_back(std::move(report));

@@ -192,6 +192,8 @@ class Run {
   virtual double no_size() const = 0;                            // size of a step of zero length
   virtual double tried_size(double size) const { return size; }  // the size of the last attempt
   virtual void commit(StepReport& report) = 0;                   // commits the trial state; adds the work
+  // Whether the step just committed is taken back to be repeated in another way; nothing else has seen it.
+  virtual bool takes_back() { return false; }
   [[noreturn]] virtual void give_up(const StepReport& report) = 0;
   // Reports once an element that is turned inside out in the committed state, and a fold that the mesh is too
   // coarse for.
@@ -293,6 +295,7 @@ class Run {
   };
   void check_interval(double interval) const;
   void start();
+  StepReport make_step(double limit);
   void advance_to(double limit);  // one committed step towards the limit
   void watch_folds();
   void refuse_serious();  // throws if strict and a serious warning has not been thrown yet
