@@ -1,12 +1,14 @@
 -- A skirt of four panels with darts and a waist band, worn by hips with two legs that walk: cut flat, wrapped around the hips, sewn at the sides, darts
 -- drawn together, held by an elastic waist band, brought to rest, and walked in. Printed is what it does to the body and its wearer.
 --
---   fabricsh skirt.lua [blend|duck|muslin|denim] [size of elements, mm] [steps walked] [time of a step, s] [folder]
+--   fabricsh skirt.lua [blend|duck|muslin|denim] [size of elements, mm] [steps walked] [time of a step, s] [folder, or -] [swing of the legs, degrees]
+--
+-- Beyond some 28 degrees the legs reach the cloth: give them time, as in `skirt.lua duck 40 1 0.4 - 32`.
 local fabric = require "fabric"
 local mm = fabric.units.mm
-local cloth, size, steps, stroke, out = arg[1] or "blend", (tonumber(arg[2]) or 60) * mm, tonumber(arg[3]) or 1, tonumber(arg[4]) or 0.06, arg[5]
+local cloth, size, steps, stroke, out = arg[1] or "blend", (tonumber(arg[2]) or 60) * mm, tonumber(arg[3]) or 1, tonumber(arg[4]) or 0.06, arg[5] ~= "-" and arg[5] or nil
 local card = fabric.card(cloth, { bending = "estimated" })
-local dressed, swing = 0.07, 20 -- s: the skirt rests; degrees: of a leg, to the front and to the back (beyond about 28 the legs reach the cloth)
+local dressed, swing = 0.07, tonumber(arg[6]) or 20 -- s: the skirt rests; degrees: of a leg, to the front and to the back
 local duration = dressed + steps * stroke
 
 -- The wearer stands along z, the front is -y. Hips from the waist (z = 0) downwards; each leg is a cone that turns about its hip joint.
