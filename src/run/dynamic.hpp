@@ -17,7 +17,8 @@ enum class Scheme { explicit_steps, implicit_steps };
 // of the energy of one with 20 steps to its period, in a period.
 inline constexpr double kDampingAlpha = -0.2;
 
-// How far an implicit run whose deck chose no scheme has begun to damp, because it made energy.
+// How an implicit run whose deck chose no scheme has begun to damp, because it made energy: by kDampingAlpha,
+// or with gamma = 1.
 enum class Damping { none, hht, strong };
 
 struct DynamicOptions {
@@ -26,8 +27,8 @@ struct DynamicOptions {
   Scheme scheme = Scheme::explicit_steps;
   double gamma = 0.5;               // alpha in the thesis
   std::optional<double> beta = {};  // default 0 explicit, 1/4 implicit; hht sets its own
-  // Hilbert, Hughes and Taylor's alpha, -1/3 to 0 (implicit). Default: 0, and kDampingAlpha from the step on
-  // in which average acceleration has made energy.
+  // Hilbert, Hughes and Taylor's alpha, -1/3 to 0 (implicit). Default: 0, and from the step on in which
+  // average acceleration has made energy another scheme, see Damping.
   std::optional<double> hht = {};
   double mass_damping = 0;          // a of a M + b K_M, 1/s
   double stiffness_damping = 0;     // b, s

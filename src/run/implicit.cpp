@@ -117,7 +117,7 @@ double Implicit::try_step(double limit, StepReport& report) {
   } catch (const NumericalFailure&) {
     if (repeatable_.which != Try::damped) throw;
   } catch (...) {
-    if (repeatable_.which == Try::damped) return_to_start(Try::first);
+    if (repeatable_.which != Try::first) return_to_start(Try::first);
     throw;
   }
   return_to_start(Try::first_again);
@@ -276,7 +276,10 @@ void Implicit::give_up(const StepReport& report) {
 }
 
 void Implicit::memory(Archive& archive) {
-  if (archive.reading()) newmark_.show_trial(false);
+  if (archive.reading()) {
+    newmark_.show_trial(false);
+    repeatable_.which = Repeatable::Try::first;
+  }
   archive(now_, control_, newmark_);
   problem_.keep(archive);
   newton_.keep(archive);
