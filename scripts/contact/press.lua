@@ -158,17 +158,18 @@ local function tell(words, took, list)
   end
   print(("%-44s over the closed form: %s   %.2f s"):format(words, table.concat(text, ", "), took))
 end
+local as_slow = ("of %s motion"):format(scheme)
 for _, case in ipairs(moves and { { 56 } } or { { 56, 0.2 }, { 56, 0.04 }, { 56, 0.01 }, { 56, 0.04, true }, { 28, 0.04 } }) do
   local force, curvature, took = fold(case[1], case[2], case[3])
-  local words = ("fold, %d %s, step %s"):format(case[1], case[3] and "triangles" or "quadrilaterals", case[2] or ("of %s motion"):format(scheme))
+  local words = ("fold, %d %s, step %s"):format(case[1], case[3] and "triangles" or "quadrilaterals", case[2] or as_slow)
   tell(words, took, { { "force", force, 0.01 }, { "curvature", curvature, 0.01 } })
 end
 for _, case in ipairs(moves and { { 64 } } or { { 64, 0.2 }, { 64, 0.04 }, { 64, 0.01 } }) do
   local ratios, took = tube(case[1], case[2])
-  tell(("tube, %d around, step %s"):format(case[1], case[2] or ("of %s motion"):format(scheme)), took, { { "round", ratios[1], 0.015 }, { "less", ratios[2], 0.015 }, { "flat", ratios[3], 0.02 } })
+  tell(("tube, %d around, step %s"):format(case[1], case[2] or as_slow), took, { { "round", ratios[1], 0.015 }, { "less", ratios[2], 0.015 }, { "flat", ratios[3], 0.02 } })
 end
 for _, case in ipairs(moves and { { 8 } } or { { 8, 0.5 }, { 8, 0.1 } }) do
   local ratio, took = disc(case[1], case[2])
-  tell(("ball on a disc, %d cells, step %s"):format(case[1], case[2] or ("of %s motion"):format(scheme)), took, { { "force", ratio, 0.05 } })
+  tell(("ball on a disc, %d cells, step %s"):format(case[1], case[2] or as_slow), took, { { "force", ratio, 0.05 } })
 end
 if not moves then fabric.expect(rows) end

@@ -10,9 +10,8 @@ local fabric = require "fabric"
 local every = arg[1] == "all"
 local g, thickness, density, kappa = 9.81, 0.4e-3, 600, 1e9
 local sigma = density * thickness
-local function sheet(young, bending)
-  return fabric.svk { young = young, poisson = 0, density = density, thickness = thickness, name = "sheet", bending = { warp = bending, weft = bending, twist = bending / 2 } }
-end
+local sheet = fabric.svk { young = 1e7, poisson = 0, density = density, thickness = thickness, name = "sheet", bending = { warp = 1e-5, weft = 1e-5, twist = 5e-6 } }
+local moves = { implicit = true, explicit = true }
 local function plane() return fabric.rigid.plane { point = { 0, 0, 0 }, normal = { 0, 0, 1 } } end
 local function rectangle(width, height, nx, ny, x, z, triangles)
   return fabric.mesh.rectangle { width = width, height = height, nx = nx, ny = ny, triangles = triangles, origin = { x, 0, z } }
@@ -27,7 +26,7 @@ end
 
 -- One way of computing a problem: how.scheme, and its step as a share of the duration.
 local function analysis(m, how, duration, damping)
-  if how.scheme == "static" or how.scheme == "relaxation" then
+  if not moves[how.scheme] then
     return fabric.static { model = m, duration = duration, step = how.step * duration, method = how.scheme == "relaxation" and "relaxation" or nil }
   end
   return fabric.dynamic { model = m, duration = duration, scheme = how.scheme, step = how.step and how.step * duration, damping = damping > 0 and { mass = damping } or nil }
@@ -40,7 +39,7 @@ local function measured(run, how, duration, look)
     count = count + 1
     for i, x in ipairs(look(r)) do sums[i] = (sums[i] or 0) + x end
   end
-  if how.scheme == "explicit" or how.scheme == "implicit" then
+  if moves[how.scheme] then
     run:every(duration / 2000, function(r) if r.time > 0.9 * duration then add(r) end end)
   end
   run:solve()
@@ -57,7 +56,7 @@ problems[#problems + 1] = { allowed = 0.03, name = "three layers at rest: weight
   local n, z, bodies, names, T = 3, 0, {}, {}, 0.4
   for i = 1, n do
     z = z + (i == 1 and thickness / 2 or thickness) - 1e-7
-    bodies[i] = { name = "layer" .. i, card = sheet(1e7, 1e-5), warp = 0, mesh = rectangle(0.02, 0.02, 4, 4, 0, z, triangles) }
+    bodies[i] = { name = "layer" .. i, card = sheet, warp = 0, mesh = rectangle(0.02, 0.02, 4, 4, 0, z, triangles) }
     names[i] = bodies[i].name .. ".all"
   end
   local m, ground = fabric.model { bodies = bodies }, plane()
@@ -118,10 +117,10 @@ problems[#problems + 1] = { name = "the same without friction: T2/T1; force on t
 -- A sheet drawn from between two that are pressed together.
 problems[#problems + 1] = { name = "sheet drawn from between two, friction 0.4: 2 mu N", solve = function(how, triangles)
   local pressure, mu, T = 1000, 0.4, 0.2
-  local card, apart = sheet(1e7, 1e-5), thickness - 1e-6
-  local m = fabric.model { bodies = { { name = "low", mesh = rectangle(0.02, 0.01, 4, 2, 0, 0, triangles), card = card, warp = 0 },
-                                      { name = "middle", mesh = rectangle(0.035, 0.01, 7, 2, -0.0075, apart, triangles), card = card, warp = 0 },
-                                      { name = "high", mesh = rectangle(0.02, 0.01, 4, 2, 0, 2 * apart, triangles), card = card, warp = 0 } } }
+  local apart = thickness - 1e-6
+  local m = fabric.model { bodies = { { name = "low", mesh = rectangle(0.02, 0.01, 4, 2, 0, 0, triangles), card = sheet, warp = 0 },
+                                      { name = "middle", mesh = rectangle(0.035, 0.01, 7, 2, -0.0075, apart, triangles), card = sheet, warp = 0 },
+                                      { name = "high", mesh = rectangle(0.02, 0.01, 4, 2, 0, 2 * apart, triangles), card = sheet, warp = 0 } } }
   for _, pair in ipairs { { "low.all", "middle.all" }, { "middle.all", "high.all" } } do m:contact { between = pair, friction = mu, stiffness = kappa } end
   m:fix("low.all", "x y z rotation"):fix("middle.all", "y rotation"):fix("high.all", "x y rotation")
   m:pressure(fabric.history { { 0, 0 }, { T / 2, -pressure } }, "high.all")
@@ -132,7 +131,7 @@ end }
 -- A sheet drawn over a floor of facets, whose edges its nodes pass.
 problems[#problems + 1] = { name = "sheet drawn over facets, friction 0.37: mu times the weight", solve = function(how, triangles)
   local mu, T = 0.37, 0.4
-  local m = fabric.model { mesh = rectangle(0.06, 0.045, 4, 3, 0, thickness / 2 - 1e-7, triangles), card = sheet(1e7, 1e-5), warp = 0 }
+  local m = fabric.model { mesh = rectangle(0.06, 0.045, 4, 3, 0, thickness / 2 - 1e-7, triangles), card = sheet, warp = 0 }
   local floor = fabric.rigid.surface { mesh = fabric.mesh.rectangle { width = 0.2, height = 0.12, nx = 23, ny = 11, triangles = true, origin = { -0.05, -0.03, 0 } } }
   m:fix("all", "rotation"):fix("all", "y"):gravity { 0, 0, fabric.history { { 0, 0 }, { 0.1 * T, -g } } }:contact { between = { floor, "all" }, friction = mu, stiffness = 3e8 }
   m:move("left", { x = function(t) -- without a jump in its speed, of which the sheet would ring
@@ -143,13 +142,18 @@ problems[#problems + 1] = { name = "sheet drawn over facets, friction 0.37: mu t
   return measured(analysis(m, how, T, 0), how, T, function(run) return { (run:reaction "left") / (mu * sigma * 0.06 * 0.045 * g) } end)
 end }
 
+-- A sheet that lies on a plane as deep as its weight presses it at this slope.
+local function on_incline(angle, triangles)
+  local depth = depth_at(sigma * g * math.cos(angle), thickness / 2, sigma / 3000)
+  return fabric.model { mesh = rectangle(0.06, 0.045, 4, 3, 0, thickness / 2 - depth, triangles), card = sheet, warp = 0 }
+end
+
 -- A sheet on an incline of 20 degrees that holds it: what it moves, over the way that it would slide without friction.
 problems[#problems + 1] = { name = "sheet held on an incline, friction 0.42: way over that without friction", still = true, allowed = 1e-5, solve = function(how, triangles)
   local T, angle = 0.1, math.rad(20)
-  local m = fabric.model { mesh = rectangle(0.06, 0.045, 4, 3, 0, thickness / 2 - depth_at(sigma * g * math.cos(angle), thickness / 2, sigma / 3000), triangles), card = sheet(1e7, 1e-5), warp = 0 }
+  local m = on_incline(angle, triangles)
   local along = g * math.sin(angle)
-  local moves = how.scheme == "implicit" or how.scheme == "explicit"
-  m:fix("all", "rotation"):gravity { moves and along or fabric.history { { 0, 0 }, { T / 2, along } }, 0, -g * math.cos(angle) }
+  m:fix("all", "rotation"):gravity { moves[how.scheme] and along or fabric.history { { 0, 0 }, { T / 2, along } }, 0, -g * math.cos(angle) }
   m:contact { between = { plane(), "all" }, friction = 0.42, stiffness = kappa }
   local run = analysis(m, how, T, 0)
   run:solve()
@@ -159,7 +163,7 @@ end }
 -- A sheet that slides down an incline: its acceleration. Statics has none.
 problems[#problems + 1] = { name = "sheet sliding on an incline of 33 degrees, friction 0.42: acceleration", motion = true, solve = function(how, triangles)
   local T, angle, mu = 0.04, math.rad(33), 0.42
-  local m = fabric.model { mesh = rectangle(0.06, 0.045, 4, 3, 0, thickness / 2 - depth_at(sigma * g * math.cos(angle), thickness / 2, sigma / 3000), triangles), card = sheet(1e7, 1e-5), warp = 0 }
+  local m = on_incline(angle, triangles)
   m:gravity { g * math.sin(angle), 0, -g * math.cos(angle) }:contact { between = { plane(), "all" }, friction = mu, stiffness = kappa }
   local run = analysis(m, how, T, 0)
   run:solve()
@@ -172,7 +176,7 @@ problems[#problems + 1] = { name = "sheet pressed by a plane: energy of contact;
   local range = gap - sigma / 3000
   local onset = 0.2 * range
   local function energy(y) return side ^ 2 * kappa * ((y - onset / 2) ^ 2 / 2 + onset ^ 2 / 24) end
-  local m = fabric.model { mesh = rectangle(side, side, 4, 4, 0, gap - 0.4 * range, triangles), card = sheet(1e7, 1e-5), warp = 0 }
+  local m = fabric.model { mesh = rectangle(side, side, 4, 4, 0, gap - 0.4 * range, triangles), card = sheet, warp = 0 }
   local ground = plane()
   m:contact { between = { ground, "all" }, stiffness = kappa }:fix("all", "x y z rotation"):move(ground, { z = fabric.ramp(0.2 * range, T) })
   local run = analysis(m, how, T, 0)

@@ -29,10 +29,6 @@ NewmarkScheme scheme_of(const DynamicOptions& o) {
   return {o.gamma, o.beta.value_or(0.25 * (0.5 + o.gamma) * (0.5 + o.gamma)), 0};
 }
 
-mechanics::NodalRates still(const mechanics::NodalRates& like) {
-  return {std::vector<double>(like.x.size(), 0), std::vector<double>(like.d.size(), 0)};
-}
-
 StepControl control_of(const DynamicOptions& o, const mechanics::Assembly& assembly) {
   StepControl control{o.step.value_or(o.duration / 200), 0, o.max_cuts};
   if (assembly.find<mechanics::Contacts>() != nullptr) control.expect_friction();
@@ -220,7 +216,7 @@ void Implicit::damp(Damping damping) {
   now_.damping = damping;
   take_scheme();
   // With average acceleration those of frequencies that no step resolves grow from step to step.
-  if (damping == Damping::strong) newmark_.set_accelerations(still(newmark_.committed().a));
+  if (damping == Damping::strong) newmark_.take_off(newmark_.committed().a);
 }
 
 std::string Implicit::damping_text() const {

@@ -67,12 +67,8 @@ for _, x in ipairs { a:body(ball) } do io.write(("%a "):format(x)) end
 for _, name in ipairs { "kinetic", "rigid", "stored", "contact", "friction", "external" } do io.write(("%a "):format(a.energy[name])) end
 ]]
 file:close()
-local function program(words)
-  local pipe = assert(io.popen(("'%s' --quiet %s 2>bits.log"):format(arg[-1], words)))
-  local out = pipe:read "a"
-  local _, _, code = pipe:close()
-  return code, out
-end
+local check = dofile((arg[0]:gsub("[^/]*$", "common/check.lua")))
+local function program(words) return check.shell(("'%s' --quiet %s 2>bits.log"):format(arg[-1], words)) end
 local code, first = program "--threads 1 bits.lua lives"
 assert(code == 0 and #first > 1e5, code)
 for _, threads in ipairs { 2, 4 } do

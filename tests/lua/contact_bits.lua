@@ -1,5 +1,6 @@
 -- Contact with friction in statics, by relaxation and in implicit motion: the same bits on one and two threads, and when the process is killed
 -- and the deck goes on from its checkpoint. Explicit motion: tests/lua/contact_ball.lua.
+local check = dofile((arg[0]:gsub("[^/]*$", "common/check.lua")))
 local file = assert(io.open("scheme_bits.lua", "wb"))
 file:write [[
 local fabric = require "fabric"
@@ -36,12 +37,7 @@ for _, x in ipairs { a:reaction(ball) } do io.write(("%a "):format(x)) end
 for _, name in ipairs { "stored", "contact", "stick", "friction", "external" } do io.write(("%a "):format(a.energy[name])) end
 ]]
 file:close()
-local function program(words)
-  local pipe = assert(io.popen(("'%s' --quiet %s 2>scheme_bits.log"):format(arg[-1], words)))
-  local out = pipe:read "a"
-  local _, _, code = pipe:close()
-  return code, out
-end
+local function program(words) return check.shell(("'%s' --quiet %s 2>scheme_bits.log"):format(arg[-1], words)) end
 for _, scheme in ipairs { "static", "relaxation", "implicit" } do
   os.remove "scheme_bits.ckpt"
   local code, first = program("--threads 1 scheme_bits.lua " .. scheme)

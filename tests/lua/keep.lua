@@ -19,12 +19,8 @@ local function fails(f, ...)
   return tostring(message)
 end
 local function says(message, part) assert(message:find(part, 1, true), message .. "\nis without: " .. part) end
-local function run_program(words)
-  local pipe = assert(io.popen(("env --default-signal=HUP '%s' %s 2>&1"):format(arg[-1], words)))
-  local talk = pipe:read "a"
-  local _, _, code = pipe:close()
-  return code, talk
-end
+local shell = dofile((arg[0]:gsub("[^/]*$", "common/check.lua"))).shell
+local function run_program(words) return shell(("env --default-signal=HUP '%s' %s 2>&1"):format(arg[-1], words)) end
 os.execute "rm -rf out whole part gone; mkdir out whole part"
 
 local function make(t)

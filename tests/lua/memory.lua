@@ -1,12 +1,8 @@
 -- A loop over cases needs the memory of one of them, whatever the collector of Lua sees of it; where memory is limited, it
 -- collects and tries again, and an error names the limit that was reached.
 local fabric = require "fabric"
-local function run_program(limit, words)
-  local pipe = assert(io.popen(("ulimit -d %d; OMP_NUM_THREADS=1 '%s' --quiet %s 2>&1"):format(limit, arg[-1], words)))
-  local talk = pipe:read "a"
-  local _, _, code = pipe:close()
-  return code, talk
-end
+local shell = dofile((arg[0]:gsub("[^/]*$", "common/check.lua"))).shell
+local function run_program(limit, words) return shell(("ulimit -d %d; OMP_NUM_THREADS=1 '%s' --quiet %s 2>&1"):format(limit, arg[-1], words)) end
 local function says(message, part) assert(message:find(part, 1, true), message .. "\nis without: " .. part) end
 
 if run_program(400000, "-e 'x = 1'") ~= 0 then

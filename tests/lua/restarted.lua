@@ -2,25 +2,12 @@
 -- writes the same files, or ends with an error that says why it cannot.
 local fabric = require "fabric"
 
+local check = dofile((arg[0]:gsub("[^/]*$", "common/check.lua")))
+local contents = check.contents
 local function run_program(words, kill_at)
-  local pipe = assert(io.popen(("KILL_AT=%s OMP_NUM_THREADS=1 '%s' --quiet %s 2>&1"):format(kill_at or "", arg[-1], words)))
-  local talk = pipe:read "a"
-  local _, _, code = pipe:close()
-  return code, talk
+  return check.shell(("KILL_AT=%s OMP_NUM_THREADS=1 '%s' --quiet %s 2>&1"):format(kill_at or "", arg[-1], words))
 end
 local function says(message, part) assert(message:find(part, 1, true), message .. "\nis without: " .. part) end
-local function contents(folder)
-  local all = {}
-  for _, name in ipairs(fabric.folder(folder)) do
-    if not name:find "run.json" and not name:find "%.ckpt" then
-      local file = assert(io.open(folder .. "/" .. name, "rb"))
-      all[name] = file:read "a"
-      file:close()
-    end
-  end
-  return all
-end
-
 -- strip() makes a run of a strip of its own that is pulled with the given stroke; the process ends, as if killed, in the
 -- step with the number KILL_AT, counted over all runs. say() adds a line to the deck's own file, with all digits.
 local prelude = [[

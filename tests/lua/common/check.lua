@@ -16,4 +16,25 @@ function check.near(got, want, relative, what)
   end
 end
 
+-- The exit code of a shell's command, and what it printed.
+function check.shell(command)
+  local pipe = assert(io.popen(command))
+  local talk = pipe:read "a"
+  local _, _, code = pipe:close()
+  return code, talk
+end
+
+-- The bytes of a folder's files by name, but for run.json and checkpoints; and how many files these are.
+function check.contents(folder)
+  local all, count = {}, 0
+  for _, name in ipairs(require("fabric").folder(folder)) do
+    if not name:find("run.json", 1, true) and not name:find(".ckpt", 1, true) then
+      local file = assert(io.open(folder .. "/" .. name, "rb"))
+      all[name], count = file:read "a", count + 1
+      file:close()
+    end
+  end
+  return all, count
+end
+
 return check
