@@ -30,4 +30,4 @@ foreach(folder ${CMAKE_BINARY_DIR} ${CMAKE_SOURCE_DIR}/build)  # unpacked there 
   endif()
 endforeach()
 find_package(VTK 9 REQUIRED COMPONENTS ${FABRICSH_VTK_FILES}
-  RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2)
+  FiltersGeometry RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2)

@@ -114,7 +114,7 @@ function(fabricsh_rooms layers)
   fabricsh_room_uses(format PRIVATE VTK::CommonCore VTK::CommonDataModel VTK::IOCore VTK::IOImage VTK::IOXML
     ZLIB::ZLIB PNG::PNG JPEG::JPEG TIFF::TIFF fabricsh_dxflib LibXml2::LibXml2)
   fabricsh_room_uses(render PRIVATE VTK::CommonCore VTK::CommonDataModel VTK::IOImage VTK::IOXML
-    VTK::RenderingAnnotation VTK::RenderingCore VTK::RenderingFreeType VTK::RenderingOpenGL2)
+    VTK::FiltersGeometry VTK::RenderingAnnotation VTK::RenderingCore VTK::RenderingFreeType VTK::RenderingOpenGL2)
   fabricsh_room_uses(script PUBLIC PkgConfig::LUA)
   fabricsh_room_uses(repl PRIVATE PkgConfig::EDIT)
 endfunction()

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Draws every picture of share/doc anew: those of the gallery, of the law, of the thesis, of contact and of the pages, each by the deck or
 # page that shows it. Minutes; on one processor half an hour. (drape_disc.png and drape_outlines.svg
-# are drawn by scripts/long/drape_table.lua.) Usage: draw.sh <fabricsh> [gallery|law|thesis|contact|pages ...]
+# are drawn by scripts/long/drape_table.lua.) Usage: draw.sh <fabricsh> [gallery|garment|law|thesis|contact|pages ...]
 set -eu
 export OMP_WAIT_POLICY=passive OMP_NUM_THREADS=1  # beside other work idle threads would take the time of busy ones
 cd "$(dirname "$0")/../.."
@@ -27,6 +27,21 @@ gallery() {
   done
   "$program" --quiet scripts/lab/characterise.lua share/data/synthetic-blend "$work/mine"
   cp "$work/mine/weft.svg" "$out/gallery/characterise.svg"
+}
+
+# worn <deck of scripts/garment> <file that it draws> <name in share/doc> <arguments> ...
+worn() {
+  deck=$1 drawn=$2 name=$3
+  shift 3
+  "$program" --quiet "scripts/garment/$deck.lua" "$@"
+  cp "$work/$drawn" "$out/gallery/$name"
+}
+
+garment() {
+  worn cushion cushion.png cushion.png "$work"
+  worn glove glove/glove.png glove.png muslin 4 15 0.01 "$work/glove"
+  worn sleeve sleeve/sleeve.png worn_sleeve.png blend 12 30 0.02 "$work/sleeve" 3
+  worn skirt skirt/skirt.png skirt.png blend 40 1 0.4 "$work/skirt" 32
 }
 
 law() {
@@ -91,6 +106,6 @@ pages() {
     howto_panels.png out/views.png howto_views.png
 }
 
-[ $# -gt 0 ] || set -- gallery law thesis contact pages
+[ $# -gt 0 ] || set -- gallery garment law thesis contact pages
 for part; do "$part"; done
 find "$out" -type f ! -name fall.png -size +250k | while read -r large; do echo "$large is larger than 250 kB" && false; done

@@ -82,7 +82,7 @@ local elements = 0
 for _, b in ipairs(bodies) do elements = elements + #b.mesh.elements end
 print(("%s: %d elements; at rest %s; %d of %d stitches closed"):format(cloth, elements, rest.at_rest, rest.stitches - rest.open, rest.stitches))
 print(worn.text)
-if out then fabric.render { file = out .. "/skirt.png", run = a, field = "shear_angle", view = { 205, 8 }, width = 900, height = 1000, smooth = true, edges = false, axes = false } end
+if out then fabric.render { file = out .. "/skirt.png", run = a, field = "shear_angle", view = { 205, 8 }, width = 1000, height = 1200, smooth = true, edges = false, axes = false } end
 fabric.expect {
   { "all stitches are closed", rest.open, 0, absolute = 0 },
   { "nothing passes through anything: a gap stays", worn.gap > 0 and 1 or 0, 1, absolute = 0 },

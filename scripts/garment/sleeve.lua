@@ -52,7 +52,15 @@ if flesh then thickness, stiffness = card.thickness + 2 * flesh, 50e3 / (20 * mm
 m:contact { between = { arm, "all" }, friction = 0.3, thickness = thickness, stiffness = stiffness }:contact { self = "all", friction = 0.3 }
 local a = fabric.dynamic { model = m, duration = duration, damping = { mass = 30 } }
 local state = {}
-if out then a:checkpoint(out .. "/run.ckpt", { minutes = 2, keep = state }) end
+if out then
+  a:checkpoint(out .. "/run.ckpt", { minutes = 2, keep = state })
+  -- A picture when it is bent for the first time.
+  a:every(dressed + stroke, function()
+    if state.drawn or a.time == 0 then return end
+    fabric.render { file = out .. "/sleeve.png", run = a, field = "shear_angle", view = { 20, 10 }, width = 1000, height = 1200, smooth = true, edges = false, axes = false }
+    state.drawn = true
+  end)
+end
 
 -- It hangs loosely and stores next to nothing, so that what moves is what counts.
 local rest = fabric.lab.dress { analysis = a, at = dressed, window = 5e-3, calm = 1 }

@@ -1970,7 +1970,7 @@ function fabric.ramp(value, duration) end
 ---@field size? number[] m: {width, height} on paper, in the place of pixels: {85*mm, 60*mm} for a column of a journal
 ---@field dpi? number with size: pixels per inch (default 300)
 ---@field font_size? number points: with size: of all letters (default 7)
----@field smooth? boolean colours that change evenly between the nodes; else each element has its own (default false)
+---@field smooth? boolean colours and shading that change evenly between the nodes; else each element has its own (default false)
 ---@field edges? boolean of the elements (default true)
 ---@field axes? boolean with a scale, in mm (m from 1.5 m on) (default true)
 

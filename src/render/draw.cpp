@@ -3,8 +3,10 @@
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkDataSetMapper.h>
+#include <vtkGeometryFilter.h>
 #include <vtkPNGWriter.h>
 #include <vtkPolyDataMapper.h>
+#include <vtkPolyDataNormals.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
@@ -74,9 +76,22 @@ Bounds common(const std::vector<ClothSurface>& sheets) {
 double extent(const Bounds& b) { return std::max({b[1] - b[0], b[3] - b[2], b[5] - b[4]}); }
 bool from_above(const plot::PicturePanel& p) { return p.elevation > 89.9; }
 
+// The surface with normals at its points, without which it is shaded facet by facet. Edges sharper than
+// the angle stay edges.
+Ref<vtkPolyData> shaded(vtkDataSet* surface, double sharpest_degrees) {
+  const auto polygons = Ref<vtkGeometryFilter>::New();
+  polygons->SetInputData(surface);
+  const auto normals = Ref<vtkPolyDataNormals>::New();
+  normals->SetInputConnection(polygons->GetOutputPort());
+  normals->SetFeatureAngle(sharpest_degrees);
+  normals->ConsistencyOff();
+  normals->Update();
+  return normals->GetOutput();
+}
+
 Ref<vtkActor> actor(const DrawnScene& scene, const ClothSurface& sheet, bool lit) {
   const auto mapper = Ref<vtkDataSetMapper>::New();
-  mapper->SetInputData(sheet.grid);
+  scene.picture.smooth ? mapper->SetInputData(shaded(sheet.grid, 70)) : mapper->SetInputData(sheet.grid);
   mapper->SetScalarVisibility(scene.table != nullptr);
   if (scene.table) {
     mapper->SetLookupTable(scene.table);
@@ -113,10 +128,12 @@ Ref<vtkActor> body_actor(vtkPolyData* surface) {
 // Grey, shaded more than the sheet, since no bar explains its colour.
 void add_bodies(const DrawnScene& scene, const ClothSurface& sheet, vtkRenderer* renderer) {
   if (sheet.bodies.faces == nullptr) return;
-  const auto faces = body_actor(sheet.bodies.faces), edges = body_actor(sheet.bodies.edges);
+  const bool smooth = scene.picture.smooth;
+  const auto faces = body_actor(smooth ? shaded(sheet.bodies.faces, 30).Get() : sheet.bodies.faces.Get());
+  const auto edges = body_actor(sheet.bodies.edges);
   vtkProperty* look = faces->GetProperty();
   look->SetColor(0.78, 0.78, 0.78);
-  look->SetInterpolationToFlat();
+  smooth ? look->SetInterpolationToGouraud() : look->SetInterpolationToFlat();
   look->SetAmbient(0.45);
   look->SetDiffuse(0.55);
   look->SetSpecular(0);

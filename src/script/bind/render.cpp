@@ -363,7 +363,8 @@ std::vector<Argument> arguments() {
           .optional(),
       number_("dpi", "", Range{50, 1200}, "with size: pixels per inch").or_else(300.0),
       number_("font_size", "points", Range{4, 40}, "with size: of all letters").or_else(7.0),
-      value_("smooth", boolean, "colours that change evenly between the nodes; else each element has its own")
+      value_("smooth", boolean,
+             "colours and shading that change evenly between the nodes; else each element has its own")
           .or_else(false),
       value_("edges", boolean, "of the elements").or_else(true),
       value_("axes", boolean, "with a scale, in mm (m from 1.5 m on)").or_else(true),
