@@ -26,7 +26,7 @@ struct Picture {
   double low = 0, high = 0;        // range of the colour bar if fixed
   int width = 1200, height = 900;  // pixels
   bool edges = true, axes = true;  // of the elements; axes with tick labels
-  bool smooth = false;             // interpolates the field between nodes
+  bool smooth = false;             // interpolates field and shading between nodes
   double dpi = 0;                  // resolution on paper; 0: a picture for the screen
   double font_size = 7;            // points on paper; on a screen it depends on the size of the picture
 };
