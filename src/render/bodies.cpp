@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <vector>
 
 namespace fabricsh::render {
@@ -15,7 +16,7 @@ namespace fabricsh::render {
 namespace {
 
 using Point = std::array<double, 3>;
-constexpr double kSharp = 0.8660254037844387;  // cosine of 30 degrees
+const double kSharpCosine = std::cos(kSharpDegrees * std::numbers::pi / 180);
 
 // The facets on both sides of each edge. Its ends are identified by position, in millionths of the scene:
 // a body may hold a point twice.
@@ -61,7 +62,7 @@ void add_sides(Sides& sides, vtkPoints* points, vtkIdList* corners, double unit)
 bool sharp(const EdgeFacets& side) {
   if (side.normals.size() != 2) return true;
   const Point &a = side.normals[0], &b = side.normals[1];
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] < kSharp;
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] < kSharpCosine;
 }
 
 }  // namespace

@@ -129,7 +129,8 @@ Ref<vtkActor> body_actor(vtkPolyData* surface) {
 void add_bodies(const DrawnScene& scene, const ClothSurface& sheet, vtkRenderer* renderer) {
   if (sheet.bodies.faces == nullptr) return;
   const bool smooth = scene.picture.smooth;
-  const auto faces = body_actor(smooth ? shaded(sheet.bodies.faces, 30).Get() : sheet.bodies.faces.Get());
+  const auto faces =
+      body_actor(smooth ? shaded(sheet.bodies.faces, kSharpDegrees).Get() : sheet.bodies.faces.Get());
   const auto edges = body_actor(sheet.bodies.edges);
   vtkProperty* look = faces->GetProperty();
   look->SetColor(0.78, 0.78, 0.78);
