@@ -1,4 +1,5 @@
 // fabricsh-render: reads the description of a picture from its input and writes a PNG. Used by fabric.render.
+#include <cstdlib>
 #include <iostream>
 
 #include "render/complaints.hpp"
@@ -7,6 +8,9 @@
 
 int main() {
   using namespace fabricsh;
+  // On several threads the order of polygons, and with it some pixels, would differ from one drawing of the
+  // same state to the next.
+  setenv("VTK_SMP_BACKEND_IN_USE", "Sequential", 1);
   try {
     render::collect_complaints();
     const plot::Picture picture = plot::read_picture(std::cin);

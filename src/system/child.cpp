@@ -7,9 +7,12 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <system_error>
+#include <thread>
 
 #include "base/error.hpp"
 #include "system/computing_time.hpp"
@@ -70,6 +73,23 @@ int spawn(const std::vector<std::string>& arguments, std::FILE* input, std::FILE
   return reason;
 }
 
+constexpr std::chrono::seconds kGrace{5};
+
+// Waits for the child's end; returns 0 or the system's reason. After a signal to this program the child has
+// kGrace to end by itself: it may draw for a hook whose run answers the signal after its step.
+int wait_for(pid_t child, int& status) {
+  using Clock = std::chrono::steady_clock;
+  std::optional<Clock::time_point> signalled;
+  while (true) {
+    const pid_t ended = waitpid(child, &status, signalled ? WNOHANG : 0);
+    if (ended == child) return 0;
+    if (ended < 0 && errno != EINTR) return errno;
+    if (!signalled) signalled = Clock::now();
+    if (Clock::now() - *signalled > kGrace) kill(-child, SIGTERM);
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+}
+
 }  // namespace
 
 ChildResult run_child(const std::vector<std::string>& arguments, const std::string& input,
@@ -83,12 +103,7 @@ ChildResult run_child(const std::vector<std::string>& arguments, const std::stri
   if (reason == ENOENT) return {false, false, {}, {}};
   if (reason == 0) {
     const CountedChild counted(child);
-    while (reason == 0 && waitpid(child, &status, 0) < 0) {
-      if (errno != EINTR)
-        reason = errno;
-      else
-        kill(-child, SIGTERM);  // a signal has interrupted this program: do not wait for the child's result
-    }
+    reason = wait_for(child, status);
   }
   if (reason != 0)
     throw Error(who + ": " + arguments[0] + " does not start: " + std::generic_category().message(reason));
