@@ -27,25 +27,33 @@ struct Searched {
 };
 
 // try_fraction(a) moves by a * delta and returns g(a). While g has the sign of g(0), the whole
-// fraction is taken, since the next iteration continues from there. After ten attempts the
-// last one is taken. If the search ends with an answer other than ok, no fraction can be used.
+// fraction is taken, since the next iteration continues from there. Where g has changed its sign, the root is
+// kept between two fractions: by secants, but by halving the interval once two of them have ended before the
+// root, as they do where something stiff begins to resist, like a contact. After ten attempts the last one is
+// taken. If the search ends with an answer other than ok, no fraction can be used.
 template <class TryFraction>
 Searched line_search(double g0, const LineSearch& how, TryFraction try_fraction) {
   constexpr int tries = 10;
   double a = how.largest;
   if (!(a > 0)) return {0, Answer::cut};
+  double low = 0, g_low = g0, high = 0, g_high = 0;  // high: 0 if none is known
+  int before = 0;                                    // attempts that ended before the root
   for (int i = 0; i < tries; ++i) {
     const TriedFraction tried = try_fraction(a);
     if (tried.answer == Answer::broken) return {a, Answer::broken};
     if (tried.answer == Answer::cut) {
       if (!how.shorten) break;
-      a /= 4;
+      a = low + (a - low) / 4;
       continue;
     }
     const bool crossed = (tried.g > 0) != (g0 > 0);
-    if (!how.on || std::abs(tried.g) <= std::abs(g0) / 2 || !crossed || i == tries - 1)
+    if (!how.on || std::abs(tried.g) <= std::abs(g0) / 2 || (!crossed && high == 0) || i == tries - 1)
       return {a, Answer::ok};
-    a = std::max(a * g0 / (g0 - tried.g), 0.1 * a);  // regula falsi between 0 and a
+    (crossed ? high : low) = a;
+    (crossed ? g_high : g_low) = tried.g;
+    if (!crossed) ++before;
+    const double margin = before < 2 ? 0.1 : 0.5;
+    a = low + (high - low) * std::clamp(g_low / (g_low - g_high), margin, 1 - margin);
   }
   return {a, Answer::cut};
 }

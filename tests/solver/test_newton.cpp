@@ -57,6 +57,18 @@ TEST_CASE("the line search goes back to where the bracketed force vanishes, and 
   CHECK(std::abs(far[2] - 0.02) < 1e-15);
 }
 
+// A single secant from the start of such a step ends at a tenth of it at most, again and again.
+TEST_CASE("where something stiff begins to resist within a step, the line search finds it from both sides") {
+  for (const double stiff : {1e1, 1e3, 1e6})
+    for (const double wall : {0.15, 0.5, 0.8, 0.95}) {
+      const auto force = [&](double u) { return 1 - u - (u > wall ? stiff * (u - wall) : 0); };
+      const double end = shares(force).back();
+      CHECK((std::abs(force(end)) <= 0.5 || std::abs(end - wall) < 0.02));
+    }
+  // The first secant ends at 0.1, the next one would end there as well.
+  CHECK(shares([](double u) { return u > 0.5 ? 1 - u - 1e3 * (u - 0.5) : 1 - u; })[2] == 0.1 + 0.9 * 0.1);
+}
+
 TEST_CASE("the line search takes a quarter of a step on which the law fails, ten times at most") {
   for (const double failure : {kNone, std::numeric_limits<double>::infinity()})
     CHECK(shares([=](double u) { return u > 0.3 ? failure : 1 - u; }) == std::vector{1.0, 0.25});
