@@ -1,4 +1,5 @@
-// Environment variables that libraries read when they are loaded, before main() begins.
+// What libraries are given before the program's work begins: environment variables that they read when they
+// are loaded, and how memory is returned.
 #pragma once
 #include <string>
 
@@ -13,5 +14,8 @@ std::string environment_error();
 // from the thread that is waited for. OPENBLAS_CORETYPE: for an unknown processor OpenBLAS uses
 // kernels of 2004.
 void settle_environment(char** words);
+
+// Freed memory of up to 16 MB stays with the program.
+void keep_freed_memory();
 
 }  // namespace fabricsh::app

@@ -145,6 +145,7 @@ int main(int count, char** words) {
   if (const std::string error = app::environment_error(); !error.empty())
     return std::cerr << "fabricsh: " << error << "\n", 2;
   app::settle_environment(words);
+  app::keep_freed_memory();
   const app::CommandLine command = app::read_command_line(count, words);
   if (!command.error.empty()) {
     std::cerr << "fabricsh: " << command.error << "; fabricsh --help shows the options\n";
