@@ -23,6 +23,7 @@ namespace {
 constexpr int kChecks = 200;            // checks of the ledger in a run
 constexpr int kApart = 16;              // least number of explicit steps between checks: one costs a step
 constexpr int kYoung = 50;              // explicit steps until the trapezoidal rule gives a reliable work
+constexpr double kYoungPart = 0.1;      // of the duration of an implicit run, at least
 constexpr double kYoungLimit = 10;      // factor on the limit for implicit steps until then
 constexpr double kWarning = 1e-3;       // created energy over the external work
 constexpr double kShortWarning = 1e-2;  // the same at the end of a run of fewer than kYoung explicit steps
@@ -310,6 +311,21 @@ double Dynamic::ledger_scale(const EnergyAccount& e) const {
                    energy_of_rounding(*assembly_, now_.step) / kWarning});
 }
 
+bool Dynamic::is_driven() const {
+  const mechanics::Contacts* contact = assembly_->find<mechanics::Contacts>();
+  return !assembly_->dofs().freedoms().motions.empty() ||
+         (contact != nullptr && contact->bodies().any_driven());
+}
+
+// If supports begin to move with a jump in velocity, the trapezoidal rule gives their work badly at first; so
+// it does where a moved body comes to touch. The fewer the steps, the less work has been done after them.
+bool Dynamic::is_young() const {
+  const bool is_implicit = options_.scheme == Scheme::implicit_steps;
+  if (is_implicit && !is_driven()) return false;
+  return (is_implicit && time() < kYoungPart * duration_) ||
+         now_.steps < std::max<std::int64_t>(0, now_.touched) + kYoung;
+}
+
 void Dynamic::check() {
   // The cost of a check is small compared with an implicit step, and the energy balance of implicit steps is
   // good from the first one on.
@@ -325,17 +341,12 @@ void Dynamic::check() {
   weigh_inertia(e.kinetic, e.scaled);
   const double scale = ledger_scale(e);
   const double made = imbalance(e, scale) + e.created;
-  // If supports begin to move with a jump in velocity, the trapezoidal rule gives their work badly at
-  // first; so it does where a moved body comes to touch.
   const mechanics::Contacts* contact = assembly_->find<mechanics::Contacts>();
-  const bool moved = contact != nullptr && contact->bodies().any_driven();
-  const bool driven = !assembly_->dofs().freedoms().motions.empty() || moved;
-  if (moved && now_.touched < 0 && contact->touching() > 0) now_.touched = now_.steps;
-  const std::int64_t since = std::max<std::int64_t>(0, now_.touched);
-  const bool is_young = now_.steps < since + kYoung && (!is_implicit || driven);
+  if (now_.touched < 0 && contact != nullptr && contact->bodies().any_driven() && contact->touching() > 0)
+    now_.touched = now_.steps;
   // A run of a few explicit steps is over before it is of age: what it ends with counts all the same.
-  const bool is_short = is_young && !is_implicit && end && !driven;
-  const double unsaid = !is_young     ? kWarning
+  const bool is_short = !is_implicit && end && !is_driven();
+  const double unsaid = !is_young()   ? kWarning
                         : is_implicit ? kYoungLimit * options_.ledger_limit
                         : is_short    ? kShortWarning
                                       : std::numeric_limits<double>::infinity();

@@ -91,6 +91,9 @@ class Dynamic : public Run {
   // Lets the scheme damp from the next step on, or more than so far, as the error of the ledger over its
   // scale demands. Returns what is said of it; empty: nothing changes.
   virtual std::string begin_to_damp(double /*error*/) { return {}; }
+  bool is_driven() const;  // by supports or bodies
+  // Whether the work that drives the run may still be badly known, so that more is allowed to its ledger.
+  bool is_young() const;
   // J: what the error of the ledger is compared with.
   double ledger_scale(const EnergyAccount& energies) const;
 

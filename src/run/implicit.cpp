@@ -21,7 +21,10 @@ constexpr int kSettlingSteps = 2;
 // Where a stiff strip turns within a step, forces that alpha averages over it still make energy; those at the
 // step's end do not. Leaves a third of the amplitude of what no step resolves after a step.
 constexpr NewmarkScheme kStrong{1, 0.5625, 0};
-constexpr double kTooMuch = 0.5;  // share of the ledger's limit from which on hht is not enough
+constexpr double kTooMuch = 0.2;  // share of the ledger's limit from which on hht is not enough
+// A step that makes more than this share of the ledger's limit is repeated at half its size, so many times.
+constexpr double kMadeInAStep = 0.1;
+constexpr int kHalvings = 3;
 
 NewmarkScheme scheme_of(const DynamicOptions& o) {
   const double hht = o.hht.value_or(0);
@@ -30,7 +33,7 @@ NewmarkScheme scheme_of(const DynamicOptions& o) {
 }
 
 StepControl control_of(const DynamicOptions& o, const mechanics::Assembly& assembly) {
-  StepControl control{o.step.value_or(o.duration / 200), 0, o.max_cuts};
+  StepControl control{o.step.value_or(o.duration / 200), 0, o.max_cuts, kMotionIterations};
   if (assembly.find<mechanics::Contacts>() != nullptr) control.expect_friction();
   return control;
 }
@@ -104,16 +107,17 @@ void Implicit::set_motion(const mechanics::NodalRates& rates) {
   problem_.start(possible);
 }
 
-// A repeated step that fails or is interrupted leaves no trace.
+// A repeated step that fails is made as at first; if it is interrupted it leaves no trace.
 double Implicit::try_step(double limit, StepReport& report) {
   using Try = Repeatable::Try;
-  if (repeatable_.which == Try::first) mark_repeatable();
+  const bool repeats = repeatable_.which != Try::first || repeatable_.halved > 0;
+  if (!repeats) mark_repeatable();
   try {
     return reach(limit, report);
   } catch (const NumericalFailure&) {
-    if (repeatable_.which != Try::damped) throw;
+    if (!repeats || repeatable_.which == Try::first_again) throw;
   } catch (...) {
-    if (repeatable_.which != Try::first) return_to_start(Try::first);
+    if (repeats) return_to_start(Try::first);
     throw;
   }
   return_to_start(Try::first_again);
@@ -122,9 +126,8 @@ double Implicit::try_step(double limit, StepReport& report) {
 }
 
 void Implicit::mark_repeatable() {
-  repeatable_.start.clear();
-  if (chooses_scheme() && now_.damping != Damping::strong && now_.settling == 0)
-    repeatable_ = {save_state(), energy().surplus()};
+  repeatable_ = {};
+  if (now_.settling == 0) repeatable_ = {save_state(), energy().surplus()};
 }
 
 void Implicit::return_to_start(Repeatable::Try next) {
@@ -132,6 +135,7 @@ void Implicit::return_to_start(Repeatable::Try next) {
   go_back(repeatable_.start);
   now_.keep_reported(reported);
   repeatable_.which = next;
+  repeatable_.halved = 0;
 }
 
 double Implicit::reach(double limit, StepReport& report) {
@@ -188,7 +192,7 @@ void Implicit::commit(StepReport& report) {
   if (damps) now_.loss += work - (newmark_.kinetic() - kinetic);
   if (settling) settle();
   watch_jump(driven_before, problem_.driven(), report.time, smallest_);
-  control_.grow(step_.last.iterations, report.cuts > 0);
+  control_.grow(step_.last.iterations, report.cuts > 0 || repeatable_.halved > 0);
   now_.step = control_.current();
   ++now_.steps;
 }
@@ -228,7 +232,7 @@ std::string Implicit::damping_text() const {
 
 // A step that makes more energy than the ledger allows is repeated with strong damping, which is kept if that
 // makes less than half as much: the work of a support that begins to move with a jump, which the ledger does
-// not know well, is no reason.
+// not know well, is no reason. One that makes less, but more than a few steps may, is shortened.
 bool Implicit::takes_back() {
   using Try = Repeatable::Try;
   const Try which = std::exchange(repeatable_.which, Try::first);
@@ -236,7 +240,8 @@ bool Implicit::takes_back() {
   const EnergyAccount now = energy();
   const double made = (now.surplus() - repeatable_.surplus) / ledger_scale(now);
   if (which == Try::first) {
-    if (!(made > options_.ledger_limit)) return false;
+    const bool may_damp = chooses_scheme() && now_.damping != Damping::strong;
+    if (!(made > options_.ledger_limit && may_damp)) return shortens(made);
     repeatable_.made = made;
     return_to_start(Try::damped);
     damp(Damping::strong);
@@ -250,6 +255,17 @@ bool Implicit::takes_back() {
                      number(100 * repeatable_.made) + " % of the energy there and was repeated: " +
                      damping_text() + "repeat with a smaller step to see whether the step is the cause");
   return false;
+}
+
+// Where stiff elements turn far within a step, the energy that it makes falls with its size.
+bool Implicit::shortens(double made) {
+  const int halved = std::exchange(repeatable_.halved, 0);
+  if (!(made > kMadeInAStep * options_.ledger_limit) || halved == kHalvings || is_young()) return false;
+  const double end = committed_time();
+  return_to_start(Repeatable::Try::first);
+  control_.set((end - committed_time()) / 2);
+  repeatable_.halved = halved + 1;
+  return true;
 }
 
 void Implicit::take_scheme() {

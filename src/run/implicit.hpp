@@ -51,16 +51,18 @@ class Implicit final : public Dynamic {
   solver::Newton newton_;
   StepControl control_;
   Diagnosis step_;  // the present one
-  // The present step, if it may be taken back: as it is tried first, repeated with strong damping, or as at
-  // first for good.
+  // The present step, if it may be taken back: as it is tried first, shortened, repeated with strong damping,
+  // or as at first for good.
   struct Repeatable {
     enum class Try { first, damped, first_again };
     std::string start;             // the state before it; empty: it is not taken back
     double surplus = 0, made = 0;  // J, of the ledger before it; its first try's share of the ledger's scale
     Try which = Try::first;
+    int halved = 0;  // times, for the energy that it made
   } repeatable_;
   void mark_repeatable();
   void return_to_start(Repeatable::Try next);
+  bool shortens(double made);
 };
 
 }  // namespace fabricsh::run

@@ -46,7 +46,7 @@ bool takes_symmetric(const StaticOptions& o, const mechanics::Assembly& assembly
 }
 
 StepControl control_of(const StaticOptions& o, const mechanics::Assembly& assembly) {
-  StepControl control{o.step.value_or(o.duration / 20), o.min_step, o.max_cuts};
+  StepControl control{o.step.value_or(o.duration / 20), o.min_step, o.max_cuts, kStaticIterations};
   // Nor need steps shrink further where relaxation takes over from Newton's method.
   if (assembly.find<mechanics::Contacts>() != nullptr || o.method == Method::either)
     control.expect_friction();
@@ -334,7 +334,7 @@ solver::NewtonResult Static::relax(solver::NewtonOptions options) {
   }
   solver::RelaxationOptions coarse;
   coarse.tolerance = std::max(options_.tolerance, 1e-3);
-  options.max_iterations = many_iterations;
+  options.max_iterations = kStaticIterations.many;
   result = relaxation_->solve(*problem_, coarse);
   while (result.status == solver::NewtonStatus::converged && coarse.tolerance > options_.tolerance) {
     problem_->save_iterate();
@@ -434,7 +434,7 @@ void Static::grow_arc(const StepReport& report) {
     arc_->committed();
   problem_->at_kink(kink);
   const double factor =
-      std::clamp(std::sqrt(wanted_iterations / std::max(1.0, 1.0 * step_.last.iterations)), 0.5, 1.5);
+      std::clamp(std::sqrt(kStaticIterations.wanted / std::max(1.0, 1.0 * step_.last.iterations)), 0.5, 1.5);
   now_.longest_length = std::max(now_.longest_length, now_.tried_length);
   // A step shortened to end at a given time does not determine the next length.
   const bool landed = std::abs(report.time - now_.landing) <= same_time * options_.duration;

@@ -8,7 +8,12 @@
 namespace fabricsh::run {
 
 // Iterations of a step of the right size, and the number from which the next step is made smaller.
-inline constexpr int wanted_iterations = 6, many_iterations = 12;
+struct StepIterations {
+  int wanted, many;
+};
+// A static step follows a smooth path. In a step of a motion contacts and slack yarns switch, which takes
+// some ten iterations however short the step is, so that shorter ones only cost more.
+inline constexpr StepIterations kStaticIterations{6, 12}, kMotionIterations{12, 20};
 
 // The end of the next step, when the way to a landing is divided into equal steps of at most `step`.
 inline double end_of_step(double now, double landing, double step) {
@@ -19,8 +24,11 @@ inline double end_of_step(double now, double landing, double step) {
 class StepControl {
  public:
   // s: the largest step, and the smallest size for cuts (at most max_cuts halvings of the largest).
-  StepControl(double largest, double smallest, int max_cuts)
-      : largest_(largest), smallest_(std::max(smallest, std::ldexp(largest, -max_cuts))), current_(largest) {}
+  StepControl(double largest, double smallest, int max_cuts, StepIterations iterations)
+      : largest_(largest),
+        smallest_(std::max(smallest, std::ldexp(largest, -max_cuts))),
+        current_(largest),
+        iterations_(iterations) {}
 
   void keep(Archive& archive) { archive(current_); }
   double current() const { return current_; }
@@ -39,15 +47,16 @@ class StepControl {
   // it grows back to the largest.
   void grow(int iterations, bool was_cut) {
     const double n = std::max(1, iterations);
-    if (iterations > many_iterations)
+    if (iterations > iterations_.many)
       current_ = std::max({0.5 * current_, std::min(current_, smallest_),
-                           current_ * std::sqrt(wanted_iterations / n), std::min(current_, held_)});
+                           current_ * std::sqrt(iterations_.wanted / n), std::min(current_, held_)});
     else if (!was_cut)
-      current_ = std::min(largest_, current_ * std::clamp(2 * wanted_iterations / n, 1.0, 2.0));
+      current_ = std::min(largest_, current_ * std::clamp(2 * iterations_.wanted / n, 1.0, 2.0));
   }
 
  private:
   double largest_, smallest_, current_, held_ = 0;
+  StepIterations iterations_;
 };
 
 }  // namespace fabricsh::run
