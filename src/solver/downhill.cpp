@@ -28,20 +28,25 @@ NewtonResult Downhill::run(Answer begun) {
     } else if (const NewtonStatus status = out_of_balance(); status != NewtonStatus::converged) {
       return stop(status);
     }
-    if (const NewtonStatus made = make_step(); made != NewtonStatus::converged) return stop(made);
+    if (const NewtonStatus made = make_step(); made != NewtonStatus::converged)
+      return stop(within_rounding_ && tangent_at_iterate() == Answer::ok ? NewtonStatus::converged : made);
     if (const Answer moved = move_on(); moved != Answer::ok) return stop(status_of(moved));
   }
 }
 
-// Records the residual; whether it vanishes.
+// Records the residual; whether it vanishes. At first it may be a load, which is exact however small: what is
+// below rounding then ends the iteration only if no step can be made, as where nothing holds a part.
 bool Downhill::balanced() {
   const auto [size, where] = problem_.largest(r_);
   const double relative = compared(size, problem_.force_scale()), floor = problem_.rounding_floor(K_);
   result_.residuals.push_back(relative);
   result_.worst = where;
-  if (result_.residuals.size() == 1) first_floor_ = floor;
+  const bool first = result_.residuals.size() == 1;
+  if (first) first_floor_ = floor;
   gone_ = floor > kGone * first_floor_;
-  return problem_.at_target() && (relative <= options_.tolerance || (size <= floor && !gone_));
+  const bool rounding = size <= floor && !gone_;
+  within_rounding_ = first && rounding && problem_.at_target();
+  return problem_.at_target() && (relative <= options_.tolerance || (rounding && !first));
 }
 
 bool Downhill::factorise(double m) {

@@ -47,7 +47,8 @@ class Downhill {
 
  private:
   bool balanced();
-  double first_floor_ = 0;  // N
+  double first_floor_ = 0;        // N
+  bool within_rounding_ = false;  // the first residual
 };
 
 }  // namespace fabricsh::solver
