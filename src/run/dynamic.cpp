@@ -266,7 +266,7 @@ std::string Dynamic::remedy(const EnergyAccount& e) const {
     return "step=\"auto\" (the step of " + number(now_.step) + " s is above the stable one, " +
            number(stable_) + " s, of the cloth at rest)";
   if (const std::string advice = against_long_step(); !advice.empty()) return advice;
-  return "a smaller step (now " + number(now_.step) + " s)" +
+  return finer_elements() + "a smaller step (now " + number(now_.step) + " s)" +
          (e.created > 0 ? "; or law=\"potential\", which creates no energy" : "") +
          "; ledger_limit=" + number(10 * options_.ledger_limit) + " goes on";
 }

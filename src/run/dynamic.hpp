@@ -77,6 +77,8 @@ class Dynamic : public Run {
   virtual const mechanics::Motion& motion() const = 0;
   // What to do if the present step is longer than some frequency allows; empty: it is not.
   virtual std::string against_long_step() const { return {}; }
+  // Advice where something comes faster than contact of this mesh stops; empty, or with "; " at its end.
+  virtual std::string finer_elements() const { return {}; }
   // Whether check() examines the ledger after this number of explicit steps, at this time.
   bool looks_after(std::int64_t steps, double time) const;
   mechanics::NodalRates initial_rates() const;

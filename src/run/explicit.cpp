@@ -388,20 +388,26 @@ void Explicit::give_up(const StepReport& report) {
 
 // The stiffness that the mesh carries grows with the inverse square of its elements' size, and the speed that
 // is stopped with its inverse. What came has lost speed since: the speed that bodies and nodes still have is
-// the least that it was.
-std::string Explicit::against_passing() const {
+// the least that it was. Empty: the speed is stopped, or the stiffness was given.
+std::string Explicit::finer_elements() const {
+  if (contact_ == nullptr) return {};
   const auto stopped = contact_->speed_stopped();
-  if (!std::isfinite(stopped.flat)) return "bodies that meet each other with less speed";
-  std::string text = "more thickness= or stiffness= of m:contact (as it is, it stops cloth that comes with " +
-                     number(stopped.anywhere) + " m/s anywhere, with " + number(stopped.flat) +
-                     " m/s where it meets something flat)";
   const mesh::Index node = fastest_node();
   const double speed = std::max(contact_->fastest_body(), node >= 0 ? velocity(node).norm() : 0);
-  if (stopped.given || !(speed > stopped.flat)) return text;
+  if (stopped.given || !(speed > stopped.flat)) return {};
   const double finer = std::ceil(speed / stopped.flat);
   return "elements that are " + number(finer) + " times as short, " +
          number(finer * finer * static_cast<double>(model_->mesh().elements.size())) + " in all, for the " +
-         number(speed) + " m/s that there are; " + text;
+         number(speed) + " m/s that there are; ";
+}
+
+std::string Explicit::against_passing() const {
+  const auto stopped = contact_->speed_stopped();
+  if (!std::isfinite(stopped.flat)) return "bodies that meet each other with less speed";
+  return finer_elements() +
+         "more thickness= or stiffness= of m:contact (as it is, it stops cloth that comes with " +
+         number(stopped.anywhere) + " m/s anywhere, with " + number(stopped.flat) +
+         " m/s where it meets something flat)";
 }
 
 // Where the reference configuration does not allow the step, its element is named: later all are torn.

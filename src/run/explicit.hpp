@@ -33,6 +33,7 @@ class Explicit final : public Dynamic {
   double hidden_energy() const override;
   std::string against_passing() const;  // advice where surfaces are pressed to the smallest distance
   std::string against_long_step() const override;
+  std::string finer_elements() const override;
   void memory(Archive& archive) override;
   std::vector<double> unknown_rates() const override { return motion_.velocities(); }
   void resize() override;
