@@ -22,8 +22,9 @@ constexpr int kSettlingSteps = 2;
 // step's end do not. Leaves a third of the amplitude of what no step resolves after a step.
 constexpr NewmarkScheme kStrong{1, 0.5625, 0};
 constexpr double kTooMuch = 0.2;  // share of the ledger's limit from which on hht is not enough
-// A step that makes more than this share of the ledger's limit is repeated at half its size, so many times.
-constexpr double kMadeInAStep = 0.1;
+// A step whose error is more than this share of the ledger's limit is repeated at half its size, so many
+// times.
+constexpr double kErrorOfStep = 0.1;
 constexpr int kHalvings = 3;
 
 NewmarkScheme scheme_of(const DynamicOptions& o) {
@@ -232,7 +233,7 @@ std::string Implicit::damping_text() const {
 
 // A step that makes more energy than the ledger allows is repeated with strong damping, which is kept if that
 // makes less than half as much: the work of a support that begins to move with a jump, which the ledger does
-// not know well, is no reason. One that makes less, but more than a few steps may, is shortened.
+// not know well, is no reason. Other steps with more than a small error are shortened.
 bool Implicit::takes_back() {
   using Try = Repeatable::Try;
   const Try which = std::exchange(repeatable_.which, Try::first);
@@ -257,10 +258,11 @@ bool Implicit::takes_back() {
   return false;
 }
 
-// Where stiff elements turn far within a step, the energy that it makes falls with its size.
-bool Implicit::shortens(double made) {
+// Where stiff elements turn far within a step, its error falls with its size.
+bool Implicit::shortens(double error) {
   const int halved = std::exchange(repeatable_.halved, 0);
-  if (!(made > kMadeInAStep * options_.ledger_limit) || halved == kHalvings || is_young()) return false;
+  if (!(std::abs(error) > kErrorOfStep * options_.ledger_limit) || halved == kHalvings || is_young())
+    return false;
   const double end = committed_time();
   return_to_start(Repeatable::Try::first);
   control_.set((end - committed_time()) / 2);

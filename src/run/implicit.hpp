@@ -58,11 +58,11 @@ class Implicit final : public Dynamic {
     std::string start;             // the state before it; empty: it is not taken back
     double surplus = 0, made = 0;  // J, of the ledger before it; its first try's share of the ledger's scale
     Try which = Try::first;
-    int halved = 0;  // times, for the energy that it made
+    int halved = 0;  // times, for its error of the ledger
   } repeatable_;
   void mark_repeatable();
   void return_to_start(Repeatable::Try next);
-  bool shortens(double made);
+  bool shortens(double error);
 };
 
 }  // namespace fabricsh::run
