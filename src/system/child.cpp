@@ -52,7 +52,7 @@ std::string words(std::FILE* file) {
 }
 
 // Returns 0 or the system's reason, and sets the child's number. The child leads its own process
-// group, so that Ctrl-C at the terminal reaches this program only, which then ends the child.
+// group, so that Ctrl-C at the terminal reaches this program only, which then gives it time to end.
 int spawn(const std::vector<std::string>& arguments, std::FILE* input, std::FILE* out, std::FILE* said,
           pid_t& child) {
   posix_spawn_file_actions_t actions;
