@@ -16,7 +16,7 @@ namespace fabricsh::mechanics {
 
 template <class T, class... Arguments>
 T& Assembly::make(Arguments&&... arguments) {
-  return add(std::make_unique<T>(std::forward<Arguments>(arguments)...));
+  return terms_.add(std::make_unique<T>(std::forward<Arguments>(arguments)...));
 }
 
 Assembly::Assembly(const model::Model& model)
@@ -39,39 +39,24 @@ Assembly::Assembly(const model::Model& model)
   force_d_.assign(3 * configuration_.nodes(), 0);
 }
 
-void Assembly::take_up(std::unique_ptr<Term> term) {
-  const auto list = [&](auto& facets) {
-    if (auto* const facet = dynamic_cast<std::remove_reference_t<decltype(*facets.front())>*>(term.get()))
-      facets.push_back(facet);
-  };
-  if (terms_.empty()) elements_ = dynamic_cast<ElementTerm*>(term.get());
-  list(limiters_);
-  list(movers_);
-  list(followers_);
-  list(on_motion_);
-  terms_.push_back(std::move(term));
-}
-
-const Cloth& Assembly::cloth() const { return *find<Cloth>(); }
-
-Assembly::~Assembly() = default;
+const Cloth& Assembly::cloth() const { return *terms_.find<Cloth>(); }
 
 void Assembly::begin_iterate() {
   dofs_.begin_iterate();
-  for (auto* const mover : movers_) mover->begin_iterate();
+  for (auto* const mover : terms_.movers()) mover->begin_iterate();
 }
 
 void Assembly::apply_increment(std::span<const double> delta, double scale, std::span<const double> targets,
                                std::optional<double> share) {
   dofs_.apply_increment(delta, scale, targets);
-  for (auto* const mover : movers_) mover->move(share.value_or(scale));
+  for (auto* const mover : terms_.movers()) mover->move(share.value_or(scale));
 }
 
 // Supports go to their targets whatever the fraction is; if that is not safe either, the result is 0.
 double Assembly::limit(std::span<const double> delta, std::span<const double> targets) {
   constexpr int tries = 5;
   std::vector<StepLimiter*> limiters;
-  for (auto* const limiter : limiters_)
+  for (auto* const limiter : terms_.limiters())
     if (limiter->limits()) limiters.push_back(limiter);
   if (limiters.empty()) return 1;
   const auto least = [&](double (StepLimiter::*share)(const Trial&)) {
@@ -103,10 +88,6 @@ double Assembly::limit(std::span<const double> delta, std::span<const double> ta
   }
   take(std::move(worst));
   return 0;
-}
-
-bool Assembly::at_target() const {
-  return std::all_of(movers_.begin(), movers_.end(), [](const auto* mover) { return mover->at_target(); });
 }
 
 namespace {
@@ -161,7 +142,7 @@ class OwnSystem {
 }  // namespace
 
 bool Assembly::finish_direction(const Solve& solve, double weight, std::span<double> delta) {
-  const OwnSystem own(movers_);
+  const OwnSystem own(terms_.movers());
   const std::size_t m = own.size();
   if (m == 0) return true;
   const std::vector<double> zero(force_x_.size(), 0), still(dofs_.targets(trial_time_).size(), 0);
@@ -190,19 +171,19 @@ bool Assembly::finish_direction(const Solve& solve, double weight, std::span<dou
 
 void Assembly::commit(double time) {
   configuration_.commit(time);
-  for (auto& term : terms_) term->commit();
+  terms_.commit();
   committed_coupled_ = coupled_;
 }
 
 void Assembly::rollback() {
   configuration_.rollback();
-  for (auto& term : terms_) term->rollback();
+  terms_.rollback();
   if (coupled_ != committed_coupled_) couple(committed_coupled_);
 }
 
 void Assembly::set_time(double time) {
   trial_time_ = time;
-  for (auto& term : terms_) term->set_time(time);
+  terms_.set_time(time);
 }
 
 bool Assembly::take(Outcome outcome) {
@@ -210,17 +191,7 @@ bool Assembly::take(Outcome outcome) {
   return outcome_.ok();
 }
 
-// Adds the forces of the terms from `first` on; returns the worst of all outcomes.
-Outcome Assembly::add_forces(std::size_t first, Outcome worst, const law::Step& step) {
-  Forces sums = this->sums();
-  for (std::size_t i = first; i < terms_.size(); ++i) {
-    Outcome one = terms_[i]->add_forces(step, trial(), sums);
-    if (one.answer > worst.answer) worst = std::move(one);
-  }
-  return worst;
-}
-
-bool Assembly::forces(const law::Step& step) { return take(add_forces(0, {}, step)); }
+bool Assembly::forces(const law::Step& step) { return take(terms_.add_forces(0, {}, step, trial(), sums())); }
 
 void Assembly::couple(std::vector<NodePair> pairs) {
   if (stiffness_) stiffness_->couple(pairs);
@@ -230,7 +201,8 @@ void Assembly::couple(std::vector<NodePair> pairs) {
 // Makes the pattern hold the pairs that the terms couple at the trial configuration.
 void Assembly::couple() {
   if (!stiffness_) {
-    stiffness_ = std::make_unique<Stiffness>(dofs_, elements_->batches(), elements_->places(), upper_);
+    stiffness_ =
+        std::make_unique<Stiffness>(dofs_, terms_.elements().batches(), terms_.elements().places(), upper_);
     stiffness_->couple(coupled_);
   }
   std::vector<NodePair> wanted;
@@ -255,18 +227,18 @@ bool Assembly::tangent(const law::Step& step, linear::Matrix& K, std::span<const
   K.clear();
   std::fill(product.begin(), product.end(), 0.0);
   const Stiffness::Target to{K, lead, product};
-  Outcome elements = elements_->scatter_tangents(step, false, *stiffness_, to,
-                                                 extrapolated ? dofs_.iterate() : std::span<const double>());
+  Outcome elements = terms_.elements().scatter_tangents(
+      step, false, *stiffness_, to, extrapolated ? dofs_.iterate() : std::span<const double>());
   Forces sums = this->sums();
-  elements_->sum_forces(sums);
-  outcome_ = add_forces(1, std::move(elements), step);
+  terms_.elements().sum_forces(sums);
+  outcome_ = terms_.add_forces(1, std::move(elements), step, trial(), sums);
   stiffness_->scatter_tied(to);
   Stiffness::Sink sink(*stiffness_, to);
   for (const auto& term : terms_) term->add_tangent(trial(), sink);
   if (!dofs_.freedoms().bodies.empty()) {
     std::vector<double> dead;
     external(trial_time_, dead);
-    stiffness_->add_body_stiffness(configuration_, force_x_, force_d_, dead, moments(), to);
+    stiffness_->add_body_stiffness(configuration_, force_x_, force_d_, dead, terms_.moments(), to);
   }
   return outcome_.ok();
 }
@@ -276,7 +248,7 @@ bool Assembly::material_tangent(linear::Matrix& K, std::span<const double> lead,
   K.clear();
   std::fill(product.begin(), product.end(), 0.0);
   const Stiffness::Target to{K, lead, product};
-  outcome_ = elements_->scatter_tangents({}, true, *stiffness_, to, {});
+  outcome_ = terms_.elements().scatter_tangents({}, true, *stiffness_, to, {});
   stiffness_->scatter_tied(to);
   return outcome_.ok();
 }
@@ -286,46 +258,22 @@ void Assembly::add_diagonal(std::span<const double> c_x, std::span<const double>
   stiffness_->add_diagonal(c_x, c_d, K);
 }
 
-bool Assembly::symmetric() const {
-  return std::all_of(terms_.begin(), terms_.end(), [](const auto& t) { return t->symmetric(); });
-}
-
 void Assembly::external(double time, std::vector<double>& out) const {
   out.assign(3 * configuration_.nodes(), 0.0);
   for (const auto& term : terms_) term->add_dead(time, out);
 }
 
-const std::vector<Vec3>* Assembly::moments() const {
-  for (const auto* const load : followers_)
-    if (load->moments() != nullptr) return load->moments();
-  return nullptr;
-}
-
 void Assembly::residual(std::span<const double> external, std::span<double> r, std::span<const double> on_d) {
-  dofs_.residual(external, force_x_, force_d_, on_d, moments(), r);
+  dofs_.residual(external, force_x_, force_d_, on_d, terms_.moments(), r);
   if (motion_ == nullptr) return;
-  for (auto* const term : on_motion_) term->resist(trial(), r);
+  for (auto* const term : terms_.on_motion()) term->resist(trial(), r);
 }
 
 std::pair<double, Index> Assembly::largest_residual(std::span<const double> r) const {
   auto largest = dofs_.largest_residual(r);
-  for (const auto* const mover : movers_)
+  for (const auto* const mover : terms_.movers())
     if (const double own = mover->largest_own_residual(); own > largest.first) largest = {own, -1};
   return largest;
-}
-
-bool Assembly::constant_loads() const {
-  return std::all_of(terms_.begin(), terms_.end(), [](const auto& t) { return t->constant(); });
-}
-
-void Assembly::expect_energies(bool expected) {
-  for (auto& term : terms_) term->expect_energies(expected);
-}
-
-StepWork Assembly::step_work() const {
-  StepWork sum;
-  for (const auto& term : terms_) sum += term->step_work();
-  return sum;
 }
 
 std::vector<Energy> Assembly::energies() const {
@@ -335,43 +283,13 @@ std::vector<Energy> Assembly::energies() const {
   return all;
 }
 
-MassFactors Assembly::on_mass() const {
-  MassFactors sum;
-  for (const auto* const term : on_motion_) {
-    const MassFactors one = term->on_mass();
-    sum.acceleration += one.acceleration;
-    sum.velocity += one.velocity;
-  }
-  return sum;
-}
-
-bool Assembly::begin_step() {
-  Outcome worst;
-  for (auto* const term : on_motion_) {
-    Outcome one = term->begin_step(*motion_);
-    if (one.answer > worst.answer) worst = std::move(one);
-  }
-  return take(std::move(worst));
-}
-
-void Assembly::add_resistance(linear::Matrix& K) {
-  for (auto* const term : on_motion_) term->add_resistance(trial(), K);
-}
-
-void Assembly::finish_step() {
-  for (auto* const term : on_motion_) term->finish_step(*motion_);
-}
-
-double Assembly::stable_step(bool scaled) const {
-  double shortest = std::numeric_limits<double>::infinity();
-  for (const auto& term : terms_) shortest = std::min(shortest, term->stable_step(scaled));
-  return shortest;
-}
+bool Assembly::begin_step() { return take(terms_.begin_step(*motion_)); }
 
 // Where nodes of a joint that closes were apart, the forces at their mean are computed, in a step of no time.
 std::optional<Transfer> Assembly::open(std::vector<Joints::Edge> edges, double within) {
   const std::uint64_t before = configuration_.version();
-  auto transfer = dofs_.open(std::move(edges), elements_->mass(), elements_->rotary_inertia(false), within);
+  auto transfer =
+      dofs_.open(std::move(edges), terms_.elements().mass(), terms_.elements().rotary_inertia(false), within);
   if (!transfer) return {};
   renumbered();
   if (configuration_.version() != before) balance("join");
@@ -381,7 +299,8 @@ std::optional<Transfer> Assembly::open(std::vector<Joints::Edge> edges, double w
 // Where stitches close, their threads no longer act.
 std::optional<Transfer> Assembly::sew(Sewn next, double within) {
   const std::uint64_t before = configuration_.version();
-  auto transfer = dofs_.sew(std::move(next), elements_->mass(), elements_->rotary_inertia(false), within);
+  auto transfer =
+      dofs_.sew(std::move(next), terms_.elements().mass(), terms_.elements().rotary_inertia(false), within);
   if (!transfer) return {};
   renumbered();
   if (configuration_.version() != before) balance("seam");
@@ -424,7 +343,7 @@ bool Assembly::keep(Archive& archive) {
   const bool sewn = !dofs_.seams().empty() && keep_seams(archive);
   if (sewn) renumbered();
   archive.section("configuration", [&] { configuration_.keep(archive); });
-  for (auto& term : terms_) archive.section(term->name(), [&] { term->keep(archive); });
+  terms_.keep(archive);
   archive.section("forces", [&] {
     archive.filled(force_x_);
     archive.filled(force_d_);

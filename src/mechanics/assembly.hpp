@@ -1,5 +1,5 @@
-// A compiled model: its configuration, its degrees of freedom and the sum of its terms. It computes forces
-// and tangents for the trial configuration, equal bit for bit for any number of threads. No matrix or pattern
+// A compiled model: its configuration, its degrees of freedom and its terms. It computes forces and tangents
+// for the trial configuration, equal bit for bit for any number of threads. No matrix or pattern
 // is made unless a tangent is computed.
 //
 // An explicit step: begin_iterate(), apply_increment(), set_time(time), forces(), residual(), commit(time).
@@ -14,7 +14,7 @@
 
 #include "linear/matrix.hpp"
 #include "mechanics/dofs.hpp"
-#include "mechanics/facets.hpp"
+#include "mechanics/term_list.hpp"
 #include "model/model.hpp"
 
 namespace fabricsh::mechanics {
@@ -25,39 +25,13 @@ class Assembly {
  public:
   // Errors: a degenerate element (named); a warp direction that is not defined.
   explicit Assembly(const model::Model& model);
-  ~Assembly();
 
   const Dofs& dofs() const { return dofs_; }
   const Cloth& cloth() const;
   Configuration& state() { return configuration_; }
   const Configuration& state() const { return configuration_; }
-  const std::vector<std::unique_ptr<Term>>& terms() const { return terms_; }
-  // Adds and returns a further term; to be called before forces are first computed.
-  template <class T>
-  T& add(std::unique_ptr<T> term) {
-    T& made = *term;
-    take_up(std::move(term));
-    return made;
-  }
-  // The first term of a type, or with a facet (mechanics/facets.hpp); null: there is none.
-  template <class T>
-  T* find() {
-    for (const auto& term : terms_)
-      if (auto* const found = dynamic_cast<T*>(term.get())) return found;
-    return nullptr;
-  }
-  template <class T>
-  const T* find() const {
-    return const_cast<Assembly*>(this)->find<T>();
-  }
-  // All terms with a facet.
-  template <class Facet>
-  std::vector<Facet*> all() const {
-    std::vector<Facet*> found;
-    for (const auto& term : terms_)
-      if (auto* const one = dynamic_cast<Facet*>(term.get())) found.push_back(one);
-    return found;
-  }
+  TermList& terms() { return terms_; }
+  const TermList& terms() const { return terms_; }
 
   // For runs whose tangents are symmetric and go to a solver of symmetric matrices alone: they keep the upper
   // triangle. To be called before the first tangent.
@@ -69,8 +43,6 @@ class Assembly {
   // iterate: there the unknowns move by their rates times the time.
   void apply_increment(std::span<const double> delta, double scale, std::span<const double> targets,
                        std::optional<double> share = {});
-  // Whether everything that the step moves besides the supports has reached its final position.
-  bool at_target() const;
   void commit(double time);
   void rollback();
   void set_time(double time);  // sets the time of the loads for the next forces and tangents
@@ -103,13 +75,11 @@ class Assembly {
   // Created at the first call, and again when terms couple nodes that it does not contain (see Term::couple).
   // A rollback restores the pairs of the last commit.
   const std::shared_ptr<const linear::Pattern>& pattern();
-  bool symmetric() const;  // whether the tangents of all terms are symmetric
 
   // What the terms read of the present.
   Trial trial() const { return {configuration_, dofs_.reference(), trial_time_, motion_}; }
   // Dead loads at the given time, 3 per node, N, global.
   void external(double time, std::vector<double>& out) const;
-  bool constant_loads() const;  // whether the dead loads are constant in time
   // r = f_ext - f_int on the unknowns, in the nodes' frames, less what depends on the motion, if there is one
   // (OnMotion). on_d: additional forces on directors, N m.
   void residual(std::span<const double> external, std::span<double> r, std::span<const double> on_d = {});
@@ -121,26 +91,19 @@ class Assembly {
   // N: the largest residual of the unknowns, and which one has it; or that of a term's own unknowns (-1).
   std::pair<double, Index> largest_residual(std::span<const double> r) const;
   double largest_force() const { return dofs_.largest_force(force_x_, force_d_); }
-  void expect_energies(bool expected);  // see Term
-  StepWork step_work() const;           // that is done neither by loads nor by supports
   // Energies of all terms by name, at the trial configuration.
   std::vector<Energy> energies() const;
 
   // --- motion
   // Sets the motion of a run's steps, by reference; null: none. The run adds the terms that depend on it.
   void set_motion(const Motion* motion) { motion_ = motion; }
-  MassFactors on_mass() const;             // the sum over the terms
-  bool begin_step();                       // see OnMotion; false: a term failed (see outcome)
-  void add_resistance(linear::Matrix& K);  // see OnMotion
-  void finish_step();                      // before commit()
+  bool begin_step();                                    // see OnMotion; false: a term failed (see outcome)
+  void finish_step() { terms_.finish_step(*motion_); }  // before commit()
   // Lumped masses: kg per unknown displacement, kg m^2 per unknown rotation. Error: ties that have no
   // positive lumped mass.
   std::vector<double> lumped_mass(bool scaled) const {
-    return dofs_.lump(elements_->mass(), elements_->rotary_inertia(scaled));
+    return dofs_.lump(terms_.elements().mass(), terms_.elements().rotary_inertia(scaled));
   }
-  // s: the largest stable step of central differences for the reference configuration, the smallest over the
-  // terms.
-  double stable_step(bool scaled) const;
 
   // --- joints (see Dofs). To be called at the committed state. Empty: nothing changes.
   std::optional<Transfer> open(std::vector<Joints::Edge> edges, double within);
@@ -155,10 +118,7 @@ class Assembly {
  private:
   template <class T, class... Arguments>
   T& make(Arguments&&... arguments);
-  void take_up(std::unique_ptr<Term> term);
-  const std::vector<Vec3>* moments() const;
   Forces sums() { return {force_x_, force_d_}; }
-  Outcome add_forces(std::size_t first, Outcome worst, const law::Step& step);
   bool take(Outcome outcome);  // stores the outcome; returns whether it is ok
   void couple();
   void couple(std::vector<NodePair> pairs);
@@ -169,13 +129,7 @@ class Assembly {
 
   Configuration configuration_;
   Dofs dofs_;
-  std::vector<std::unique_ptr<Term>> terms_;
-  // The facets of the terms, in their order.
-  ElementTerm* elements_ = nullptr;  // of the first term
-  std::vector<StepLimiter*> limiters_;
-  std::vector<OwnUnknowns*> movers_;
-  std::vector<FollowerLoad*> followers_;
-  std::vector<OnMotion*> on_motion_;
+  TermList terms_;
   bool upper_ = false;
   std::unique_ptr<Stiffness> stiffness_;
   std::vector<NodePair> coupled_, committed_coupled_;  // pairs in the pattern, ascending; at the last commit

@@ -29,7 +29,7 @@ Touching nearest_pair(const Run& run) {
 // Planes are drawn a little wider than the cloth.
 std::vector<BodyShown> shown_bodies(const Run& run) {
   std::vector<BodyShown> all;
-  const mechanics::Contacts* contact = run.assembly().find<mechanics::Contacts>();
+  const mechanics::Contacts* contact = run.assembly().terms().find<mechanics::Contacts>();
   if (contact == nullptr) return all;
   const double across = box_of(run.assembly().dofs().reference()).size().norm();
   const auto& bodies = contact->bodies();

@@ -142,7 +142,8 @@ ResidualSite find_residual_site(mechanics::Assembly& assembly, const mesh::Mesh&
     site.x = at(x, site.node);
     about = elements_about(mesh, site.node);
   }
-  const auto shape = assembly.find<mechanics::Directors>()->overturned(std::as_const(assembly).state());
+  const auto shape =
+      assembly.terms().find<mechanics::Directors>()->overturned(std::as_const(assembly).state());
   site.inverted = shape.inverted;
   site.turned = shape.turned;
   const Looks now = look_at_all(assembly);

@@ -281,7 +281,7 @@ std::string Diagnosis::report() const {
 }
 
 std::string touching_text(const mechanics::Assembly& assembly) {
-  const mechanics::Contacts* contact = assembly.find<mechanics::Contacts>();
+  const mechanics::Contacts* contact = assembly.terms().find<mechanics::Contacts>();
   if (contact == nullptr) return {};
   const auto nearest = contact->nearest();
   const std::size_t pairs = contact->touching();

@@ -63,12 +63,12 @@ Dynamic::Dynamic(std::shared_ptr<model::Model> model, const DynamicOptions& opti
   check_options(options_);
   scaled_ = options_.scaled.value_or(options_.scheme == Scheme::explicit_steps);
   using namespace mechanics;
-  inertia_ = &assembly_->add(
+  inertia_ = &assembly_->terms().add(
       std::make_unique<Inertia>(assembly_->cloth().mass(), assembly_->cloth().rotary_inertia(scaled_)));
-  if (options_.mass_damping > 0) assembly_->add(std::make_unique<MassDamping>(options_.mass_damping));
+  if (options_.mass_damping > 0) assembly_->terms().add(std::make_unique<MassDamping>(options_.mass_damping));
   if (options_.stiffness_damping > 0)
-    assembly_->add(std::make_unique<StiffnessDamping>(*assembly_, options_.stiffness_damping));
-  stable_ = assembly_->stable_step(scaled_);
+    assembly_->terms().add(std::make_unique<StiffnessDamping>(*assembly_, options_.stiffness_damping));
+  stable_ = assembly_->terms().stable_step(scaled_);
   smallest_ = assembly_->cloth().smallest_size();
 }
 
@@ -217,7 +217,7 @@ double Dynamic::driven_kinetic() const {
 Vec3 Dynamic::inertia(mesh::Index node) const {
   Vec3 force = Vec3::Zero();
   const auto& freedoms = assembly_->dofs().freedoms();
-  const auto on = assembly_->on_mass();
+  const auto on = assembly_->terms().on_mass();
   for (int c = 0; c < 3; ++c) {
     const auto equation = freedoms.nodes[node].equation[c];
     if (equation >= mechanics::held || equation == mechanics::tied) continue;
@@ -312,7 +312,7 @@ double Dynamic::ledger_scale(const EnergyAccount& e) const {
 }
 
 bool Dynamic::is_driven() const {
-  const mechanics::Contacts* contact = assembly_->find<mechanics::Contacts>();
+  const mechanics::Contacts* contact = assembly_->terms().find<mechanics::Contacts>();
   return !assembly_->dofs().freedoms().motions.empty() ||
          (contact != nullptr && contact->bodies().any_driven());
 }
@@ -341,7 +341,7 @@ void Dynamic::check() {
   weigh_inertia(e.kinetic, e.scaled);
   const double scale = ledger_scale(e);
   const double made = imbalance(e, scale) + e.created;
-  const mechanics::Contacts* contact = assembly_->find<mechanics::Contacts>();
+  const mechanics::Contacts* contact = assembly_->terms().find<mechanics::Contacts>();
   if (now_.touched < 0 && contact != nullptr && contact->bodies().any_driven() && contact->touching() > 0)
     now_.touched = now_.steps;
   // A run of a few explicit steps is over before it is of age: what it ends with counts all the same.

@@ -36,10 +36,10 @@ Explicit::Explicit(std::shared_ptr<model::Model> model, const DynamicOptions& op
     : Dynamic(std::move(model), options, std::move(notices)),
       motion_(assembly_->lumped_mass(scaled_), options_.gamma, [this] { return driven_rates(); }),
       problem_(*assembly_, motion_, unpolled_),
-      contact_(assembly_->find<mechanics::Contacts>()) {
+      contact_(assembly_->terms().find<mechanics::Contacts>()) {
   const double undamped = stable_;
   bound_step();
-  assembly_->find<mechanics::Cloth>()->update_in_place();
+  assembly_->terms().find<mechanics::Cloth>()->update_in_place();
   if (contact_ != nullptr) contact_->go_explicit();
   if (tears_ != nullptr) tears_->go_explicit();
   report_contacts();
@@ -76,7 +76,7 @@ void Explicit::take(const mechanics::Transfer&, const std::vector<double>& rates
   if (problem_.begin_step() != Answer::ok)
     throw NumericalFailure("dynamic: the fabric law failed where joints changed", committed_time());
   problem_.weigh(motion_.residual());
-  motion_.accelerate(assembly_->on_mass().velocity);
+  motion_.accelerate(assembly_->terms().on_mass().velocity);
   motion_.begin();
   conserved_.moved += dt * dt / 8 * (motion_.weight_of_acceleration() - weight);
 }
@@ -164,7 +164,7 @@ void Explicit::begin() {
   problem_.set_time(0);
   if (problem_.begin_step() != Answer::ok || problem_.residual(motion_.residual()) != Answer::ok)
     throw NumericalFailure("dynamic: the fabric law failed at time 0", 0, assembly_->outcome().element);
-  motion_.accelerate(assembly_->on_mass().velocity);
+  motion_.accelerate(assembly_->terms().on_mass().velocity);
   motion_.begin();
   problem_.start();
 }
@@ -298,9 +298,9 @@ bool Explicit::attempt(double size, StepReport& report) {
   if (assembly_->limit(motion_.increments(), problem_.targets()) < 1) return ends(End::limited);
   problem_.advance_explicit(motion_.along(), motion_.reach());
   trial_time_ = size;
-  assembly_->expect_energies(looks_after(now_.steps + 1, size));
+  assembly_->terms().expect_energies(looks_after(now_.steps + 1, size));
   if (problem_.residual(motion_.residual()) != Answer::ok) return ends(End::forces);
-  motion_.accelerate(assembly_->on_mass().velocity);
+  motion_.accelerate(assembly_->terms().on_mass().velocity);
   motion_.show_trial(true);
   report.time = size;
   return true;
@@ -313,7 +313,7 @@ void Explicit::commit(StepReport& report) {
     conserved_.dt = dt;
   }
   if (damps()) now_.loss += motion_.loss();
-  if (!assembly_->constant_loads()) dead_ = problem_.external();
+  if (!assembly_->terms().constant_loads()) dead_ = problem_.external();
   work_.add(*assembly_, dead_);
   if (contact_ != nullptr) report_guard();
   if (block_.halved >= kCostly && ++now_.short_steps == kCostlySteps) report_cost();

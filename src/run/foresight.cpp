@@ -373,7 +373,7 @@ void look_at_loads(const RigidMotions& motions, const mechanics::Assembly& assem
   std::vector<double> dead;
   assembly.external(time, dead);
   std::vector<double> follower(dead.size()), on_directors(dead.size());
-  for (const auto* const load : assembly.all<mechanics::FollowerLoad>())
+  for (const auto* const load : assembly.terms().all<mechanics::FollowerLoad>())
     load->add_follower(time, assembly.trial(), follower, on_directors);
   double most = 0, load = 0;
   Vec3 work = Vec3::Zero(), along = Vec3::Zero();

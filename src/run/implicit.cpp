@@ -35,7 +35,7 @@ NewmarkScheme scheme_of(const DynamicOptions& o) {
 
 StepControl control_of(const DynamicOptions& o, const mechanics::Assembly& assembly) {
   StepControl control{o.step.value_or(o.duration / 200), 0, o.max_cuts, kMotionIterations};
-  if (assembly.find<mechanics::Contacts>() != nullptr) control.expect_friction();
+  if (assembly.terms().find<mechanics::Contacts>() != nullptr) control.expect_friction();
   return control;
 }
 
@@ -183,7 +183,7 @@ void Implicit::commit(StepReport& report) {
     work = balances ? newmark_.work_of_acceleration() : problem_.work_of_balance();
     // The accelerations contain the forces of step ends, half of whose weight counts at the step's end.
     const double counted = balances ? 1 / (2 * newmark_.scheme().gamma) : 0;
-    for (const auto* const term : assembly_->all<mechanics::AtStepEnd>())
+    for (const auto* const term : assembly_->terms().all<mechanics::AtStepEnd>())
       work += (1 - counted) * term->work_on_cloth();
   }
   dead_ = problem_.external();
@@ -279,7 +279,7 @@ void Implicit::take_scheme() {
 }
 
 void Implicit::weigh_step_ends() {
-  for (auto* const term : assembly_->all<mechanics::AtStepEnd>())
+  for (auto* const term : assembly_->terms().all<mechanics::AtStepEnd>())
     term->set_weight(newmark_.weight_at_step_end());
 }
 

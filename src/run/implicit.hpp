@@ -18,7 +18,7 @@ class Implicit final : public Dynamic {
   std::string kernels() const override { return linear::blas_kernels(); }
 
  private:
-  bool takes_unsymmetric() const override { return !assembly_->symmetric(); }
+  bool takes_unsymmetric() const override { return !assembly_->terms().symmetric(); }
   void begin() override;
   void take_options(const DynamicOptions& options) override;
   void set_motion(const mechanics::NodalRates& rates) override;

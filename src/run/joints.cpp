@@ -120,9 +120,9 @@ void Run::tear() {
 
 NearestBreak nearest_break(const mechanics::Assembly& assembly) {
   NearestBreak nearest;
-  if (const auto* tears = assembly.find<mechanics::Tears>(); tears != nullptr)
+  if (const auto* tears = assembly.terms().find<mechanics::Tears>(); tears != nullptr)
     nearest = {tears->worst().share, tears->committed_share()};
-  if (const auto* seams = assembly.find<mechanics::Seams>(); seams != nullptr)
+  if (const auto* seams = assembly.terms().find<mechanics::Seams>(); seams != nullptr)
     nearest = {std::max(nearest.trial, seams->worst().share),
                std::max(nearest.committed, seams->committed_share())};
   return nearest;

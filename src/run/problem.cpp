@@ -47,7 +47,7 @@ void EquilibriumProblem::set_time(double time) {
   trial_time_ = time;
   motion_.set_dt(time - std::as_const(assembly_).state().time());
   targets_ = assembly_.dofs().targets(time);
-  if (external_.empty() || !assembly_.constant_loads()) assembly_.external(time, external_);
+  if (external_.empty() || !assembly_.terms().constant_loads()) assembly_.external(time, external_);
   assembly_.set_time(time);
 }
 
@@ -88,7 +88,7 @@ void EquilibriumProblem::commit(double time) {
 
 // A step has some forces at its end alone: the next one begins without them.
 void EquilibriumProblem::forget_step_end() {
-  const auto terms = assembly_.all<mechanics::AtStepEnd>();
+  const auto terms = assembly_.terms().all<mechanics::AtStepEnd>();
   if (std::none_of(terms.begin(), terms.end(), [](const auto* term) { return term->acts(); })) return;
   const double gamma = newmark_->scheme().gamma;
   std::vector<double> without(balance_.size()), push(balance_.size());
@@ -158,7 +158,7 @@ void EquilibriumProblem::balance(double inertia, double at_end, std::span<double
   if (newmark_ == nullptr) {
     assembly_.residual(external_, r);
   } else {
-    const auto on = assembly_.on_mass();
+    const auto on = assembly_.terms().on_mass();
     const auto& motion = newmark_->trial();
     const auto &mass = newmark_->inertia().mass(), &rotary = newmark_->inertia().rotary();
     const double part = inertia * on.acceleration;
@@ -170,7 +170,7 @@ void EquilibriumProblem::balance(double inertia, double at_end, std::span<double
       on_x_[i] = external_[i] - mass[i / 3] * (on.velocity * motion.v.x[i] + own * motion.a.x[i]);
       on_d_[i] = -rotary[i / 3] * (on.velocity * motion.v.d[i] + own * motion.a.d[i]);
     }
-    for (const auto* const term : assembly_.all<mechanics::AtStepEnd>()) {
+    for (const auto* const term : assembly_.terms().all<mechanics::AtStepEnd>()) {
       if (at_end == 1) break;
       const auto push = term->push();
       for (std::size_t n = 0; n < push.size(); ++n) at(on_x_, n) += (at_end - 1) * push[n];
@@ -192,7 +192,7 @@ void EquilibriumProblem::weigh(std::span<double> r) {
 // The inertia of rigid bodies, see newmark.hpp; r has the forces F^+ on their unknowns.
 void EquilibriumProblem::move_bodies(std::span<double> r) {
   const auto& bodies = assembly_.dofs().freedoms().bodies;
-  const double gamma = newmark_->scheme().gamma, on = assembly_.on_mass().acceleration;
+  const double gamma = newmark_->scheme().gamma, on = assembly_.terms().on_mass().acceleration;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const auto rate = newmark_->rate_of_momentum(bodies[b]);
     for (std::size_t i = 0; i < rate.size(); ++i) {
@@ -206,10 +206,10 @@ void EquilibriumProblem::move_bodies(std::span<double> r) {
 void EquilibriumProblem::close(linear::Matrix& K) {
   if (weight() != 1)
     for (double& k : K.value) k *= weight();
-  assembly_.add_resistance(K);
+  assembly_.terms().add_resistance(assembly_.trial(), K);
   if (newmark_ == nullptr) return;
   const auto& scheme = newmark_->scheme();
-  const auto on = assembly_.on_mass();
+  const auto on = assembly_.terms().on_mass();
   const double dt = motion_.dt();
   const double c =
       (on.acceleration / scheme.beta / dt + weight() * on.velocity * scheme.gamma / scheme.beta) / dt;
@@ -232,7 +232,7 @@ double EquilibriumProblem::work_of_balance() {
 double EquilibriumProblem::force_scale() const {
   double largest = std::max(memory_.peak, assembly_.largest_force());
   if (newmark_ == nullptr) return largest;
-  for (const auto* const term : assembly_.all<mechanics::OwnUnknowns>())
+  for (const auto* const term : assembly_.terms().all<mechanics::OwnUnknowns>())
     largest = std::max(largest, term->largest_own_force());
   return std::max(largest, newmark_->largest_inertia());
 }
@@ -306,7 +306,7 @@ Answer EquilibriumProblem::tangent_and_rate(linear::Matrix& K, std::span<double>
 }
 
 double EquilibriumProblem::opening(std::span<const double> way) const {
-  const auto* const tears = assembly_.find<mechanics::Tears>();
+  const auto* const tears = assembly_.terms().find<mechanics::Tears>();
   if (tears == nullptr || !tears->opens()) return 0;
   const auto& dofs = assembly_.dofs();
   mechanics::NodalRates moved;

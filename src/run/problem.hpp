@@ -64,7 +64,7 @@ class EquilibriumProblem final : public solver::PathProblem {
     return assembly_.finish_direction(solve, weight(), delta);
   }
   void accept() override { assembly_.begin_iterate(); }
-  bool at_target() const override { return assembly_.at_target(); }
+  bool at_target() const override { return assembly_.terms().at_target(); }
   Answer residual(std::span<double> r) override;
   Answer tangent(linear::Matrix& K) override;
   double turn_of(std::span<const double> delta) const override;

@@ -84,7 +84,7 @@ Vec3 Run::reaction_at(mesh::Index node) const {
 }
 
 const mechanics::Contacts& Run::contact() const {
-  const auto* const contact = assembly_->find<mechanics::Contacts>();
+  const auto* const contact = assembly_->terms().find<mechanics::Contacts>();
   if (contact == nullptr)
     throw Error("nothing touches in this model: expected m:contact{...} before the run");
   return *contact;
@@ -294,7 +294,7 @@ EnergyAccount Run::energy() const {
 }
 
 double Run::energy_of_rest() const {
-  const auto* const contact = assembly_->find<mechanics::Contacts>();
+  const auto* const contact = assembly_->terms().find<mechanics::Contacts>();
   if (contact == nullptr) return 0;
   Vec3 g = Vec3::Zero();
   for (int c = 0; c < 3; ++c)

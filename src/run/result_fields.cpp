@@ -65,7 +65,7 @@ struct ResultFieldTable {
   void touched(const std::string& name, std::string unit, std::string sentence,
                double (mechanics::Contacts::*what)(mechanics::Index) const) {
     const auto values = [name, what](const Run& run, mesh::Index i, const std::string&, double* out) {
-      if (run.assembly().find<mechanics::Contacts>() == nullptr)
+      if (run.assembly().terms().find<mechanics::Contacts>() == nullptr)
         throw Error("field '" + name + "': nothing touches in this model (see model:contact)");
       *out = (run.contact().*what)(i);
     };
@@ -150,7 +150,7 @@ struct ResultFieldTable {
            std::string(family == 0 ? "warp" : "weft") +
                " force over strength at the joints of the element, the largest; 1 where it has broken",
            [family](const Run& run, mesh::Index e) {
-             const mechanics::Tears* tears = run.assembly().find<mechanics::Tears>();
+             const mechanics::Tears* tears = run.assembly().terms().find<mechanics::Tears>();
              return tears == nullptr ? 0.0 : tears->share(e, family);
            });
   }
@@ -298,7 +298,7 @@ bool turned_plies(const Run& run) {
 
 bool has(const Run& run, const ResultField& field) {
   return (!field.moving || run.moves()) &&
-         (!field.touching || run.assembly().find<mechanics::Contacts>() != nullptr) &&
+         (!field.touching || run.assembly().terms().find<mechanics::Contacts>() != nullptr) &&
          (!field.of_yarns || !turned_plies(run));
 }
 

@@ -53,8 +53,8 @@ Run::Run(std::shared_ptr<model::Model> model, double duration, std::shared_ptr<N
   model_->seal();
   kinks_ = model_->kinks();
   if (const std::string words = zones_text(*model_); !words.empty()) notices_->once(words, words);
-  tears_ = assembly_->find<mechanics::Tears>();
-  seams_ = assembly_->find<mechanics::Seams>();
+  tears_ = assembly_->terms().find<mechanics::Tears>();
+  seams_ = assembly_->terms().find<mechanics::Seams>();
   if (tears_ != nullptr)
     for (const std::string& words : tears_->describe()) notices_->once(words, words);
   if (seams_ != nullptr)
@@ -68,7 +68,7 @@ Run::Run(std::shared_ptr<model::Model> model, double duration, std::shared_ptr<N
 Run::~Run() = default;
 
 void Run::report_contacts() {
-  if (const auto* contact = assembly_->find<mechanics::Contacts>())
+  if (const auto* contact = assembly_->terms().find<mechanics::Contacts>())
     for (const std::string& words : contact->describe())
       notices_->once("contact " + words, "contact: " + words);
 }
@@ -86,7 +86,7 @@ void Run::add(std::unique_ptr<mechanics::Term> term) {
                   "' has the name of another field");
   for (const mechanics::TermField& shown : shows)
     shown_.push_back(std::make_shared<const ResultField>(field_of(shown)));
-  assembly_->add(std::move(term));
+  assembly_->terms().add(std::move(term));
 }
 
 void Run::check_interval(double interval) const {
@@ -198,7 +198,7 @@ double Run::next_landing(double limit, double step) {
   const double now = committed_time(), landing = next_landing(limit);
   const double whole = std::min(landing, now + step);
   double end = whole;
-  for (const auto* const term : assembly_->all<mechanics::StepLimiter>()) end = term->latest_end(end);
+  for (const auto* const term : assembly_->terms().all<mechanics::StepLimiter>()) end = term->latest_end(end);
   if (end >= whole) return landing;
   const std::string text = std::string(kind()) +
                            ": contact follows the bodies that turn or fly in steps of " + number(end - now) +
@@ -290,7 +290,8 @@ void Run::watch_shape() {
   watch_folds();
   const bool warned_inverted = warned("inverted"), warned_turned = warned("director");
   if (warned_inverted && warned_turned) return;
-  const auto shape = assembly_->find<mechanics::Directors>()->overturned(std::as_const(*assembly_).state());
+  const auto shape =
+      assembly_->terms().find<mechanics::Directors>()->overturned(std::as_const(*assembly_).state());
   const std::string then = " at time " + number(time()) + " s: the results from here on are " +
                            (moves() ? "doubtful" : "not valid");
   if (!warned_inverted && shape.inverted >= 0)
@@ -310,7 +311,7 @@ void Run::watch_shape() {
 // Cloth in motion folds on many things for a moment, so there it is noted without a line.
 void Run::watch_folds() {
   constexpr double degree = std::numbers::pi / 180, fine = 20;
-  const auto* const contact = assembly_->find<mechanics::Contacts>();
+  const auto* const contact = assembly_->terms().find<mechanics::Contacts>();
   if (contact == nullptr || contact->touching_now() == 0 || warned("fold")) return;
   if (folds_ == nullptr) folds_ = std::make_unique<const Folds>(model_->mesh());
   const auto fold = folds_->sharpest(std::as_const(*assembly_).state().x(), *contact);

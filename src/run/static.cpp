@@ -42,13 +42,13 @@ void check_options(const StaticOptions& o) {
 }
 
 bool takes_symmetric(const StaticOptions& o, const mechanics::Assembly& assembly) {
-  return o.linear == Symmetry::symmetric || (o.linear == Symmetry::automatic && assembly.symmetric());
+  return o.linear == Symmetry::symmetric || (o.linear == Symmetry::automatic && assembly.terms().symmetric());
 }
 
 StepControl control_of(const StaticOptions& o, const mechanics::Assembly& assembly) {
   StepControl control{o.step.value_or(o.duration / 20), o.min_step, o.max_cuts, kStaticIterations};
   // Nor need steps shrink further where relaxation takes over from Newton's method.
-  if (assembly.find<mechanics::Contacts>() != nullptr || o.method == Method::either)
+  if (assembly.terms().find<mechanics::Contacts>() != nullptr || o.method == Method::either)
     control.expect_friction();
   return control;
 }
@@ -97,7 +97,7 @@ Static::Static(std::shared_ptr<model::Model> model, const StaticOptions& options
   problem_ = std::make_unique<EquilibriumProblem>(*assembly_, 1e-7 * options_.duration, poll_);
   if (options_.stabilise > 0)
     stabilisation_ =
-        &assembly_->add(std::make_unique<mechanics::Stabilisation>(*assembly_, options_.stabilise));
+        &assembly_->terms().add(std::make_unique<mechanics::Stabilisation>(*assembly_, options_.stabilise));
   auto linear = make_solver(options_.solver, !takes_unsymmetric());
   if (!takes_unsymmetric() && !options_.solver) assembly_->keep_upper();  // one of the user's may read both
   if (options_.control == Control::arc && assembly_->cloth().is_rate_dependent())
@@ -108,7 +108,7 @@ Static::Static(std::shared_ptr<model::Model> model, const StaticOptions& options
     arc_ = std::make_unique<solver::ArcLength>(std::move(linear));
   else
     // Moments about fixed axes have no energy, and pivots say nothing of the stability of what they hold.
-    stable_ = std::make_unique<solver::TrustRegion>(std::move(linear), assembly_->symmetric(),
+    stable_ = std::make_unique<solver::TrustRegion>(std::move(linear), assembly_->terms().symmetric(),
                                                     model_->moments().empty());
   if (arc_ && tears_ != nullptr) tears_->follow_path();
   if (!arc_) newton_ = std::make_unique<solver::Newton>(make_solver(options_.solver, !takes_unsymmetric()));
@@ -125,7 +125,7 @@ Static::~Static() = default;
 bool Static::takes_unsymmetric() const { return !takes_symmetric(options_, *assembly_); }
 
 void Static::check_bodies() const {
-  const mechanics::Contacts* contact = assembly_->find<mechanics::Contacts>();
+  const mechanics::Contacts* contact = assembly_->terms().find<mechanics::Contacts>();
   if (contact == nullptr) return;
   if (contact->bodies().any_free())
     throw Error(
@@ -370,12 +370,14 @@ solver::NewtonResult Static::left_if_unstable(const solver::NewtonResult& found,
 }
 
 bool Static::turns_inside_out() const {
-  const auto shape = assembly_->find<mechanics::Directors>()->overturned(std::as_const(*assembly_).state());
+  const auto shape =
+      assembly_->terms().find<mechanics::Directors>()->overturned(std::as_const(*assembly_).state());
   return (!now_.inverted && shape.inverted >= 0) || (!now_.turned && shape.turned >= 0);
 }
 
 void Static::note_shape() {
-  const auto shape = assembly_->find<mechanics::Directors>()->overturned(std::as_const(*assembly_).state());
+  const auto shape =
+      assembly_->terms().find<mechanics::Directors>()->overturned(std::as_const(*assembly_).state());
   now_.inverted = shape.inverted >= 0;
   now_.turned = shape.turned >= 0;
 }
@@ -406,7 +408,7 @@ void Static::commit(StepReport& report) {
   const double made = std::max(0.0, excess - done.spread);
   now_.made += made;
   // Of a step in which bodies move or seams are drawn: see check_balance().
-  if (assembly_->step_work().work != 0) now_.unsure += made;
+  if (assembly_->terms().step_work().work != 0) now_.unsure += made;
   note_shape();
   problem_->commit(report.time);
   if (stabilisation_ != nullptr) stabilisation_->adapt(damped, work_.total() - before);

@@ -70,8 +70,8 @@ bool any_load(std::span<const double> dead) {
 
 // Whether the working forces are only dead loads that are constant in time.
 bool is_constant(const mechanics::Assembly& assembly) {
-  const auto followers = assembly.all<mechanics::FollowerLoad>();
-  return assembly.dofs().driven_nodes().empty() && assembly.constant_loads() &&
+  const auto followers = assembly.terms().all<mechanics::FollowerLoad>();
+  return assembly.dofs().driven_nodes().empty() && assembly.terms().constant_loads() &&
          std::none_of(followers.begin(), followers.end(), [](const auto* load) {
            return load->follows_positions() || load->follows_directors();
          });
@@ -85,7 +85,7 @@ void find_working_forces(const mechanics::Assembly& assembly, std::span<const do
   out.on_d.clear();
   const auto& dofs = assembly.dofs();
   const auto& nodes = dofs.freedoms().nodes;
-  const auto followers = assembly.all<mechanics::FollowerLoad>();
+  const auto followers = assembly.terms().all<mechanics::FollowerLoad>();
   if (std::any_of(followers.begin(), followers.end(), [](const auto* l) { return l->follows_directors(); }))
     out.on_d.assign(dead.size(), 0);
   const mechanics::Trial trial = assembly.trial();
@@ -114,7 +114,7 @@ mechanics::StepWork ExternalWork::of_step(mechanics::Assembly& assembly, std::sp
   const mechanics::Configuration& now = assembly.state();
   const std::size_t n = 3 * now.nodes();
   const auto from = now.committed_kinematics();
-  mechanics::StepWork sum = assembly.step_work();
+  mechanics::StepWork sum = assembly.terms().step_work();
   if (is_constant(assembly)) {  // only dead loads that are constant
     if (!loaded_) loaded_ = any_load(dead);
     sum.work += *loaded_ ? trapezoid(dead, dead, from.first(n), now.x()) : 0;
@@ -132,7 +132,7 @@ mechanics::StepWork ExternalWork::of_step(mechanics::Assembly& assembly, std::sp
   TurningWork turning;
   if (!now_.turning.empty()) {
     turning = work_of_turning(assembly, before_.turning, now_.turning);
-    const bool loaded = assembly.find<mechanics::FollowerLoad>() != nullptr || any_load(dead);
+    const bool loaded = assembly.terms().find<mechanics::FollowerLoad>() != nullptr || any_load(dead);
     work += loaded ? turning.chords : turning.arcs;
   }
   sum += {work, std::abs(change + turning.change) + std::abs(turning.arcs - turning.chords)};

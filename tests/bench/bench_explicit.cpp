@@ -71,7 +71,7 @@ class Sheet {
   // in_rows: it moves as the sheet of a run does, at the step of that run.
   explicit Sheet(const Case& c, bool in_rows = false)
       : model_(make_sheet(c)), assembly_(*model_), threads_(c.threads) {
-    assembly_.find<mechanics::Cloth>()->update_in_place();
+    assembly_.terms().find<mechanics::Cloth>()->update_in_place();
     const auto n = static_cast<std::size_t>(assembly_.dofs().unknowns());
     mass_.assign(n, 0);
     rate_.assign(n, 0);

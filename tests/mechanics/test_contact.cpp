@@ -65,7 +65,7 @@ TEST_CASE("contact: the term's tangent is the derivative of its forces, with fri
   for (const double friction : {0.0, 0.3}) {
     const Pile pile(friction);
     mechanics::Assembly a(*pile.model);
-    CHECK(a.symmetric() == (friction == 0));
+    CHECK(a.terms().symmetric() == (friction == 0));
     const auto n = static_cast<std::size_t>(a.dofs().unknowns());
     a.set_time(1);
     const auto start = directions(n, 1e-5), direction = directions(n, 1e-2);
@@ -76,7 +76,7 @@ TEST_CASE("contact: the term's tangent is the derivative of its forces, with fri
       return internal_at(a, step, 1);
     };
     at(0);
-    REQUIRE(a.find<mechanics::Contacts>()->touching() > 20);
+    REQUIRE(a.terms().find<mechanics::Contacts>()->touching() > 20);
     linear::Matrix K;
     REQUIRE(a.tangent({0, 1}, K, {}, {}));
     std::vector<double> product(n, 0);
@@ -113,7 +113,7 @@ TEST_CASE("contact: a moving body leads the predictor as its forces change") {
   REQUIRE(a.tangent({0, 1}, K, {}, product));
   a.residual(none, before);
   a.apply_increment(still, 1, {});
-  CHECK(a.at_target());
+  CHECK(a.terms().at_target());
   REQUIRE(a.forces({0, 1}));
   a.residual(none, after);
   double error = 0, scale = 0;

@@ -299,7 +299,7 @@ TEST_CASE(
 namespace {
 
 mechanics::Directors::Overturned overturned(const mechanics::Assembly& a) {
-  return a.find<mechanics::Directors>()->overturned(a.state());
+  return a.terms().find<mechanics::Directors>()->overturned(a.state());
 }
 
 }  // namespace

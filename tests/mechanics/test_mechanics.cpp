@@ -350,7 +350,7 @@ TEST_CASE("pressure pushes along the normal: the resultant on a flat sheet is p 
   m.pressure("all", history::History::constant(50));
   mechanics::Assembly a(m);
   std::vector<double> f(3 * mesh->nodes.size()), on_d(f.size());
-  a.find<mechanics::FollowerLoad>()->add_follower(0, a.trial(), f, on_d);
+  a.terms().find<mechanics::FollowerLoad>()->add_follower(0, a.trial(), f, on_d);
   Vec3 sum = Vec3::Zero();
   for (std::size_t i = 0; i < f.size(); i += 3) sum += Vec3(f[i], f[i + 1], f[i + 2]);
   CHECK((sum - Vec3(0, 0, 50 * 0.02)).norm() < 1e-14);

@@ -67,7 +67,7 @@ TEST_CASE("gravity's moment is the weight's about the reference surface, for an 
     CHECK((moment - wanted).norm() < 1e-12 * wanted.norm());
     // The ledger takes the same moments, with the sign of a load.
     std::vector<double> on_x(3 * a.dofs().reference().size()), load(on_x);
-    for (const auto* follower : a.all<mechanics::FollowerLoad>())
+    for (const auto* follower : a.terms().all<mechanics::FollowerLoad>())
       follower->add_follower(0, a.trial(), on_x, load);
     double largest = 0, differs = 0;
     for (std::size_t i = 0; i < load.size(); ++i) {

@@ -95,7 +95,7 @@ TEST_CASE("the usual step is below the bound on triangles of any ratio, whose in
     const auto m = sheet(crooked(true, ratio, 0.1, 0.2), isotropic(9e6, 0.25, 0.4e-3));
     m->validate();
     mechanics::Assembly a(*m);
-    const double usual = 0.7 * a.stable_step(true);
+    const double usual = 0.7 * a.terms().stable_step(true);
     CHECK(usual * usual * highest(a, true) < 4);
     CHECK(usual * usual * mechanics::rate_bound(a, true, {}) < 4 * 0.9 * 0.9);
     // Only as much inertia as that takes, and not where it is not needed.

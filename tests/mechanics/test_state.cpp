@@ -203,7 +203,7 @@ TEST_CASE("states in place are those of two copies, bit for bit, for every kind 
       if (triangles) mesh::split(*mesh, 3);
       const auto model = std::make_shared<model::Model>(mesh, card, model::Options{});
       mechanics::Assembly two(*model), one(*model);
-      one.find<mechanics::Cloth>()->update_in_place();
+      one.terms().find<mechanics::Cloth>()->update_in_place();
       const auto expected = after_steps(two), got = after_steps(one);
       CHECK(got == expected);
       CHECK(std::any_of(got.begin(), got.end(), [](double v) { return v != 0; }));
@@ -218,7 +218,7 @@ TEST_CASE("states in place go back to the committed bits, whichever thread saved
   const auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(0.1, 0.1, 20, 20));
   const auto model = std::make_shared<model::Model>(mesh, test::blend(), model::Options{});
   mechanics::Assembly a(*model);
-  a.find<mechanics::Cloth>()->update_in_place();
+  a.terms().find<mechanics::Cloth>()->update_in_place();
   const auto push = [&a](double way) {
     const auto x = a.state().x();
     for (std::size_t i = 0; i < x.size(); ++i) x[i] += way * std::sin(static_cast<double>(17 * i));

@@ -108,7 +108,7 @@ TEST_CASE("the pattern grows when a term couples nodes that it did not hold, and
   const auto m = make_sheet();
   Assembly a(*m);
   // Springs that pull once a pair is longer than so much: the first from 2 % on, the others from 6 and 10 %.
-  a.add(std::make_unique<SpringsOfPairs>(across, std::vector{0.0306, 0.0318, 0.033}, 2e5));
+  a.terms().add(std::make_unique<SpringsOfPairs>(across, std::vector{0.0306, 0.0318, 0.033}, 2e5));
   stretch(a, 0.01);
   const auto none = tangent(a).pattern;
   stretch(a, 0.04);
@@ -137,7 +137,7 @@ TEST_CASE("the pattern grows when a term couples nodes that it did not hold, and
 TEST_CASE("a tangent with couplings that came on the way is the derivative of the forces") {
   const auto m = make_sheet();
   Assembly a(*m);
-  a.add(std::make_unique<SpringsOfPairs>(across, std::vector{0.0306, 0.0318, 0.033}, 2e5));
+  a.terms().add(std::make_unique<SpringsOfPairs>(across, std::vector{0.0306, 0.0318, 0.033}, 2e5));
   for (const double strain : {0.01, 0.04, 0.08, 0.15}) {
     INFO("strain " << strain);
     CHECK(tangent_error(a, strain) < 1e-8);  // h^2 times the third derivative
@@ -151,7 +151,7 @@ TEST_CASE("a tangent with couplings that came on the way is the derivative of th
 TEST_CASE("a rollback and a kept state bring the pattern's couplings back") {
   const auto m = make_sheet();
   const auto add_springs = [](Assembly& a) {
-    a.add(std::make_unique<SpringsOfPairs>(across, std::vector{0.0306, 0.0318, 0.033}, 2e5));
+    a.terms().add(std::make_unique<SpringsOfPairs>(across, std::vector{0.0306, 0.0318, 0.033}, 2e5));
   };
   Assembly a(*m);
   add_springs(a);
@@ -187,7 +187,8 @@ TEST_CASE("a rollback and a kept state bring the pattern's couplings back") {
 TEST_CASE("stiffness between nodes that no pair has named is refused, not added to a neighbour's") {
   const auto m = make_sheet();
   Assembly a(*m);
-  auto& springs = a.add(std::make_unique<SpringsOfPairs>(across, std::vector{0.0306, 0.0318, 0.033}, 2e5));
+  auto& springs =
+      a.terms().add(std::make_unique<SpringsOfPairs>(across, std::vector{0.0306, 0.0318, 0.033}, 2e5));
   springs.names_pairs = false;
   stretch(a, 0.04);
   linear::Matrix K;
@@ -203,7 +204,7 @@ TEST_CASE("the assembly's limit is the smallest of its terms', along the way of 
   delta[eq] = 0.02;
   a.begin_iterate();
   CHECK(a.limit(delta, a.dofs().targets(0)) == 1);
-  auto& springs = a.add(std::make_unique<SpringsOfPairs>(across, std::vector{1.0, 1.0, 1.0}, 2e5));
+  auto& springs = a.terms().add(std::make_unique<SpringsOfPairs>(across, std::vector{1.0, 1.0, 1.0}, 2e5));
   springs.farthest = 0.04;  // no pair may get longer
   CHECK(std::abs(a.limit(delta, a.dofs().targets(0)) - 0.5) < 1e-12);
   // From the iterate, not from the committed state.
@@ -215,8 +216,8 @@ TEST_CASE("the assembly's limit is the smallest of its terms', along the way of 
 TEST_CASE("the worst of the terms' outcomes is the assembly's, with its words") {
   const auto m = make_sheet();
   Assembly a(*m);
-  auto& first = a.add(std::make_unique<SpringsOfPairs>(across, std::vector{1.0, 1.0, 1.0}, 2e5));
-  auto& second = a.add(std::make_unique<SpringsOfPairs>(across, std::vector{1.0, 1.0, 1.0}, 2e5));
+  auto& first = a.terms().add(std::make_unique<SpringsOfPairs>(across, std::vector{1.0, 1.0, 1.0}, 2e5));
+  auto& second = a.terms().add(std::make_unique<SpringsOfPairs>(across, std::vector{1.0, 1.0, 1.0}, 2e5));
   a.begin_iterate();
   CHECK(a.forces({}));
   first.answer = {Answer::cut, 3, "too far for one step"};

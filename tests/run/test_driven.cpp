@@ -69,7 +69,7 @@ TEST_CASE(
   m->gravity(model::steady({g.x(), g.y(), g.z()}));
   m->validate();
   mechanics::Assembly assembly(*m);
-  const auto& inertia = assembly.add(
+  const auto& inertia = assembly.terms().add(
       std::make_unique<mechanics::Inertia>(assembly.cloth().mass(), assembly.cloth().rotary_inertia(false)));
   run::Newmark newmark(assembly, inertia, {0.5, 0.25, 0});
   const run::EquilibriumProblem::Poll no_poll;

@@ -521,8 +521,8 @@ TEST_CASE(
       CHECK(std::abs(cloth.rotary_inertia(false)[n] / cloth.mass()[n] / own - 1) < 1e-12);
       CHECK(std::abs(cloth.rotary_inertia(true)[n] / cloth.mass()[n] / std::max(own, needed) - 1) < 1e-12);
     }
-    CHECK(std::abs(a.stable_step(true) / step - 1) < 1e-12);
-    CHECK((a.stable_step(false) < step) == (needed > own));
+    CHECK(std::abs(a.terms().stable_step(true) / step - 1) < 1e-12);
+    CHECK((a.terms().stable_step(false) < step) == (needed > own));
   }
   // A sheet of the comparison law that spins about an axis in its plane, as a whole: what its directors have
   // is known.
@@ -588,7 +588,7 @@ TEST_CASE("the usual step is stable for every mode of a sheet with scaled inerti
         m.validate();
         mechanics::Assembly a(m);
         CAPTURE(thickness, skew, scaled);
-        CHECK(0.7 * a.stable_step(scaled) * highest_frequency(a, scaled) < 2);
+        CHECK(0.7 * a.terms().stable_step(scaled) * highest_frequency(a, scaled) < 2);
       }
 }
 

@@ -79,7 +79,7 @@ TEST_CASE("the tangent is the derivative of the residual, quasi-static with and 
     m->validate();
     mechanics::Assembly assembly(*m);
     run::EquilibriumProblem problem(assembly, 1e-7, no_poll);
-    if (fraction > 0) assembly.add(std::make_unique<mechanics::Stabilisation>(assembly, fraction));
+    if (fraction > 0) assembly.terms().add(std::make_unique<mechanics::Stabilisation>(assembly, fraction));
     problem.set_time(0);
     problem.start();
     problem.set_time(0.1);
@@ -95,10 +95,11 @@ TEST_CASE("the tangent is the derivative of the residual, by Newmark with every 
     const auto m = make_sheet();
     m->validate();
     mechanics::Assembly assembly(*m);
-    const auto& inertia = assembly.add(std::make_unique<mechanics::Inertia>(
+    const auto& inertia = assembly.terms().add(std::make_unique<mechanics::Inertia>(
         assembly.cloth().mass(), assembly.cloth().rotary_inertia(false)));
-    if (c.mass > 0) assembly.add(std::make_unique<mechanics::MassDamping>(c.mass));
-    if (c.stiffness > 0) assembly.add(std::make_unique<mechanics::StiffnessDamping>(assembly, c.stiffness));
+    if (c.mass > 0) assembly.terms().add(std::make_unique<mechanics::MassDamping>(c.mass));
+    if (c.stiffness > 0)
+      assembly.terms().add(std::make_unique<mechanics::StiffnessDamping>(assembly, c.stiffness));
     run::NewmarkScheme scheme{0.5 - c.hht, (1 - c.hht) * (1 - c.hht) / 4, c.hht};
     run::Newmark newmark(assembly, inertia, scheme);
     run::EquilibriumProblem problem(assembly, newmark, no_poll);
@@ -209,12 +210,12 @@ TEST_CASE("energies that the forces sum on their way are those of a look of its 
       for (int i = 1; i < 4; ++i) {
         a.begin_iterate();
         a.apply_increment(step, i % 2 == 0 ? -1 : 1.5, {});
-        a.expect_energies(true);
+        a.terms().expect_energies(true);
         REQUIRE(a.forces({}));
         const auto trial = a.energies();
         a.commit(i);
         const auto summed = a.energies();
-        a.expect_energies(false);
+        a.terms().expect_energies(false);
         REQUIRE(a.forces({}));
         a.rollback();
         const auto looked = a.energies();

@@ -82,7 +82,7 @@ TEST_CASE("the usual step carries triangles of any ratio, of rubber and of cloth
       runs_calmly(m, std::holds_alternative<card::Woven>(card.law) ? 1e-2 : 1e-4);
       // Their inertia is scaled, not their step.
       const auto a = make_dynamic(m, {.duration = 1}, quiet());
-      CHECK(std::abs(a->step_size() / (0.7 * a->assembly().stable_step(true)) - 1) < 1e-12);
+      CHECK(std::abs(a->step_size() / (0.7 * a->assembly().terms().stable_step(true)) - 1) < 1e-12);
       CHECK(a->step_size() <= 0.9000001 * a->stable_step());
     }
 }

@@ -1,0 +1,80 @@
+// The terms of an assembly in their order, their facets (mechanics/facets.hpp), and the sums over them that
+// need no unknowns.
+#pragma once
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "mechanics/facets.hpp"
+
+namespace fabricsh::mechanics {
+
+class TermList {
+ public:
+  // Appends and returns a term; to be called before forces are first computed.
+  template <class T>
+  T& add(std::unique_ptr<T> term) {
+    T& added = *term;
+    append(std::move(term));
+    return added;
+  }
+  auto begin() const { return terms_.begin(); }
+  auto end() const { return terms_.end(); }
+  // The first term of a type, or with a facet; null: there is none.
+  template <class T>
+  T* find() {
+    for (const auto& term : terms_)
+      if (auto* const found = dynamic_cast<T*>(term.get())) return found;
+    return nullptr;
+  }
+  template <class T>
+  const T* find() const {
+    return const_cast<TermList*>(this)->find<T>();
+  }
+  // All terms with a facet.
+  template <class Facet>
+  std::vector<Facet*> all() const {
+    std::vector<Facet*> found;
+    for (const auto& term : terms_)
+      if (auto* const one = dynamic_cast<Facet*>(term.get())) found.push_back(one);
+    return found;
+  }
+  // The facets that every step needs, in the order of their terms. elements: of the first term.
+  ElementTerm& elements() const { return *elements_; }
+  const std::vector<StepLimiter*>& limiters() const { return limiters_; }
+  const std::vector<OwnUnknowns*>& movers() const { return movers_; }
+  const std::vector<OnMotion*>& on_motion() const { return on_motion_; }
+
+  // The outcome of the terms from number `first` on, whose forces are added: the worst, also of `worst`.
+  Outcome add_forces(std::size_t first, Outcome worst, const law::Step& step, const Trial& trial,
+                     Forces sums) const;
+  const std::vector<Vec3>* moments() const;  // see FollowerLoad
+  bool symmetric() const;                    // whether the tangents of all terms are symmetric
+  bool constant_loads() const;               // whether the dead loads are constant in time
+  bool at_target() const;  // whether everything that the step moves besides the supports is at its end
+  void expect_energies(bool expected);       // see Term
+  StepWork step_work() const;                // that is done neither by loads nor by supports
+  MassFactors on_mass() const;               // the sum
+  Outcome begin_step(const Motion& motion);  // see OnMotion; the worst
+  void add_resistance(const Trial& trial, linear::Matrix& K) const;  // see OnMotion
+  void finish_step(const Motion& motion);                            // before the commit
+  // s: the largest stable step of central differences for the reference configuration, the smallest of all.
+  double stable_step(bool scaled) const;
+
+  void set_time(double time);
+  void commit();
+  void rollback();
+  void keep(Archive& archive);
+
+ private:
+  void append(std::unique_ptr<Term> term);
+
+  std::vector<std::unique_ptr<Term>> terms_;
+  ElementTerm* elements_ = nullptr;
+  std::vector<StepLimiter*> limiters_;
+  std::vector<OwnUnknowns*> movers_;
+  std::vector<FollowerLoad*> followers_;
+  std::vector<OnMotion*> on_motion_;
+};
+
+}  // namespace fabricsh::mechanics
