@@ -149,12 +149,12 @@ std::vector<double> slopes(std::span<const double> x, std::span<const double> y,
   return out;
 }
 
+constexpr double kSoft = 0.5;   // of the largest tangent; below it the cloth has yielded
 constexpr double kTaut = 0.05;  // of the largest stress; below it slack may still be taken up
 
 }  // namespace
 
-Marks yield_and_failure(std::span<const double> E, std::span<const double> S, std::size_t end, double kept,
-                        double softening) {
+Marks yield_and_failure(std::span<const double> E, std::span<const double> S, std::size_t end, double kept) {
   Marks marks;
   if (end < 3) return marks;
   const auto top = static_cast<std::size_t>(
@@ -166,10 +166,10 @@ Marks yield_and_failure(std::span<const double> E, std::span<const double> S, st
   const std::size_t window = std::max<std::size_t>(5, (top + 1 - taut) / 20);
   const auto tangent = slopes(E, S, taut, top + 1, window);
   double stiffest = 0;
-  std::size_t soft = 0;  // windows from here on have slopes below `softening` of the largest before
+  std::size_t soft = 0;  // windows from here on have slopes below that part of the largest before
   for (std::size_t i = 0; i < tangent.size(); ++i) {
     stiffest = std::max(stiffest, tangent[i]);
-    if (tangent[i] >= softening * stiffest) soft = i + 1;
+    if (tangent[i] >= kSoft * stiffest) soft = i + 1;
   }
   if (soft < tangent.size()) marks.yield = taut + soft + window / 2;
   return marks;

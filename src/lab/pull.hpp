@@ -54,9 +54,8 @@ struct Marks {
 };
 // For the loading rows [0, end). Failure: the largest stress, if the stress falls below `kept` of it
 // afterwards. Yield: the row from which the tangent (the slope of a line through a window of rows) stays
-// below `softening` of its largest value before, up to the failure. Rows below a twentieth of the largest
+// below half of its largest value before, up to the failure. Rows below a twentieth of the largest
 // stress are ignored, because slack is also soft.
-Marks yield_and_failure(std::span<const double> E, std::span<const double> S, std::size_t end, double kept,
-                        double softening);
+Marks yield_and_failure(std::span<const double> E, std::span<const double> S, std::size_t end, double kept);
 
 }  // namespace fabricsh::lab

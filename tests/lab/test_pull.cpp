@@ -100,7 +100,7 @@ TEST_CASE("slack and a wave are no yield", "[lab]") {
     E.push_back(e);
     S.push_back(4e8 * taut * taut + 8e6 * taut + 2e3 * std::sin(40.0 * i));  // noise in the slack
   }
-  CHECK_FALSE(yield_and_failure(E, S, E.size(), 0.8, 0.5).yield);
+  CHECK_FALSE(yield_and_failure(E, S, E.size(), 0.8).yield);
   // the tangent falls below half of its largest and comes back
   for (int i = 0; i <= 900; ++i) {
     const auto at = static_cast<std::size_t>(i);
@@ -108,7 +108,7 @@ TEST_CASE("slack and a wave are no yield", "[lab]") {
     E[at] = i * 1e-4;
     S[at] = 1e7 * E[at] + 0.8e7 / wave * std::sin(wave * E[at]);
   }
-  CHECK_FALSE(yield_and_failure(E, S, 901, 0.8, 0.5).yield);
+  CHECK_FALSE(yield_and_failure(E, S, 901, 0.8).yield);
 }
 
 TEST_CASE("yield and failure of a monotonic test", "[lab]") {
@@ -118,12 +118,12 @@ TEST_CASE("yield and failure of a monotonic test", "[lab]") {
     E.push_back(e);
     S.push_back(e < 0.2 ? 50 * e * e : e < 0.35 ? 2 + 4 * (e - 0.2) : 0.5);
   }
-  const auto marks = yield_and_failure(E, S, E.size(), 0.8, 0.5);
+  const auto marks = yield_and_failure(E, S, E.size(), 0.8);
   REQUIRE(marks.failure);
   REQUIRE(marks.yield);
   CHECK(*marks.failure == 349);
   CHECK(std::abs(E[*marks.yield] - 0.2) < 0.015);  // a window of a twentieth of the rows
-  const auto none = yield_and_failure(E, S, 150, 0.8, 0.5);
+  const auto none = yield_and_failure(E, S, 150, 0.8);
   CHECK_FALSE(none.failure);
   CHECK_FALSE(none.yield);
 }

@@ -9,6 +9,7 @@ local sheet = require "fabric.lab.sheet"
 local fabric = require "fabric"
 
 local clearance = 1e-4 -- m, from which on the fall is computed
+local gravity = 9.81 -- m/s^2
 local ledger = { "kinetic", "rigid", "stored", "contact", "guard", "dissipated", "friction", "damping", "external", "error" }
 
 -- The ball starts a little above the distance at which contact begins, with the velocity that it has reached there.
@@ -19,14 +20,14 @@ local function ball_of(t, model)
   end
   local ball = fabric.rigid.sphere { radius = t.radius, centre = { t.side / 2, t.side / 2, t.radius + above }, mass = t.mass, name = "ball" }
   model:contact { between = { ball, "all" }, friction = t.friction, stiffness = t.stiffness }
-  model:velocity(ball, { z = -math.sqrt(2 * t.gravity * (t.height - clearance)) })
+  model:velocity(ball, { z = -math.sqrt(2 * gravity * (t.height - clearance)) })
   return ball
 end
 
 local function run(t)
   local mesh = fabric.mesh.rectangle { width = t.side, height = t.side, nx = t.cells, ny = t.cells }
   local model = fabric.model { mesh = mesh, card = t.card, points = t.card.bending and 1 or t.points, warp = 0 }
-  model:fix("boundary", "x y z rotation"):gravity { 0, 0, -t.gravity }
+  model:fix("boundary", "x y z rotation"):gravity { 0, 0, -gravity }
   local ball = ball_of(t, model)
   local a = motion.analysis(t, model)
   local middle = motion.node(t.cells, t.cells // 2, t.cells // 2)
@@ -61,14 +62,12 @@ define {
     { name = "duration", kind = "number", unit = "s", above = 0, default = 0.03, sentence = "of the run" },
     { name = "step", kind = "number", unit = "s", above = 0, optional = true, sentence = "as for fabric.dynamic; default: \"auto\"" },
     { name = "scheme", kind = "text", choices = { "explicit", "implicit" }, default = "explicit", sentence = "as for fabric.dynamic" },
-    { name = "inertia", kind = "text", choices = { "scaled", "true" }, optional = true, sentence = "as for fabric.dynamic" },
     { name = "points", kind = "integer", low = 1, default = 3, sentence = "through the thickness, where the card has no bending of its own" },
-    { name = "gravity", kind = "number", unit = "m/s^2", above = 0, default = 9.81, sentence = "along -z" },
     { name = "damping", kind = "number", unit = "1/s", low = 0, default = 0, sentence = "of the masses" },
     { name = "every", kind = "number", unit = "s", above = 0, default = 5e-4, sentence = "time between rows and frames" },
     { name = "out", kind = "text", optional = true, sentence = "folder for curve.csv and the VTK series, cloth and ball" },
   },
-  retired = { "clearance", "force", "ledger_limit" },
+  retired = { "clearance", "force", "ledger_limit", "inertia", "gravity" },
   sentence = "A rigid ball falls onto the middle of a clamped square. Returns curve (a list of time, depth of the ball's lowest point and deflection of the "
     .. "middle, m below the sheet at rest, force on the ball, N, its speed downwards, m/s, the smallest gap above the floor of contact, m, and the energies of analysis.energy), "
     .. "depth, deflection and force (the largest of all rows), gap (the smallest), analysis, model, mesh and ball.",

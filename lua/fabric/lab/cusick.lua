@@ -12,6 +12,7 @@ local random = require "fabric.lab.random"
 local shadow = require "fabric.lab.shadow"
 local fabric = require "fabric"
 
+local gravity = 9.80665 -- m/s^2
 local rays = 720 -- of the shadow, half a degree each
 
 -- A ring of cloth from the plate's rim out, elements nearly square in the middle of the overhang. How uneven it lies is a sum of waves around it that
@@ -51,7 +52,7 @@ end
 
 -- Weight over time: it comes along a half wave.
 local function weight(t)
-  return function(time) return -t.gravity * (time < t.lowering and (1 - math.cos(math.pi * time / t.lowering)) / 2 or 1) end
+  return function(time) return -gravity * (time < t.lowering and (1 - math.cos(math.pi * time / t.lowering)) / 2 or 1) end
 end
 
 -- Stops the run at rest: over `window` no place of the rim has moved by more than `still` of the overhang, and the kinetic energy is below
@@ -126,7 +127,7 @@ end
 -- Through equilibria under growing fractions of the weight; time is that share. The tolerance is one of the largest force, which in stiff yarns that lie across the
 -- mesh is far above the weight: at 1e-4 whole shares of it are within.
 local function relaxed(t, model, seed)
-  model:gravity { 0, 0, fabric.ramp(-t.gravity, 1) }
+  model:gravity { 0, 0, fabric.ramp(-gravity, 1) }
   local a = fabric.static { model = model, duration = 1, step = 1 / t.steps, method = "relaxation", tolerance = 1e-5 }
   if t.out then a:vtk(("%s/seed%d"):format(t.out, seed)) end
   a:solve()
@@ -300,7 +301,6 @@ local definition = {
     { name = "steps", kind = "integer", low = 1, default = 10, sentence = "load steps of the weight, of relaxation" },
     { name = "lowering", kind = "number", unit = "s", above = 0, default = 1.5, sentence = "over which the weight comes" },
     { name = "damping", kind = "number", unit = "1/s", low = 0, default = 5, sentence = "of the masses" },
-    { name = "gravity", kind = "number", unit = "m/s^2", above = 0, default = 9.80665, sentence = "of the place" },
     { name = "still", kind = "number", above = 0, default = 5e-3, sentence = "rest: no place of the rim moves by more than this part of the overhang in a window" },
     { name = "window", kind = "number", unit = "s", above = 0, default = 0.1, sentence = "of that rule" },
     { name = "duration", kind = "number", unit = "s", above = 0, optional = true, sentence = "to wait for rest, at most; default: 4 s after the lowering" },
@@ -309,7 +309,7 @@ local definition = {
     { name = "out", kind = "text", optional = true, sentence = "folder for a VTK series of each seed" },
     { name = "file", kind = "text", optional = true, sentence = "the outlines as a figure; ends in .svg" },
   },
-  retired = { "shakes", "shake", "period", "least" },
+  retired = { "shakes", "shake", "period", "least", "gravity" },
   sentence = "Drape test: a disc of cloth is let down over a pedestal, in motion or by relaxation, until it rests; once for each seed, side by side. Returns coefficient (shadow "
     .. "of the overhang over that of the level cloth, 0 to 1), nodes (folds) and amplitude (half of their height in the outline, m), means over the seeds; "
     .. "scatter (their deviations from disc to disc, nan of one), contour (points {x, y} of the first disc's outline), at_rest, runs (each disc's own, with "

@@ -22,6 +22,7 @@ end
 define {
   name = "fabric.lab.drape",
   arguments = motion.arguments,
+  retired = motion.retired,
   sentence = "A square sheet, held at its corners, falls under its weight. Returns curve (a list of time, centre and lowest: how far the "
     .. "middle and the lowest node hang down, m; the energies of analysis.energy), analysis, model, mesh, and trouble where the run stopped.",
   example = "local fabric = require 'fabric'\n"

@@ -3,6 +3,8 @@ local fabric = require "fabric"
 local define = require "fabric.define"
 local rows = require "fabric.lab.rows"
 
+local gravity, tolerance = 9.80665, 1e-9 -- m/s^2; of the steps
+
 -- Initial rigidity B in a direction (degrees from the warp), N.m: the card's own, or that of its thickness; off the yarns that of a
 -- sheet bent to a cylinder.
 local function rigidity(card, direction)
@@ -51,8 +53,8 @@ local function areal(t) return t.card.density * t.card.thickness end
 -- The angle (degrees) of the chord from the edge to the tip of an overhang.
 local function hang(t, overhang)
   local mesh, model = strip(t, overhang)
-  model:fix("left", "x y z rotation"):gravity { 0, 0, fabric.ramp(-t.gravity, 1) }
-  local a = fabric.static { model = model, duration = 1, step = 1 / t.steps, tolerance = t.tolerance, max_cuts = 12 }:solve()
+  model:fix("left", "x y z rotation"):gravity { 0, 0, fabric.ramp(-gravity, 1) }
+  local a = fabric.static { model = model, duration = 1, step = 1 / t.steps, tolerance = tolerance, max_cuts = 12 }:solve()
   local shape = line(a, t, mesh)
   local tip = shape[#shape]
   return math.deg(math.atan(-tip[2], tip[1])), shape, a
@@ -66,9 +68,8 @@ local shared = {
 local rest = {
   { name = "cells", kind = "integer", low = 4, optional = true, sentence = "along the strip; default: 40, of a loop 80" },
   { name = "steps", kind = "integer", low = 1, default = 5, sentence = "steps in which the weight is applied, at least" },
-  { name = "gravity", kind = "number", unit = "m/s^2", above = 0, default = 9.80665, sentence = "of the place" },
-  { name = "tolerance", kind = "number", above = 0, default = 1e-9, sentence = "as for fabric.static" },
 }
+local retired = { "gravity", "tolerance" }
 
 define {
   name = "fabric.lab.cantilever",
@@ -77,13 +78,14 @@ define {
     { name = "angle", kind = "number", unit = "degrees", above = 0, high = 80, default = 41.5, sentence = "of the plane that the tip is to touch" },
     { name = "overhang", kind = "number", unit = "m", above = 0, optional = true, sentence = "one overhang, in place of the one whose tip touches the plane" },
   }, rest),
+  retired = retired,
   sentence = "Cantilever test [astm_d1388]: a strip is pushed over an edge until its tip touches a plane below. Returns overhang and bending_length "
     .. "(half of it), m, rigidity (weight times its cube, N.m), angle (of the chord, degrees), shape (the middle line, {x, z}), analysis.",
   example = "local fabric = require 'fabric'\nlocal card = fabric.card 'blend':with{ bending={ warp=15e-6, weft=12e-6, twist=7e-6 } }\n"
     .. "local r = fabric.lab.cantilever{ card=card, cells=10 }\nassert(math.abs(r.rigidity / 15e-6 - 1) < 0.02 and math.abs(r.angle - 41.5) < 0.01)",
   run = function(t)
     t.cells = t.cells or 40
-    local weight = areal(t) * t.gravity
+    local weight = areal(t) * gravity
     local function result(overhang, angle, shape, a)
       return { overhang = overhang, bending_length = overhang / 2, rigidity = weight * (overhang / 2) ^ 3, angle = angle, shape = shape, analysis = a }
     end
@@ -134,8 +136,8 @@ local function loop(t)
     return time <= 1 and arc or arc * math.max(0, 2 - time)
   end
   model:move("right", { x = function(time) return half * (place(time) - 1) end })
-  model:gravity { 0, 0, fabric.history { { 0, 0 }, { 1, 0 }, { 2, -t.gravity } } }
-  local a = fabric.static { model = model, duration = 2, step = 1 / math.max(t.steps, 10), tolerance = t.tolerance, max_cuts = 16 }
+  model:gravity { 0, 0, fabric.history { { 0, 0 }, { 1, 0 }, { 2, -gravity } } }
+  local a = fabric.static { model = model, duration = 2, step = 1 / math.max(t.steps, 10), tolerance = tolerance, max_cuts = 16 }
   local shape = line(a:solve(), t, mesh)
   return -shape[#shape][2], shape, a
 end
@@ -146,6 +148,7 @@ define {
     { name = "length", kind = "number", unit = "m", above = 0, default = 0.15, sentence = "of the strip, between the grips" },
     { name = "width", kind = "number", unit = "m", above = 0, default = 0.025, sentence = "of the strip" },
   }, rest),
+  retired = retired,
   sentence = "Heart loop test [astm_d1388]: a strip's ends are held together, upright, and it hangs down as a heart. Returns height (from the grip to "
     .. "the lowest point, m), bending_length (of the standard's formula, m), rigidity (N.m), shape (one half, {x, z}), "
     .. "analysis.",
@@ -161,7 +164,7 @@ define {
     local l0 = 0.1337 * t.length
     local angle = math.rad(32.85 * (height - l0) / l0)
     local c = angle > 0 and l0 * (math.cos(angle) / math.tan(angle)) ^ (1 / 3) or math.huge
-    return { height = height, bending_length = c, rigidity = areal(t) * t.gravity * c ^ 3, shape = shape, analysis = a }
+    return { height = height, bending_length = c, rigidity = areal(t) * gravity * c ^ 3, shape = shape, analysis = a }
   end,
 }
 

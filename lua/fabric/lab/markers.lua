@@ -63,11 +63,10 @@ define {
   arguments = {
     { name = "specimens", kind = "table", sentence = "marker grids: { {rows=, columns=, x=, y=}, ... } as of fabric.lab.tracks" },
     { name = "noise", kind = "number", low = 0, optional = true, sentence = "of a coordinate; default: from the scatter of each specimen" },
-    { name = "least", kind = "number", low = 0, default = 0.01, sentence = "mean strain along the pull from which on frames count" },
-    { name = "level", kind = "number", above = 0, high = 1, default = 0.95, sentence = "of confidence" },
     { name = "seed", kind = "integer", low = 0, default = 1, sentence = "of the bootstrap" },
     { name = "common", kind = "number", low = 0, default = 0, sentence = "relative standard uncertainty that all share" },
   },
+  retired = { "least", "level" },
   sentence = "The contraction ratio (eq. 3.3): one line through the origin per specimen with its boxes pooled, then the mean: value, "
     .. "low, high, variance, specimens { {value, plain, noise, uncertainty}, ... }.",
   example = "local s = { rows=2, columns=2, x={0,1,0,1, 0,0.95,0,0.95}, y={0,0,1,1, 0,0,1.2,1.2} }\n"
@@ -78,10 +77,10 @@ define {
     for i = 1, #t.specimens do
       local s = t.specimens[i]
       check.grid("poisson", ("specimens[%d]"):format(i), s)
-      out.specimens[i] = fabric.lab.ratio { rows = s.rows, columns = s.columns, x = s.x, y = s.y, noise = t.noise, least = t.least }
+      out.specimens[i] = fabric.lab.ratio { rows = s.rows, columns = s.columns, x = s.x, y = s.y, noise = t.noise, least = 0.01 }
       values[i] = { out.specimens[i].value }
     end
-    local band = fabric.lab.band { specimens = values, level = t.level, seed = t.seed, common = { t.common } }
+    local band = fabric.lab.band { specimens = values, level = 0.95, seed = t.seed, common = { t.common } }
     out.value = band.value[1]
     if band.low then out.low, out.high, out.variance = band.low[1], band.high[1], band.covariance[1] end
     origin.remember(out, { value = ("fitted to the markers of %d specimen%s"):format(#t.specimens, #t.specimens == 1 and "" or "s") })

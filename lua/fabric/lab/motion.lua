@@ -11,12 +11,12 @@ local ledger = { "kinetic", "stored", "dissipated", "dissipated_warp", "dissipat
 function motion.square(t)
   local mesh = fabric.mesh.rectangle { width = t.size, height = t.size, nx = t.cells, ny = t.cells }
   local model = fabric.model { mesh = mesh, card = t.card, points = t.card.bending and 1 or t.points, warp = 0 }
-  if t.gravity ~= 0 then model:gravity { 0, 0, -t.gravity } end
+  model:gravity { 0, 0, -9.81 }
   return mesh, model
 end
 
 function motion.analysis(t, model)
-  return fabric.dynamic { model = model, duration = t.duration, step = t.step or "auto", scheme = t.scheme, force = t.force, inertia = t.inertia,
+  return fabric.dynamic { model = model, duration = t.duration, step = t.step or "auto", scheme = t.scheme, force = t.force,
                           ledger_limit = t.ledger_limit, damping = t.damping > 0 and { mass = t.damping } or nil }
 end
 
@@ -53,9 +53,7 @@ motion.arguments = {
   { name = "duration", kind = "number", unit = "s", above = 0, default = 0.5, sentence = "of the run" },
   { name = "step", kind = "number", unit = "s", above = 0, optional = true, sentence = "as for fabric.dynamic; default: \"auto\"" },
   { name = "scheme", kind = "text", choices = { "explicit", "implicit" }, default = "explicit", sentence = "as for fabric.dynamic" },
-  { name = "inertia", kind = "text", choices = { "scaled", "true" }, optional = true, sentence = "as for fabric.dynamic" },
   { name = "points", kind = "integer", low = 1, default = 3, sentence = "through the thickness, where the card has no bending of its own" },
-  { name = "gravity", kind = "number", unit = "m/s^2", default = 9.81, sentence = "along -z" },
   { name = "damping", kind = "number", unit = "1/s", low = 0, default = 0, sentence = "of the masses" },
   { name = "every", kind = "number", unit = "s", above = 0, default = 5 * u.ms, sentence = "time between rows and frames" },
   { name = "force", kind = "boolean", default = false, sentence = "as for fabric.dynamic" },
@@ -63,5 +61,7 @@ motion.arguments = {
   { name = "ledger_limit", kind = "number", above = 0, default = 0.05, sentence = "as for fabric.dynamic" },
   { name = "out", kind = "text", optional = true, sentence = "folder for curve.csv and the VTK series" },
 }
+
+motion.retired = { "gravity", "inertia" }
 
 return motion

@@ -50,6 +50,7 @@ for _, row in ipairs(motion.arguments) do arguments[#arguments + 1] = row end
 define {
   name = "fabric.lab.poke",
   arguments = arguments,
+  retired = motion.retired,
   sentence = "A square sheet, its rim held, is pushed up by a punch in its middle and let down. Returns curve (a list of time, height of the "
     .. "punch, lowest: how far the lowest node hangs down, m; E11 and S11 one element beside the punch along the warp, E22 and S22 along the "
     .. "weft; the energies of analysis.energy), analysis, model, mesh, along_warp and along_weft (the two elements), and trouble where the run "

@@ -487,7 +487,7 @@ local function iterate(t)
   local parameters = t.parameters
   for round = 1, rounds do
     tests = for_identify(t, state.correction)
-    found = identify { parameters = parameters, tests = tests, processes = t.processes, iterations = t.iterations, tolerance = t.tolerance,
+    found = identify { parameters = parameters, tests = tests, processes = t.processes, iterations = t.iterations, tolerance = 1e-6,
       difference = 1e-3, settle = 8, progress = t.progress, whiten = whitener(t, predicted, state.between, state.mesh) }
     predicted = {}
     for i, test in ipairs(tests) do predicted[i] = test.predict(found.parameters) end
@@ -681,7 +681,6 @@ define {
     { name = "level", kind = "number", above = 0, high = 0.999, default = 0.95, sentence = "of confidence" },
     { name = "processes", kind = "integer", low = 1, default = 2, sentence = "side by side, for the differences" },
     { name = "iterations", kind = "integer", low = 1, default = 30, sentence = "at most, of each fit" },
-    { name = "tolerance", kind = "number", above = 0, default = 1e-6, sentence = "relative, of the sum of squares and of the parameters" },
     { name = "progress", kind = "boolean", default = false, sentence = "prints the progress on stderr" },
   },
   sentence = "Parameters from several specimens, sizes, laboratories and speeds at once, with the scatter between specimens and the mesh's error beside the "
@@ -694,6 +693,6 @@ define {
     .. "  tests[i] = { name='pull '..i, measured={ 2*scale, 4*scale, 6*scale }, noise=0.02, predict=function(p) return { p.k, 2*p.k, 3*p.k } end }\nend\n"
     .. "local f = require 'fabric'.lab.pool{ parameters={ {name='k', start=1, low=0.1, high=10} }, tests=tests, processes=1 }\n"
     .. "assert(math.abs(f.parameters.k - 2) < 0.01 and math.abs(f.between - 0.037) < 0.005 and f.low.k < 1.95)",
-  retired = { "order" },
+  retired = { "order", "tolerance" },
   run = pool,
 }

@@ -7,11 +7,13 @@ local random = require "fabric.lab.random"
 -- Standard deviations: of a reading of the force, N, and of the displacement, m; of the load cell, relative, one for all specimens; of a
 -- marker coordinate, m.
 local force_noise, displacement_noise, load_cell_error, position_noise = 0.02, 2e-6, 0.003, 1e-5
+local scatter, slackest = 0.03, 0.5e-3 -- of the moduli between specimens, relative; largest displacement before first contact, m
+local pitch = 5e-3 -- m, between markers
 local angles = { warp = 0, weft = 90, bias = 45 }
 
 -- The card of a specimen: each curve and each ratio multiplied by a random factor of mean one.
 local function scattered(t, draw)
-  local function factor() return 1 + t.scatter * draw.normal() end
+  local function factor() return 1 + scatter * draw.normal() end
   local function part(p)
     local f, out = factor(), { loading = {}, unloading = p.unloading * factor() }
     for i, d in ipairs(p.loading) do out.loading[i] = d * f end
@@ -57,7 +59,7 @@ end
 
 -- Crosshead displacement and force in every row, beginning with the slack; and the index of the true row (0: not yet taut).
 local function frame_record(t, r, rows, calibration, draw)
-  local slack, slip = t.slack * draw.uniform(), t.slip
+  local slack, slip = slackest * draw.uniform(), t.slip
   local length, area = t.gauge_length + slack, t.width * t.thickness * t.plies
   local record, largest = { displacement = {}, force = {}, row = {} }, 0
   local function add(u, P, row)
@@ -101,7 +103,7 @@ local function photographs(t, r, record, draw)
     local xx, yy, xy = stretch_of(t, r, record.row[at])
     photo.displacement[#photo.displacement + 1], photo.force[#photo.force + 1] = record.displacement[at], record.force[at]
     for m = 0, grid.rows * grid.columns - 1 do
-      local X, Y = (m % grid.columns) * t.pitch, (m // grid.columns) * t.pitch
+      local X, Y = (m % grid.columns) * pitch, (m // grid.columns) * pitch
       grid.x[#grid.x + 1] = xx * X + xy * Y + position_noise * draw.normal()
       grid.y[#grid.y + 1] = xy * X + yy * Y + position_noise * draw.normal()
     end
@@ -133,19 +135,16 @@ define {
     { name = "seed", kind = "integer", low = 0, default = 1, sentence = "of all that is random" },
     { name = "rows", kind = "integer", low = 10, default = 300, sentence = "of the record on the way up" },
     { name = "reach", kind = "number", above = 0, optional = true, sentence = "largest strain; default: as tested" },
-    { name = "scatter", kind = "number", low = 0, high = 0.2, default = 0.03, sentence = "of the moduli between specimens, relative" },
-    { name = "slack", kind = "number", unit = "m", low = 0, default = 0.5e-3, sentence = "largest displacement before first contact" },
     { name = "slip", kind = "number", unit = "m/N", low = 0, default = 0, sentence = "in the grips" },
     { name = "compliance", kind = "number", unit = "m/N", low = 0, default = 0, sentence = "of the frame" },
     { name = "markers", kind = "numbers", low = 2, optional = true, sentence = "{rows, columns}; default {5, 4}" },
-    { name = "pitch", kind = "number", unit = "m", above = 0, default = 5e-3, sentence = "between markers" },
     { name = "photographs", kind = "integer", low = 2, default = 60, sentence = "over the whole test" },
     { name = "gauge_length", kind = "number", unit = "m", above = 0, default = 76.2e-3, sentence = "between the grips" },
     { name = "width", kind = "number", unit = "m", above = 0, default = 25.4e-3, sentence = "of the specimen" },
     { name = "thickness", kind = "number", unit = "m", above = 0, optional = true, sentence = "default: the card's" },
     { name = "plies", kind = "integer", low = 1, default = 2, sentence = "layers that bear load" },
   },
-  retired = { "force_noise", "calibration", "displacement_noise", "position_noise" },
+  retired = { "force_noise", "calibration", "displacement_noise", "position_noise", "scatter", "slack", "pitch" },
   sentence = "Pulls of a card's cloth as a laboratory would have recorded them: a list of specimens {record={displacement, force}, "
     .. "photographs={markers, force, displacement, warp}}.",
   example = "local fabric = require 'fabric'\n"

@@ -58,7 +58,7 @@ local function mark(test, t)
     end
   end
   test.loading = { first = rows[1], last = rows[#rows] }
-  local marks = fabric.lab.marks { E = E, S = S, kept = t.kept, softening = t.softening }
+  local marks = fabric.lab.marks { E = E, S = S, kept = t.kept }
   test.failure, test.yield = stays_down(S, t.kept) and rows[marks.failure] or nil, rows[marks.yield]
 end
 
@@ -199,9 +199,8 @@ define {
       sentence = "where the specimen broke: distance from the nearer jaw, a number for each specimen; within 5 mm it is a break at the jaw" },
     { name = "outliers", kind = "text", choices = { "tell", "drop", "keep" }, default = "tell",
       sentence = "single outlying readings of the force (a display that drops a digit). tell: left out with a warning; drop: left out silently; keep: kept" },
-    { name = "softening", kind = "number", above = 0, high = 1, default = 0.5,
-      sentence = "yielded below this part of the largest tangent" },
   },
+  retired = { "softening" },
   sentence = "A pull as stress and strain (eqs. 3.1, 3.2): E, S, displacement, force, time, branches (kind, first, last), loading "
     .. "(first and last row of virgin loading), yield and failure (rows or nil, on the virgin loading of all cycles), slack, area, outliers (places in the "
     .. "record of what was left out, or nil), warnings (preload, slip in the jaws, a late grip, a break at the jaw: each {code, text, row}; or nil), "

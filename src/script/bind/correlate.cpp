@@ -112,7 +112,6 @@ int correlate(Call& call) {
   options.half = side / 2;
   options.step = call.has("step") ? call.count("step") : options.half;
   options.search = call.count("search");
-  options.least = call.number("least");
   options.gauge = call.count("gauge");
   if (options.gauge % 2 == 0)
     call.refuse("gauge", "expected an odd number of subsets, got " + std::to_string(options.gauge));
@@ -189,7 +188,6 @@ std::vector<Entry> correlation_rows() {
                  "pixels that a subset may have moved since the photograph before, to be found without a "
                  "neighbour's help")
             .or_else(20.0),
-        number_("least", "", Range{0, 1}, "correlation of a subset that is found").or_else(0.8),
         integer_("gauge", Range{3, 99}, "subsets in a row, odd, whose displacements make a strain")
             .or_else(5.0),
         number_("scale", "m", positive, "of a pixel").optional()},
@@ -204,7 +202,8 @@ std::vector<Entry> correlation_rows() {
        name + "local t = lab.correlate{ files={name..'1.png', name..'2.png'} }\n"
               "for i = 1, 2 do os.remove(name..i..'.png') end\nos.remove(name)\n"
               "assert(t.found[2] > 0.9 and math.abs(t.E22[#t.E22 - 10] - (1.02^2 - 1)/2) < 1e-3)",
-       correlate},
+       correlate,
+       {"least"}},
       {"fabric.lab.speckles",
        Style::fields,
        {value_("file", text, "ends in .png"), integer_("width", Range{1, 30000}, "of the picture, pixels"),

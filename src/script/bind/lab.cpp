@@ -89,7 +89,7 @@ void set_row(lua_State* L, const char* name, const std::optional<std::size_t>& r
 int marks(Call& call) {
   same_length(call, "E", "S");
   const auto E = call.numbers("E"), S = call.numbers("S");
-  const auto marks = lab::yield_and_failure(E, S, E.size(), call.number("kept"), call.number("softening"));
+  const auto marks = lab::yield_and_failure(E, S, E.size(), call.number("kept"));
   lua_newtable(call.L());
   set_row(call.L(), "yield", marks.yield);
   set_row(call.L(), "failure", marks.failure);
@@ -343,14 +343,13 @@ std::vector<Entry> pull_entries() {
        {list("E", "", "strains of a loading branch"), list("S", "Pa", "stresses"),
         number_("kept", "", Range{0, 1, true, true},
                 "failed when the stress falls below this part of its peak")
-            .or_else(0.8),
-        number_("softening", "", Range{0, 1, true, true},
-                "yielded where the tangent falls below this part of its largest value")
-            .or_else(0.5)},
-       "Rows of yield and of failure (the largest stress), nil where there is none.",
+            .or_else(0.8)},
+       "Rows of yield (the tangent falls below half of its largest value) and of failure (the largest "
+       "stress), nil where there is none.",
        "local E, S = {}, {}\nfor i = 1, 100 do E[i] = i/1000; S[i] = i < 90 and 1e6*i or 1e6 end\n"
        "assert(require 'fabric'.lab.marks{ E=E, S=S }.failure == 89)",
-       marks},
+       marks,
+       {"softening"}},
   };
 }
 
