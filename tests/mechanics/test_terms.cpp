@@ -144,7 +144,7 @@ TEST_CASE("a tangent with couplings that came on the way is the derivative of th
   }
   // Mutant: without the spring's part it is not.
   Assembly bare(*m);
-  bare.add(std::make_unique<SpringsOfPairs>(across, std::vector{0.0306, 0.0318, 0.033}, 2e5, false));
+  bare.terms().add(std::make_unique<SpringsOfPairs>(across, std::vector{0.0306, 0.0318, 0.033}, 2e5, false));
   CHECK(tangent_error(bare, 0.15) > 1e-4);
 }
 

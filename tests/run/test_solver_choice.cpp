@@ -137,7 +137,7 @@ TEST_CASE("a term without a symmetric tangent is added where the solver bears it
   auto general = options();
   general.linear = run::Symmetry::unsymmetric;
   run::Static a(sheet(), general, quiet());
-  a.terms().add(std::make_unique<Swirl>(12, k));
+  a.add(std::make_unique<Swirl>(12, k));
   a.solve();
   // Newton's method with the whole tangent converges in a few iterations.
   for (const auto& step : a.steps()) CHECK(step.iterations <= 5);
