@@ -5,6 +5,7 @@
 --
 -- Elements of 6 mm are coarse for the folds beside the fourchettes, where a director turns over as the finger straightens.
 -- warns: is turned over
+-- warns: a finer mesh folds
 local fabric = require "fabric"
 local mm = fabric.units.mm
 local cloth, size, bend, stroke, out = arg[1] or "muslin", (tonumber(arg[2]) or 6) * mm, tonumber(arg[3]) or 15, tonumber(arg[4]) or 0.01, arg[5]
@@ -57,7 +58,7 @@ m:contact { between = { finger, "all" }, friction = 0.3, thickness = math.max(ca
 local a = fabric.dynamic { model = m, duration = duration, damping = { mass = 300 } }
 local state = {}
 if out then a:checkpoint(out .. "/run.ckpt", { minutes = 2, keep = state }) end
-local rest = fabric.lab.dress { analysis = a, at = dressed, window = 2e-3, still = 0.5 * mm, calm = 1 }
+local rest = fabric.lab.dress { analysis = a, at = dressed, window = 2e-3, still = 0.5 * mm, calm = 1, state = state }
 local worn = fabric.lab.wear { analysis = a, body = finger, mesh = shapes[1], times = { dressed, duration }, patch = 4 * mm, state = state, out = out }
 if fabric.checking() then return end
 local elements = 0

@@ -6,6 +6,7 @@
 -- With `flesh` the arm gives way by that much below its skin, with the stiffness of 50 kPa over 20 mm (initial moduli of 0.2 to 58 kPa were measured on limbs
 -- [zheng1999]); without it, on a hard arm, the folds of elements below some 10 mm are pinched until contact makes the steps a hundred times as short.
 --
+-- warns: a finer mesh folds
 -- The short form bends by 20 degrees. Elements have to be smaller than the folds at the elbow: beyond about 30 degrees those of 20 mm crease or turn a director over, which the program says.
 local fabric = require "fabric"
 local mm = fabric.units.mm
@@ -63,7 +64,7 @@ if out then
 end
 
 -- It hangs loosely and stores next to nothing, so that what moves is what counts.
-local rest = fabric.lab.dress { analysis = a, at = dressed, window = 5e-3, calm = 1 }
+local rest = fabric.lab.dress { analysis = a, at = dressed, window = 5e-3, calm = 1, state = state }
 local times = { dressed }
 for cycle = 1, cycles do times[cycle + 1] = dressed + 2 * cycle * stroke end
 local worn = fabric.lab.wear { analysis = a, body = arm, mesh = shapes[1], times = times, state = state, out = out }

@@ -507,9 +507,7 @@ function fabric.lab.ball_burst(fields) end
 ---@field duration? number s: of the run (default 0.03)
 ---@field step? number s: as for fabric.dynamic; default: "auto"
 ---@field scheme? "explicit"|"implicit" as for fabric.dynamic (default "explicit")
----@field inertia? "scaled"|"true" as for fabric.dynamic
 ---@field points? integer through the thickness, where the card has no bending of its own (default 3)
----@field gravity? number m/s^2: along -z (default 9.81)
 ---@field damping? number 1/s: of the masses (default 0)
 ---@field every? number s: time between rows and frames (default 5e-04)
 ---@field out? string folder for curve.csv and the VTK series, cloth and ball
@@ -675,8 +673,6 @@ function fabric.lab.breaking_strength(fields) end
 ---@field overhang? number m: one overhang, in place of the one whose tip touches the plane
 ---@field cells? integer along the strip; default: 40, of a loop 80
 ---@field steps? integer steps in which the weight is applied, at least (default 5)
----@field gravity? number m/s^2: of the place (default 9.80665)
----@field tolerance? number as for fabric.static (default 1e-09)
 
 ---Cantilever test [astm_d1388]: a strip is pushed over an edge until its tip touches a plane below. Returns overhang and bending_length (half of it), m, rigidity (weight times its cube, N.m), angle (of the chord, degrees), shape (the middle line, {x, z}), analysis.
 ---@param fields fabric_lab_cantilever_fields
@@ -694,7 +690,6 @@ function fabric.lab.cantilever(fields) end
 ---@field lead? integer elements of the straight part on either side (default 2)
 ---@field draw? number of the strip's length: how far it is drawn (default 0.05)
 ---@field step? number s: largest step: 1 s is the tension, 1 s more the drawing (default 0.05)
----@field points? integer through the thickness, where the card has no bending of its own (default 3)
 ---@field stiffness? number Pa/m: of contact, as for model:contact
 
 ---A strip over a rigid cylinder is held by a tension T1 on one side and drawn over it on the other. Returns ratio (T2 / T1 at the end), curve (a list of time, drawn, m, and ratio), analysis, model, mesh and drum.
@@ -749,7 +744,6 @@ function fabric.lab.compare(measured, test, options) end
 ---@field subset? integer pixels of a subset's side, odd: three speckles and more (default 25)
 ---@field step? integer pixels between subsets; default: half of a side
 ---@field search? integer pixels that a subset may have moved since the photograph before, to be found without a neighbour's help (default 20)
----@field least? number correlation of a subset that is found (default 0.8)
 ---@field gauge? integer subsets in a row, odd, whose displacements make a strain (default 5)
 ---@field scale? number m: of a pixel
 
@@ -778,7 +772,6 @@ function fabric.lab.correlate(fields) end
 ---@field steps? integer load steps of the weight, of relaxation (default 10)
 ---@field lowering? number s: over which the weight comes (default 1.5)
 ---@field damping? number 1/s: of the masses (default 5)
----@field gravity? number m/s^2: of the place (default 9.80665)
 ---@field still? number rest: no place of the rim moves by more than this part of the overhang in a window (default 0.005)
 ---@field window? number s: of that rule (default 0.1)
 ---@field duration? number s: to wait for rest, at most; default: 4 s after the lowering
@@ -809,9 +802,7 @@ function fabric.lab.density(fields) end
 ---@field duration? number s: of the run (default 0.5)
 ---@field step? number s: as for fabric.dynamic; default: "auto"
 ---@field scheme? "explicit"|"implicit" as for fabric.dynamic (default "explicit")
----@field inertia? "scaled"|"true" as for fabric.dynamic
 ---@field points? integer through the thickness, where the card has no bending of its own (default 3)
----@field gravity? number m/s^2: along -z (default 9.81)
 ---@field damping? number 1/s: of the masses (default 0)
 ---@field every? number s: time between rows and frames (default 0.005)
 ---@field force? boolean as for fabric.dynamic (default false)
@@ -830,8 +821,9 @@ function fabric.lab.drape(fields) end
 ---@field window? number s: before that time, over which rest is judged (default 0.02)
 ---@field still? number m: rest: no node has moved by more than that in the window (default 0.001)
 ---@field calm? number rest: the kinetic energy is below this part of the energy stored (default 0.01)
+---@field state? table an empty table to keep what was found in, for `keep` of a:checkpoint, so that a restart knows it
 
----Sews pieces around a body and lets them come to rest: runs to the time `at` and judges rest there. A piece that starts through a body is refused when the run is made. Returns at_rest (without it a warning says why), moved (m, by `node`, in the window), kinetic (over the energy stored), stitches and how many are open (those of a seam with a stiffness of its own stay so), gap (m, the smallest above the floor of contact, of `pair`), and time.
+---Sews pieces around a body and lets them come to rest: runs to the time `at` and judges rest there. A piece that starts through a body is refused when the run is made. Returns at_rest (without it a warning says why; nil: the run came from a checkpoint behind the window, and it is not known), moved (m, by `node`, in the window), kinetic (over the energy stored), stitches and how many are open (those of a seam with a stiffness of its own stay so), gap (m, the smallest above the floor of contact, of `pair`), and time.
 ---@param fields fabric_lab_dress_fields
 ---@return table<string, any>
 function fabric.lab.dress(fields) end
@@ -946,8 +938,6 @@ function fabric.lab.grab(fields) end
 ---@field width? number m: of the strip (default 0.025)
 ---@field cells? integer along the strip; default: 40, of a loop 80
 ---@field steps? integer steps in which the weight is applied, at least (default 5)
----@field gravity? number m/s^2: of the place (default 9.80665)
----@field tolerance? number as for fabric.static (default 1e-09)
 
 ---Heart loop test [astm_d1388]: a strip's ends are held together, upright, and it hangs down as a heart. Returns height (from the grip to the lowest point, m), bending_length (of the standard's formula, m), rigidity (N.m), shape (one half, {x, z}), analysis.
 ---@param fields fabric_lab_heart_loop_fields
@@ -1149,9 +1139,8 @@ function fabric.lab.loops(fields) end
 ---@field E number[] strains of a loading branch
 ---@field S number[] Pa: stresses
 ---@field kept? number failed when the stress falls below this part of its peak (default 0.8)
----@field softening? number yielded where the tangent falls below this part of its largest value (default 0.5)
 
----Rows of yield and of failure (the largest stress), nil where there is none.
+---Rows of yield (the tangent falls below half of its largest value) and of failure (the largest stress), nil where there is none.
 ---@param fields fabric_lab_marks_fields
 ---@return table<string, any>
 function fabric.lab.marks(fields) end
@@ -1228,8 +1217,6 @@ function fabric.lab.picture_frame(fields) end
 ---@class fabric_lab_poisson_fields
 ---@field specimens table marker grids: { {rows=, columns=, x=, y=}, ... } as of fabric.lab.tracks
 ---@field noise? number of a coordinate; default: from the scatter of each specimen
----@field least? number mean strain along the pull from which on frames count (default 0.01)
----@field level? number of confidence (default 0.95)
 ---@field seed? integer of the bootstrap (default 1)
 ---@field common? number relative standard uncertainty that all share (default 0)
 
@@ -1247,9 +1234,7 @@ function fabric.lab.poisson(fields) end
 ---@field duration? number s: of the run (default 0.5)
 ---@field step? number s: as for fabric.dynamic; default: "auto"
 ---@field scheme? "explicit"|"implicit" as for fabric.dynamic (default "explicit")
----@field inertia? "scaled"|"true" as for fabric.dynamic
 ---@field points? integer through the thickness, where the card has no bending of its own (default 3)
----@field gravity? number m/s^2: along -z (default 9.81)
 ---@field damping? number 1/s: of the masses (default 0)
 ---@field every? number s: time between rows and frames (default 0.005)
 ---@field force? boolean as for fabric.dynamic (default false)
@@ -1276,7 +1261,6 @@ function fabric.lab.poke(fields) end
 ---@field level? number of confidence (default 0.95)
 ---@field processes? integer side by side, for the differences (default 2)
 ---@field iterations? integer at most, of each fit (default 30)
----@field tolerance? number relative, of the sum of squares and of the parameters (default 1e-06)
 ---@field progress? boolean prints the progress on stderr (default false)
 
 ---Parameters from several specimens, sizes, laboratories and speeds at once, with the scatter between specimens and the mesh's error beside the noise: parameters, low, high (by name), deviation, covariance, between (relative deviation of specimens), mesh (relative), chi2 (of what is left, per degree of freedom), tests (by name: predicted, low, high: band of the mean, next_low, next_high: of the next specimen, rms, factor: of this specimen), left_out (by name: inside, rms, at_end, predicted, low, high, from the others), coverage, left_out_by (by group a list {label, inside, points, rms, tests}), effects (what the model misses: freedom, deviation, shares), predict(self, {x=, ...}) -> {predicted, low, high, band, reason}: a specimen that was not tested; band is nil and reason says why where the tests do not show how wrong the model is; card(self, function(p) return card end): the card with the parameters' bands propagated to its numbers; text.
@@ -1495,12 +1479,9 @@ function fabric.lab.student(probability, freedom) end
 ---@field seed? integer of all that is random (default 1)
 ---@field rows? integer of the record on the way up (default 300)
 ---@field reach? number largest strain; default: as tested
----@field scatter? number of the moduli between specimens, relative (default 0.03)
----@field slack? number m: largest displacement before first contact (default 5e-04)
 ---@field slip? number m/N: in the grips (default 0)
 ---@field compliance? number m/N: of the frame (default 0)
 ---@field markers? number[] {rows, columns}; default {5, 4}
----@field pitch? number m: between markers (default 0.005)
 ---@field photographs? integer over the whole test (default 60)
 ---@field gauge_length? number m: between the grips (default 0.0762)
 ---@field width? number m: of the specimen (default 0.0254)
@@ -1559,7 +1540,6 @@ function fabric.lab.tear(fields) end
 ---@field kept? number failed below this part of the peak, if the force stays there (default 0.8)
 ---@field from_jaw? number|number[] m: where the specimen broke: distance from the nearer jaw, a number for each specimen; within 5 mm it is a break at the jaw
 ---@field outliers? "tell"|"drop"|"keep" single outlying readings of the force (a display that drops a digit). tell: left out with a warning; drop: left out silently; keep: kept (default "tell")
----@field softening? number yielded below this part of the largest tangent (default 0.5)
 
 ---A pull as stress and strain (eqs. 3.1, 3.2): E, S, displacement, force, time, branches (kind, first, last), loading (first and last row of virgin loading), yield and failure (rows or nil, on the virgin loading of all cycles), slack, area, outliers (places in the record of what was left out, or nil), warnings (preload, slip in the jaws, a late grip, a break at the jaw: each {code, text, row}; or nil), from_jaw and jaw (whether it broke at one). A file with several specimens gives a list of tests, each with its specimen.
 ---@param fields fabric_lab_tensile_fields
@@ -1684,7 +1664,7 @@ function fabric.lab.viscous(fields) end
 ---@field state? table an empty table to gather in, for `keep` of a:checkpoint, so that a restart goes on with it
 ---@field out? string folder for pressure.csv, worn.pvd (cloth and body, with the pressure on it) and worn.txt
 
----What worn cloth does to the body and its wearer: runs through the times and returns regions (of each name, and of all: mean, Pa, the largest of its mean pressures over time, usual, their mean over time, peak, the largest over a disc of skin, peak_at, m, its middle on the body at time 0, touched, the largest share of its area), map (mean and largest of each vertex, Pa), rows (the mean pressures over time), cycles (of each: work, J, that moves the body, supports and loads did, and what became of it: cloth, what the law of the cloth dissipated, friction, damping, impact, fracture, stored, kinetic), slip (m, on the skin: largest and its node, mean, nodes), tension (warp, weft: value, N/m, element, time), beyond (strain over the tested strain of the card), gap, ledger, and text, all of this in words.
+---What worn cloth does to the body and its wearer: runs through the times and returns regions (of each name, and of all: mean, Pa, the largest of its mean pressures over time, usual, their mean over time, peak, the largest over a disc of skin, peak_at, m, its middle on the body at time 0, touched, the largest share of its area), map (mean and largest of each vertex, Pa), rows (the mean pressures over time), cycles (of each: work, J, that moves the body, supports and loads did, and what became of it: cloth, what the law of the cloth dissipated, friction, damping, impact, fracture, stored, kinetic), slip (m, on the skin: largest and its node, mean, nodes), tension (warp, weft: value, N/m, element, time), beyond (strain over the tested strain of the card), compressed (how much shorter yarns get: value, element, time; from 1 % on, where a finer mesh would fold, a warning says so), gap, ledger, and text, all of this in words.
 ---@param fields fabric_lab_wear_fields
 ---@return table<string, any>
 function fabric.lab.wear(fields) end

@@ -32,9 +32,15 @@ local a, panel = sleeve { duration = 0.08 }
 -- Just sewn it does not rest, which a warning says.
 local early = fabric.lab.dress { analysis = a, at = 0.02, window = 5e-3, still = 0.1 * mm }
 assert(not early.at_rest and early.moved > 0.1 * mm and early.open == 0 and early.stitches == #panel:set "left")
-local dressed = fabric.lab.dress { analysis = a, at = 0.08 }
+local kept = {}
+local dressed = fabric.lab.dress { analysis = a, at = 0.08, state = kept }
 assert(dressed.at_rest and dressed.open == 0 and dressed.time == 0.08 and a.time == 0.08)
 assert(dressed.moved < 1 * mm and dressed.kinetic < 1e-2 and dressed.gap > 0 and a.energy.error < 1e-2)
+
+-- Behind the window nothing is known of rest, unless a state has it.
+local late = fabric.lab.dress { analysis = a, at = 0.02, window = 5e-3 }
+assert(late.at_rest == nil and late.moved == nil)
+assert(fabric.lab.dress { analysis = a, at = 0.08, state = kept } == dressed)
 
 local here = arg[0]
 local function child(options, what)

@@ -16,10 +16,24 @@ end
 assert(tostring(ways[2].ball):find "radius 0.006 m")
 near("peak of the smaller ball", ways[2].peak, ways[1].peak / 2, 0.03)
 near("its way", ways[2].elongation, ways[1].elongation / 2, 0.03)
+local too_large, words_of_ball = pcall(fabric.lab.ball_burst, { card = svk(8e3), ball = 44 * mm, ring = 44 * mm })
+assert(not too_large and tostring(words_of_ball):find("ball_burst: field 'ball': expected at most 0.043 m, the ring less the cloth on both sides, got 0.044", 1, true), words_of_ball)
 
--- A trapezoid of other sides: the cut is torn on between jaws that are as far apart as the sides say.
-local trapezoid = fabric.lab.tear { card = svk(4e3), method = "trapezoid", h = 3 * mm, width = 30 * mm, short = 9 * mm, long = 36 * mm, cut = 6 * mm, tear = 9 * mm, speed = 3 }
+-- A trapezoid of other sides; and sides that are none.
+local sides = { card = svk(4e3), method = "trapezoid", h = 3 * mm, width = 30 * mm, short = 20 * mm, long = 46 * mm, cut = 6 * mm, tear = 9 * mm, speed = 3 }
+local trapezoid = fabric.lab.tear(sides)
 assert(trapezoid.curve[#trapezoid.curve].torn >= 9 * mm * (1 - 1e-9) and trapezoid.fracture > 0)
+for name, value in pairs { short = 17 * mm, long = 20 * mm, cut = 30 * mm, tear = 25 * mm } do
+  local wrong = {}
+  for key, given in pairs(sides) do wrong[key] = given end
+  wrong[name] = value
+  local ok, words = pcall(fabric.lab.tear, wrong)
+  assert(not ok and tostring(words):find("tear: field '" .. name .. "': expected ", 1, true), words)
+end
+for name, value in pairs { width = 4 * mm, leg = 2 * mm } do
+  local ok, words = pcall(fabric.lab.tear, { card = svk(4e3), h = 3 * mm, tear = 9 * mm, [name] = value })
+  assert(not ok and tostring(words):find("tear: field '" .. name .. "': expected ", 1, true), words)
+end
 
 -- Strength goes with length^-exponent. Without scatter to speak of, tests of 40 mm say what elements of 2.5 mm carry.
 local strip = fabric.lab.strip_rupture { card = svk(4e3, { scatter = { modulus = 1e6, length = 40 * mm, exponent = 0.1 } }), width = 10 * mm, length = 20 * mm, h = 2.5 * mm }
@@ -35,7 +49,7 @@ local function fast(ratio)
   return fabric.lab.fast_card { name = "suit", thickness = 5e-4, density = 400, warp = { E20 = 0.9, E100 = 2.5, B = 8 }, weft = { E20 = 1.2, E100 = 4, B = 6 }, EB5 = 4,
     poisson = { warp = 0.2, weft = 0.2 }, unloading_ratio = ratio }
 end
-near("unloading of a FAST card", fast(3).warp.unloading[1], 1.5 * fast(2).warp.unloading[1], 1e-12)
+near("unloading of a FAST card", fast(3).warp.unloading, 1.5 * fast(2).warp.unloading, 1e-12)
 local kes = fabric.lab.kes_card { name = "shirt", thickness = 4e-4, density = 400, warp = { EMT = 4, WT = 9, RT = 55 }, weft = { EMT = 6, WT = 13, RT = 50 },
   shear = { G = 0.8, ["2HG"] = 1.5 }, poisson = { warp = 0.2, weft = 0.2 },
   bending = { warp = { B = 0.1, ["2HB"] = 0.05 }, weft = { B = 0.08, ["2HB"] = 0.04 }, build_up = 20 } }
@@ -46,9 +60,10 @@ local folder = os.tmpname()
 os.remove(folder)
 local files = {}
 for k, last in ipairs { 4, 5, 6, 5, 5 } do
-  local lines = { 'Extension (mm),Load (N)' }
-  for i = 0, 10 * last do lines[#lines + 1] = ('%g,"%s"'):format(i, 40 * i < 1000 and 40 * i or ("%d,%03d"):format(40 * i // 1000, 40 * i % 1000)) end
-  for i = 1, 5 do lines[#lines + 1] = ('%d,"1,%03d"'):format(10 * last + i, 340 * last - 1000) end
+  local lines = { "Extension (mm),Load (N)" }
+  local function add(mm_, N) lines[#lines + 1] = ('%d,"%s"'):format(mm_, N < 1000 and N or ("%d,%03d"):format(N // 1000, N % 1000)) end
+  for i = 0, 10 * last do add(i, 40 * i) end
+  for i = 1, 5 do add(10 * last + i, 340 * last) end
   files[k] = ("%s/warp-%d.csv"):format(folder, k)
   fabric.write(files[k], table.concat(lines, "\n") .. "\n")
 end

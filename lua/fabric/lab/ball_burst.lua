@@ -29,6 +29,10 @@ end
 local function burst(t)
   both("ball_burst", t.card)
   rupture.check_lengths("ball_burst", t)
+  local most = t.ring - 2 * t.card.thickness
+  if t.ball > most then
+    define.fail(("ball_burst: field 'ball': expected at most %.4g m, the ring less the cloth on both sides, got %.4g"):format(most, t.ball))
+  end
   local side = t.ring + 4 * t.h
   local mesh, model, ball = setup(t, side, side / 2 - 1.5 * t.h)
   local function beyond(x, y) return (x - side / 2) ^ 2 + (y - side / 2) ^ 2 end

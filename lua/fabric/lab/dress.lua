@@ -34,6 +34,31 @@ local function unrest(t, result)
   return why
 end
 
+-- What is found at the time, and words of what speaks against rest there. A run that is behind the beginning of the window already, and has
+-- no places from there in `state`, is not judged: at_rest is nil.
+local function judged(t, a, state)
+  local begins, late = t.at - t.window, nil
+  if not state.before and a.time > begins * (1 + 1e-9) then late = a.time end
+  if not late then
+    a:advance(begins)
+    state.before = state.before or places(a)
+  end
+  if a.time < t.at * (1 - 1e-12) then a:advance(t.at) end
+  local joints, e = a.joints, a.energy
+  local result = { time = t.at, stitches = joints.stitches, open = joints.stitches - joints.closed, stopped = a.stopped }
+  result.kinetic = e.kinetic / math.max(e.stored, 1e-300)
+  result.gap, result.pair = a:gap()
+  if late then
+    return result, { ("the run was at %g s already, behind the beginning of the window, %g s: whether it rested is not known; a state= that a:checkpoint keeps would tell"):format(
+      late, begins) }
+  end
+  result.moved, result.node = farthest(state.before, places(a))
+  local why = unrest(t, result)
+  result.at_rest = #why == 0
+  if not result.at_rest then why = { ("not at rest after %g s: %s; a later at=, or more damping would do"):format(t.at, table.concat(why, "; ")) } end
+  return result, why
+end
+
 local function run(t)
   local a = t.analysis
   if t.at > a.duration * (1 + 1e-12) then fail(("field 'at': expected at most the duration of the run, %g s, got %g s"):format(a.duration, t.at)) end
@@ -41,19 +66,11 @@ local function run(t)
   local touches = false
   for _, row in ipairs(a.model:list()) do touches = touches or row.kind == "contact" end
   if not touches then fail "the model has no contact: expected m:contact{ between={body, \"all\"} }" end
-  a:advance(t.at - t.window)
-  local was = places(a)
-  a:advance(t.at)
-  local joints, e = a.joints, a.energy
-  local result = { time = t.at, stitches = joints.stitches, open = joints.stitches - joints.closed, stopped = a.stopped }
-  result.moved, result.node = farthest(was, places(a))
-  result.kinetic = e.kinetic / math.max(e.stored, 1e-300)
-  result.gap, result.pair = a:gap()
-  local why = unrest(t, result)
-  result.at_rest = #why == 0
-  if not result.at_rest and not fabric.checking() then
-    fabric.warn(("dress: not at rest after %g s: %s; a later at=, or more damping would do"):format(t.at, table.concat(why, "; ")))
-  end
+  local state = t.state or {}
+  if state.dressed and state.dressed.time == t.at then return state.dressed end -- a run that was taken up behind that time
+  local result, why = judged(t, a, state)
+  if #why > 0 and not fabric.checking() then fabric.warn("dress: " .. table.concat(why, "; ")) end
+  state.dressed, state.before = result, nil
   return result
 end
 
@@ -65,9 +82,10 @@ define {
     { name = "window", kind = "number", unit = "s", above = 0, default = 0.02, sentence = "before that time, over which rest is judged" },
     { name = "still", kind = "number", unit = "m", above = 0, default = 1e-3, sentence = "rest: no node has moved by more than that in the window" },
     { name = "calm", kind = "number", above = 0, default = 1e-2, sentence = "rest: the kinetic energy is below this part of the energy stored" },
+    { name = "state", kind = "table", optional = true, sentence = "an empty table to keep what was found in, for `keep` of a:checkpoint, so that a restart knows it" },
   },
   sentence = "Sews pieces around a body and lets them come to rest: runs to the time `at` and judges rest there. A piece that starts through a body is refused when the run is made. "
-    .. "Returns at_rest (without it a warning says why), moved (m, by `node`, in the window), kinetic (over the energy stored), stitches and how many are open (those of a seam with a stiffness of its own stay so), gap (m, the smallest above the floor of contact, of `pair`), and time.",
+    .. "Returns at_rest (without it a warning says why; nil: the run came from a checkpoint behind the window, and it is not known), moved (m, by `node`, in the window), kinetic (over the energy stored), stitches and how many are open (those of a seam with a stiffness of its own stay so), gap (m, the smallest above the floor of contact, of `pair`), and time.",
   example = "local fabric = require 'fabric'\n"
     .. "local mesh = fabric.mesh.rectangle{ width=0.06, height=0.03, nx=6, ny=3, origin={-0.03, -0.015, 0.0002} }\n"
     .. "local m = fabric.model{ mesh=mesh, card=fabric.card 'blend', warp=0 }\n"

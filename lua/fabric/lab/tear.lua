@@ -144,6 +144,12 @@ end
 
 local function trouser(t)
   t.h = t.tear / math.ceil(t.tear / t.h - 1e-9) -- a line of nodes at the tip and at the end of the tear
+  for _, least in ipairs { { "width", 4 * t.h }, { "leg", 2 * t.h } } do
+    local name, length = least[1], least[2]
+    if t[name] < length then
+      define.fail(("tear: field '%s': expected at least %.4g m with elements of %.3g m, got %.4g"):format(name, length, t.h, t[name]))
+    end
+  end
   local yarn = rupture.other(t.along)
   local broken = rupture.of("tear", t.card, yarn)
   local card = strengths(t, yarn, broken)

@@ -6,6 +6,7 @@
 --        |==== cut   tear ->   x
 --        |---____
 --                ----____ clamp
+local define = require "fabric.define"
 local fabric = require "fabric"
 local rupture = require "fabric.lab.rupture"
 local trapezoid = {}
@@ -20,6 +21,19 @@ local function rows(h, far, more)
   for j = 1, straight do out[j] = j * h end
   for j = 1, more do out[straight + j] = straight * h + (far - straight * h) * j / more end
   return out
+end
+
+local function check(t)
+  local least = 2 * (straight + 1) * t.h
+  if t.short < least then
+    define.fail(("tear: field 'short': expected at least %.4g m with elements of %.3g m, got %.4g"):format(least, t.h, t.short))
+  end
+  if t.long <= t.short then define.fail(("tear: field 'long': expected more than the short side, %.4g m, got %.4g"):format(t.short, t.long)) end
+  if t.cut >= t.width then define.fail(("tear: field 'cut': expected less than the width, %.4g m, got %.4g"):format(t.width, t.cut)) end
+  local most = t.width - t.cut
+  if t.tear > most * (1 + 1e-9) then
+    define.fail(("tear: field 'tear': expected at most what the cut leaves of the width, %.4g m, got %.4g"):format(most, t.tear))
+  end
 end
 
 -- The mesh, and the nodes of each clamp with their distances from its end at x = 0.
@@ -60,6 +74,7 @@ local function clamps(t, mesh, model, angle, turning, apart)
 end
 
 function trapezoid.run(t, yarn, broken)
+  check(t)
   local mesh, h, angle = specimen(t)
   local small = 0.01 * h
   mesh:set("zone", function(x, y) return math.abs(y) < h + small and x > t.cut - h - small end)

@@ -6,6 +6,10 @@
 local define = require "fabric.define"
 local fabric = require "fabric"
 
+-- Cloth folds before its yarns are compressed by this much. Elements that are larger than the folds are compressed instead, carry a load that
+-- the cloth would not, and press with it.
+local folds_at = 0.01
+
 local function fail(field, words) define.fail(("wear: field '%s': %s"):format(field, words)) end
 
 -- --- regions and discs of skin, by numbers of the body's vertices
@@ -53,7 +57,7 @@ local function begin(state, count, regions)
   state.samples, state.force, state.area, state.last, state.paths, state.rows, state.energies = 0, {}, {}, {}, {}, {}, {}
   state.map = { mean = {}, largest = {}, times = 0 }
   state.regions, state.tension = {}, { warp = { value = -math.huge }, weft = { value = -math.huge } }
-  state.beyond = { value = 0 }
+  state.beyond, state.compressed = { value = 0 }, { value = 0 }
   for v = 1, count do state.force[v], state.area[v], state.map.mean[v], state.map.largest[v] = 0, 0, 0, 0 end
   for _, region in ipairs(regions) do state.regions[region.name] = { mean = 0, peak = 0, sum = 0, touched = 0 } end
 end
@@ -74,6 +78,13 @@ local function largest(of, values, time)
   for e, value in ipairs(values) do
     if value > of.value then of.value, of.element, of.time = value, e, time end
   end
+end
+
+-- By how much the yarns of each element are shorter than in the reference, over their length there.
+local function compression(run)
+  local warp, weft = run:field "nominal_strain_warp", run:field "nominal_strain_weft"
+  for e = 1, #warp do warp[e] = -math.min(warp[e], weft[e]) end
+  return warp
 end
 
 -- The means of a window: pressure of each vertex, region and disc.
@@ -126,6 +137,7 @@ local function observe(t, state, regions, discs)
     largest(state.tension.warp, run:field "tension_warp", run.time)
     largest(state.tension.weft, run:field "tension_weft", run.time)
     largest(state.beyond, run:field "beyond", run.time)
+    largest(state.compressed, compression(run), run.time)
     close_window(t, state, regions, discs, run.time)
   end)
 end
@@ -173,6 +185,13 @@ local function work_between(was, is)
   return row
 end
 
+local function fold_words(result)
+  local c = result.compressed
+  if c.value < folds_at then return ("yarns are compressed by %.2g %% at most"):format(100 * c.value) end
+  return ("yarns are compressed by up to %.2g %% (element %d, at %.4g s), where a finer mesh folds: pressures about there depend on the mesh"):format(100 * c.value, c.element,
+    c.time)
+end
+
 local function text(result)
   local lines = { ("pressure on the body, means over %.3g ms, peaks over discs of %.3g mm:"):format(1e3 * result.window, 1e3 * result.patch) }
   lines[#lines + 1] = ("%-16s %12s %12s %12s %10s"):format("region", "usual, Pa", "largest, Pa", "peak, Pa", "touched, %")
@@ -189,6 +208,7 @@ local function text(result)
   lines[#lines + 1] = ("tension: warp up to %.4g N/m, weft up to %.4g N/m"):format(result.tension.warp.value, result.tension.weft.value)
   lines[#lines + 1] = result.beyond.value == 0 and "strain beyond what was tested: the card does not say what was tested, or nothing was stretched"
     or ("strain: up to %.3g of what was tested (element %d)"):format(result.beyond.value, result.beyond.element)
+  lines[#lines + 1] = fold_words(result)
   lines[#lines + 1] = ("ledger %.1e, smallest gap above the floor %.3g mm"):format(result.ledger, 1e3 * result.gap)
   return table.concat(lines, "\n")
 end
@@ -227,7 +247,8 @@ local function run(t)
   observe(t, t.state, regions, discs_of(t.mesh.nodes, t.patch))
   if t.out then add_files(t, regions) end
   local result = { times = t.times, window = t.window, patch = t.patch, names = {}, regions = {}, cycles = {}, rows = t.state.rows, slip = { largest = 0, mean = 0 },
-                   map = { mean = {}, largest = {} }, tension = t.state.tension, beyond = t.state.beyond, gap = math.huge }
+                   map = { mean = {}, largest = {} }, tension = t.state.tension, beyond = t.state.beyond,
+                   compressed = t.state.compressed, gap = math.huge }
   for k = 1, #t.times do
     if a.time < t.times[k] * (1 - 1e-12) then a:advance(t.times[k]) end
     -- A run that was taken up behind this time has its energies from then in what it kept.
@@ -239,6 +260,7 @@ local function run(t)
   add_slip(result, t.state)
   result.gap, result.ledger = a:gap(), a.energy.error
   result.text = text(result)
+  if result.compressed.value >= folds_at and not fabric.checking() then fabric.warn("wear: " .. fold_words(result)) end
   if t.out and not fabric.checking() then
     local file = assert(io.open(t.out .. "/worn.txt", "w"))
     file:write(result.text, "\n")
@@ -264,7 +286,7 @@ define {
   sentence = "What worn cloth does to the body and its wearer: runs through the times and returns regions (of each name, and of all: mean, Pa, the largest of its mean pressures over time, usual, their mean over time, "
     .. "peak, the largest over a disc of skin, peak_at, m, its middle on the body at time 0, touched, the largest share of its area), map (mean and largest of each vertex, Pa), rows (the mean pressures over time), "
     .. "cycles (of each: work, J, that moves the body, supports and loads did, and what became of it: cloth, what the law of the cloth dissipated, friction, damping, impact, fracture, stored, kinetic), slip (m, on the skin: largest and its node, mean, nodes), "
-    .. "tension (warp, weft: value, N/m, element, time), beyond (strain over the tested strain of the card), gap, ledger, and text, all of this in words.",
+    .. "tension (warp, weft: value, N/m, element, time), beyond (strain over the tested strain of the card), compressed (how much shorter yarns get: value, element, time; from 1 % on, where a finer mesh would fold, a warning says so), gap, ledger, and text, all of this in words.",
   example = "local fabric = require 'fabric'\n"
     .. "local face = fabric.mesh.rectangle{ width=0.08, height=0.08, nx=2, ny=2, origin={-0.01, -0.01, 0} }\n"
     .. "face:set('left half', function(x) return x < 0.03 end)\n"
