@@ -1,5 +1,7 @@
 #include "contact/contact.hpp"
 
+#include <omp.h>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -196,7 +198,7 @@ double Contact::images(const Candidate& c, std::span<const unsigned char> planes
   unsigned in = 7;
   for (const std::int32_t p : c.point)
     if (p >= 0 && !rigid(p)) in &= planes[std::size_t(p)];
-  return std::exp2(std::popcount(in));
+  return double(1u << std::popcount(in));
 }
 
 // The first rigid corner of a pair holds its torque.
@@ -265,12 +267,10 @@ void Contact::index_slots() {
     for (std::size_t k = 0; k < 4; ++k)
       if (inner_[i].point[k] >= 0)
         of_point_[next[std::size_t(inner_[i].point[k])]++] = std::uint32_t(4 * i + k);
-  energy_.resize(touched_.size());
-  guard_.resize(touched_.size());
-  stick_.resize(touched_.size());
-  work_.resize(touched_.size());
-  impact_.resize(touched_.size());
-  first_slip_.assign(touched_.size() + 1, 0);
+  row_of_.resize(count.size() - 1);
+  for (std::size_t row = 0; row < touched_.size(); ++row)
+    row_of_[std::size_t(touched_[row])] = std::uint32_t(row);
+  at_point_.resize(touched_.size());
 }
 
 // The slip of the pair in a slot.
@@ -313,48 +313,57 @@ Totals Contact::add_forces(std::span<const Vec3> x, std::span<Vec3> force, const
   return totals;
 }
 
-void Contact::gather(std::span<Vec3> force, std::span<Vec3> torque, Totals& totals) {
-  const auto n = std::ptrdiff_t(touched_.size());
-  std::size_t touching = 0;
-#pragma omp parallel for schedule(static) reduction(+ : touching) if (n > 256)
-  for (std::ptrdiff_t t = 0; t < n; ++t) {
-    const auto row = std::size_t(t);
-    const auto p = std::size_t(touched_[row]);
-    Vec3 sum = Vec3::Zero(), turning = Vec3::Zero();
-    double contact = 0, guard = 0, stick = 0, work = 0, impact = 0;
-    std::uint32_t slips = 0;
-    const bool turns = !torque.empty() && rigid(std::int32_t(p));
-    for (std::uint32_t k = first_[row]; k < first_[row + 1]; ++k) {
-      if (!active_[of_point_[k] / 4]) continue;
-      const Force& slot = slots_[of_point_[k] / 4];
-      sum += slot.on[of_point_[k] % 4];
-      if (turns && holds_torque(of_point_[k])) turning += slot.torque;
-      if (of_point_[k] % 4 != 0) continue;  // the energies of a pair are counted at its first corner
-      contact += slot.contact;
-      guard += slot.guard;
-      stick += slot.stick;
-      work += slot.work;
-      impact += slot.impact;
-      ++touching;
-      slips += active_[of_point_[k] / 4] == rubbing ? 1 : 0;
+// Sums the slots in use to the touched points from `from` to before `to`: for each point in the order of the
+// slots, however many threads share the points.
+void Contact::gather(std::uint32_t from, std::uint32_t to, bool torques) {
+  std::fill(at_point_.begin() + from, at_point_.begin() + to, AtPoint());
+  for (const std::uint32_t i : in_use_) {
+    const Force& slot = slots_[i];
+    const auto& point = inner_[i].point;
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      if (point[k] < 0) continue;
+      const std::uint32_t row = row_of_[std::size_t(point[k])];
+      if (row < from || row >= to) continue;
+      AtPoint& sum = at_point_[row];
+      sum.force += slot.on[k];
+      if (torques && holds_torque(4 * i + k)) sum.torque += slot.torque;
+      if (k != 0) continue;
+      sum.contact += slot.contact;
+      sum.guard += slot.guard;
+      sum.stick += slot.stick;
+      sum.work += slot.work;
+      sum.impact += slot.impact;
+      ++sum.pairs;
+      sum.slips += active_[i] == rubbing ? 1 : 0;
     }
-    force[p] += sum;
-    if (!torque.empty()) torque[p] += turning;
-    energy_[row] = contact;
-    guard_[row] = guard;
-    stick_[row] = stick;
-    work_[row] = work;
-    impact_[row] = impact;
-    first_slip_[row + 1] = slips;
   }
-  totals.touching = touching;
+}
+
+void Contact::gather(std::span<Vec3> force, std::span<Vec3> torque, Totals& totals) {
+  in_use_.clear();
+  for (std::size_t i = 0; i < active_.size(); ++i)
+    if (active_[i] != 0) in_use_.push_back(std::uint32_t(i));
+  const auto rows = std::uint32_t(touched_.size());
+  const int parts = in_use_.size() > 256 ? omp_get_max_threads() : 1;
+#pragma omp parallel for schedule(static, 1) if (parts > 1)
+  for (int part = 0; part < parts; ++part) {
+    const auto share = [&](int p) {
+      return std::uint32_t(std::uint64_t(rows) * std::uint64_t(p) / std::uint64_t(parts));
+    };
+    gather(share(part), share(part + 1), !torque.empty());
+  }
   // Over all points and not only those in the lists, which depend on the skin.
-  for (std::size_t row = 0; row < touched_.size(); ++row) {
-    totals.contact += energy_[row];
-    totals.guard += guard_[row];
-    totals.stick += stick_[row];
-    totals.work += work_[row];
-    totals.impact += impact_[row];
+  for (std::uint32_t row = 0; row < rows; ++row) {
+    const AtPoint& sum = at_point_[row];
+    const auto p = std::size_t(touched_[row]);
+    force[p] += sum.force;
+    if (!torque.empty()) torque[p] += sum.torque;
+    totals.contact += sum.contact;
+    totals.guard += sum.guard;
+    totals.stick += sum.stick;
+    totals.work += sum.work;
+    totals.impact += sum.impact;
+    totals.touching += sum.pairs;
   }
 }
 

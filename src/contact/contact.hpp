@@ -143,6 +143,7 @@ class Contact {
   double share_of(const std::vector<Candidate>& pairs, std::span<const Vec3> x,
                   std::span<const Vec3> by) const;
   void gather(std::span<Vec3> force, std::span<Vec3> torque, Totals& totals);
+  void gather(std::uint32_t from, std::uint32_t to, bool torques);
   const ContactLaw& law(const Candidate& c) const {
     return scene_->interactions()[std::size_t(c.interaction)].law;
   }
@@ -162,12 +163,20 @@ class Contact {
   std::vector<Force> slots_;
   static constexpr char pressing = 1, rubbing = 2;
   std::vector<char> active_;  // whether the slot of a pair is in use, with or without a slip; 0: it is not
+  std::vector<std::uint32_t> in_use_;            // these slots, ascending
   std::vector<std::int32_t> touched_;            // points with slots, ascending
   std::vector<std::uint32_t> first_, of_point_;  // rows: slot * 4 + corner, ascending for each touched point
-  std::vector<double> energy_, guard_, stick_, work_, impact_;  // by touched point
-  // By touched point: where the slips of the pairs that have it as their first corner begin, see
-  // note_slips(); before that, how many these are, one place further on.
-  std::vector<std::uint32_t> first_slip_;
+  std::vector<std::uint32_t> row_of_;            // by point: its place among those touched
+  // What acts on a touched point. The energies of a pair are counted at its first corner.
+  struct AtPoint {
+    Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
+    double contact = 0, guard = 0, stick = 0, work = 0, impact = 0;
+    std::uint32_t pairs = 0, slips = 0;
+  };
+  std::vector<AtPoint> at_point_;
+  // By touched point: where the slips of the pairs that have it as their first corner begin, and of each slot
+  // in use where its slip is.
+  std::vector<std::uint32_t> first_slip_, slip_at_;
   // The elastic slips of the pairs that touch. The first corner of a pair is what slides over the rest of it;
   // the slips are in the order of the first corners, for each in the order of the pairs.
   struct Held {

@@ -5,7 +5,6 @@
 // weights of facets, edges and corners cancel for friction as they do for pressure.
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "contact/contact.hpp"
 
@@ -120,7 +119,8 @@ Slip Contact::slip_of(std::size_t i, std::span<const Vec3> x, const Way& way) {
 // Facets beside each other hold a point with the slip at the nearest of them.
 void Contact::join(std::span<Held> of_one_point) {
   if (of_one_point.size() < 2) return;
-  const std::vector<Held> own(of_one_point.begin(), of_one_point.end());
+  thread_local std::vector<Held> own;
+  own.assign(of_one_point.begin(), of_one_point.end());
   for (Held& h : of_one_point) {
     double least = h.gap;
     for (const Held& other : own)
@@ -136,29 +136,35 @@ void Contact::note_slips(std::span<const Vec3> x, const Way& way) {
   if (!tried_) tried_.emplace();
   tried_->version = version_;
   std::vector<Held>& held = tried_->held;
-  std::partial_sum(first_slip_.begin(), first_slip_.end(), first_slip_.begin());
+  first_slip_.assign(touched_.size() + 1, 0);
+  for (std::size_t row = 0; row < touched_.size(); ++row)
+    first_slip_[row + 1] = first_slip_[row] + at_point_[row].slips;
   held.resize(first_slip_.back());
-  const auto n = std::ptrdiff_t(touched_.size());
-#pragma omp parallel for schedule(static) if (held.size() > 256)
-  for (std::ptrdiff_t t = 0; t < n; ++t) {
-    const auto row = std::size_t(t);
+  slip_at_.resize(in_use_.size());
+  std::vector<std::uint32_t> next(first_slip_.begin(), first_slip_.end() - 1);
+  for (std::size_t k = 0; k < in_use_.size(); ++k)
+    if (active_[in_use_[k]] == rubbing)
+      slip_at_[k] = next[row_of_[std::size_t(inner_[in_use_[k]].point[0])]]++;
+  const bool many = held.size() > 256;
+#pragma omp parallel for schedule(static) if (many)
+  for (std::size_t k = 0; k < in_use_.size(); ++k) {
+    const std::size_t slot = in_use_[k];
+    if (active_[slot] != rubbing) continue;
+    const Candidate& c = inner_[slot];
+    const Force& force = slots_[slot];
+    Vec3 slip = force.slip;
+    if (!slip.isZero(0))
+      slip = turned(c, slip, corners_of(c, way.start), corners_of(c, x), of_body(c, way.turn));
+    held[slip_at_[k]] = {c.point, c.interaction, c.pair.kind,  slot,        force.gap,
+                         slip,    force.pull,    force.damped, force.slides};
+  }
+#pragma omp parallel for schedule(static) if (many)
+  for (std::size_t row = 0; row < touched_.size(); ++row) {
     const std::span<Held> own(held.data() + first_slip_[row], first_slip_[row + 1] - first_slip_[row]);
-    if (own.empty()) continue;
-    bool passes = true;
-    Held* next = own.data();
-    for (std::uint32_t k = first_[row]; k < first_[row + 1]; ++k) {
-      const std::size_t slot = of_point_[k] / 4;
-      if (of_point_[k] % 4 != 0 || active_[slot] != rubbing) continue;
-      const Candidate& c = inner_[slot];
-      const Force& force = slots_[slot];
-      Vec3 slip = force.slip;
-      if (!slip.isZero(0))
-        slip = turned(c, slip, corners_of(c, way.start), corners_of(c, x), of_body(c, way.turn));
-      *next++ = {c.point, c.interaction, c.pair.kind,  slot,        force.gap,
-                 slip,    force.pull,    force.damped, force.slides};
-      passes = passes && (c.pair.kind != PairKind::facet || passes_on(c));
-    }
-    if (passes) join(own);
+    const auto may_pass = [this](const Held& h) {
+      return h.kind != PairKind::facet || passes_on(inner_[h.slot]);
+    };
+    if (own.size() > 1 && std::all_of(own.begin(), own.end(), may_pass)) join(own);
   }
 }
 

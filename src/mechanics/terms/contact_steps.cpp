@@ -43,7 +43,7 @@ double Contacts::largest_step(bool scaled) const {
   double stiffest = 0;
   for (const auto& it : scene_.interactions())
     if (!it.rigid) stiffest = std::max(stiffest, it.law.stiffest());
-  return std::min({contact_step_of_cloth * cloth_.stable_step(scaled),
+  return std::min({scaled ? step_ : contact_step_of_cloth * cloth_.stable_step(false),
                    std::sqrt(carried_stiffness * least_areal_ / stiffest),
                    carried_by_bodies(carried_stiffness, false)});
 }
