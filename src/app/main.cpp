@@ -52,16 +52,13 @@ bool is_dumb() {
 // Shows notices and progress, also while a line is being typed at the prompt.
 class Speaker {
  public:
-  // What a run was taken for, "contact: ...", is no warning.
   void say(const std::string& text) {
-    if (quiet && text.starts_with("contact: ")) return;
     progress.clear();
     std::fflush(stdout);
     if (lines == nullptr || !lines->interject(style_.dress(repl::Tone::notice, text)))
       // in one write, because parallel copies of a run use the same terminal
       std::cerr << style_.dress(repl::Tone::notice, text) + "\n" << std::flush;
   }
-  bool quiet = false;
   repl::Lines* lines = nullptr;
   app::ProgressLine progress{stderr, isatty(STDERR_FILENO) != 0 && !is_dumb()};
 
@@ -74,7 +71,7 @@ script::SessionOptions session_options(const app::CommandLine& command, Speaker&
   script::SessionOptions options;
   if (command.safe) options.safe = command.limits;
   options.check = command.check;
-  options.quiet = speaker.quiet = command.quiet;
+  options.quiet = command.quiet;
   options.strict = command.strict;
   options.study = command.study;
   options.threads = command.threads;

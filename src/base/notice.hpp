@@ -7,20 +7,25 @@
 
 namespace fabricsh {
 
-// Where warnings and notices go. once(key, text) shows the text for a key only once.
+// Where warnings and notices go. once(key, text) shows the text for a key only once; remark() says, once,
+// what something was taken for or how it goes, which nobody needs who wants quiet.
 class Notices {
  public:
   using Sink = std::function<void(const std::string& text)>;
-  explicit Notices(Sink sink = {}) : sink_(std::move(sink)) {}
+  explicit Notices(Sink sink = {}, bool quiet = false) : sink_(std::move(sink)), quiet_(quiet) {}
   void say(const std::string& text) const {
     if (sink_) sink_(text);
   }
   void once(const std::string& key, const std::string& text) {
     if (said_.insert(key).second) say(text);
   }
+  void remark(const std::string& text) {
+    if (!quiet_) once(text, text);
+  }
 
  private:
   Sink sink_;
+  bool quiet_;
   std::set<std::string> said_;
 };
 

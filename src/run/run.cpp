@@ -52,13 +52,13 @@ Run::Run(std::shared_ptr<model::Model> model, double duration, std::shared_ptr<N
   assembly_ = std::make_unique<mechanics::Assembly>(*model_);
   model_->seal();
   kinks_ = model_->kinks();
-  if (const std::string words = zones_text(*model_); !words.empty()) notices_->once(words, words);
+  if (const std::string words = zones_text(*model_); !words.empty()) notices_->remark(words);
   tears_ = assembly_->terms().find<mechanics::Tears>();
   seams_ = assembly_->terms().find<mechanics::Seams>();
   if (tears_ != nullptr)
     for (const std::string& words : tears_->describe()) notices_->once(words, words);
   if (seams_ != nullptr)
-    for (const std::string& words : seams_->describe()) notices_->once(words, words);
+    for (const std::string& words : seams_->describe()) notices_->remark(words);
   if (const std::string words = bending_warning(*model_, *assembly_); !words.empty()) {
     notices_->once("bending of card " + model_->card().name, "warning: " + words);
     note("bending", words);
@@ -69,8 +69,7 @@ Run::~Run() = default;
 
 void Run::report_contacts() {
   if (const auto* contact = assembly_->terms().find<mechanics::Contacts>())
-    for (const std::string& words : contact->describe())
-      notices_->once("contact " + words, "contact: " + words);
+    for (const std::string& words : contact->describe()) notices_->remark("contact: " + words);
 }
 
 void Run::add(std::unique_ptr<mechanics::Term> term) {

@@ -240,7 +240,7 @@ int card_by_name(Call& call) {
   if (options.text("bending") == "estimated" && card->bending && !card->estimate) {
     const std::string words =
         "card '" + card->name + "': its bending needs no estimate, it is part of the card";
-    call.session().notices().once(words, words);
+    call.session().notices().remark(words);
     return push_card(L, *card);
   }
   return push_card(L, bent(*card, options.text("bending")));

@@ -22,7 +22,7 @@ Notices::Sink while_shown(Notices::Sink sink, const std::unique_ptr<WarningLog>&
 Session::Session(SessionOptions options)
     : process_(getpid()),
       options_(std::move(options)),
-      notices_(while_shown(said_once_by_copies(options_.notice), log_)),
+      notices_(while_shown(said_once_by_copies(options_.notice), log_), options_.quiet),
       log_(std::make_unique<WarningLog>()) {
   main_ = luaL_newstate();
   if (main_ == nullptr) throw std::bad_alloc();
