@@ -101,8 +101,12 @@ std::vector<Dot> in_order(const std::vector<Dot>& dots, std::size_t rows, std::s
 
 Tracker::Tracker(std::size_t rows, std::size_t columns, const std::vector<Dot>& first) {
   if (first.size() != rows * columns)
-    throw Error("track: expected " + std::to_string(rows * columns) +
-                " dots on the first photograph, found " + std::to_string(first.size()));
+    throw Error(
+        "track: expected " + std::to_string(rows * columns) + " dots on the first photograph, found " +
+        std::to_string(first.size()) +
+        (first.size() < rows * columns
+             ? "; what is fainter than contrast=, larger than largest= or outside of region= is no dot"
+             : ""));
   tracks_.rows = rows;
   tracks_.columns = columns;
   const auto dots = in_order(first, rows, columns);

@@ -237,7 +237,7 @@ bool Assembly::tangent(const law::Step& step, linear::Matrix& K, std::span<const
   for (const auto& term : terms_) term->add_tangent(trial(), sink);
   if (!dofs_.freedoms().bodies.empty()) {
     std::vector<double> dead;
-    external(trial_time_, dead);
+    terms_.external(trial_time_, dead);
     stiffness_->add_body_stiffness(configuration_, force_x_, force_d_, dead, terms_.moments(), to);
   }
   return outcome_.ok();
@@ -256,11 +256,6 @@ bool Assembly::material_tangent(linear::Matrix& K, std::span<const double> lead,
 void Assembly::add_diagonal(std::span<const double> c_x, std::span<const double> c_d, linear::Matrix& K) {
   pattern();
   stiffness_->add_diagonal(c_x, c_d, K);
-}
-
-void Assembly::external(double time, std::vector<double>& out) const {
-  out.assign(3 * configuration_.nodes(), 0.0);
-  for (const auto& term : terms_) term->add_dead(time, out);
 }
 
 void Assembly::residual(std::span<const double> external, std::span<double> r, std::span<const double> on_d) {

@@ -78,8 +78,6 @@ class Assembly {
 
   // What the terms read of the present.
   Trial trial() const { return {configuration_, dofs_.reference(), trial_time_, motion_}; }
-  // Dead loads at the given time, 3 per node, N, global.
-  void external(double time, std::vector<double>& out) const;
   // r = f_ext - f_int on the unknowns, in the nodes' frames, less what depends on the motion, if there is one
   // (OnMotion). on_d: additional forces on directors, N m.
   void residual(std::span<const double> external, std::span<double> r, std::span<const double> on_d = {});

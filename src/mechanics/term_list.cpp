@@ -32,6 +32,11 @@ Outcome TermList::add_forces(std::size_t first, Outcome worst, const law::Step& 
   return worst;
 }
 
+void TermList::external(double time, std::vector<double>& out) const {
+  out.assign(3 * elements_->mass().size(), 0.0);
+  for (const auto& term : terms_) term->add_dead(time, out);
+}
+
 const std::vector<Vec3>* TermList::moments() const {
   for (const auto* const load : followers_)
     if (load->moments() != nullptr) return load->moments();

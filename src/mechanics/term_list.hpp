@@ -48,6 +48,8 @@ class TermList {
   // The outcome of the terms from number `first` on, whose forces are added: the worst, also of `worst`.
   Outcome add_forces(std::size_t first, Outcome worst, const law::Step& step, const Trial& trial,
                      Forces sums) const;
+  // Dead loads at the given time, 3 per node, N, global.
+  void external(double time, std::vector<double>& out) const;
   const std::vector<Vec3>* moments() const;  // see FollowerLoad
   bool symmetric() const;                    // whether the tangents of all terms are symmetric
   bool constant_loads() const;               // whether the dead loads are constant in time

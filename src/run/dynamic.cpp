@@ -113,7 +113,7 @@ void Dynamic::begin() {
   if (!assembly_->forces({}))
     throw NumericalFailure("dynamic: the fabric law failed at time 0", 0, assembly_->outcome().element);
   assembly_->commit(0);
-  assembly_->external(0, dead_);
+  assembly_->terms().external(0, dead_);
   const mechanics::NodalRates rates = initial_rates();
   set_motion(rates);
   report_dropped_rates(rates);

@@ -371,7 +371,7 @@ class RigidMotions {
 void look_at_loads(const RigidMotions& motions, const mechanics::Assembly& assembly, const Mode& mode,
                    double time, Mechanism& found) {
   std::vector<double> dead;
-  assembly.external(time, dead);
+  assembly.terms().external(time, dead);
   std::vector<double> follower(dead.size()), on_directors(dead.size());
   for (const auto* const load : assembly.terms().all<mechanics::FollowerLoad>())
     load->add_follower(time, assembly.trial(), follower, on_directors);

@@ -33,7 +33,7 @@ void EquilibriumProblem::resize() {
 
 EquilibriumProblem::EquilibriumProblem(mechanics::Assembly& assembly, double small_time, const Poll& poll)
     : EquilibriumProblem(assembly, nullptr, nullptr, small_time, poll) {
-  assembly.external(0, external_);  // a history that is not finite is refused before the run begins
+  assembly.terms().external(0, external_);  // a history that is not finite is refused before the run begins
 }
 EquilibriumProblem::EquilibriumProblem(mechanics::Assembly& assembly, Newmark& newmark, const Poll& poll)
     : EquilibriumProblem(assembly, &newmark, &newmark, 0, poll) {}
@@ -47,7 +47,7 @@ void EquilibriumProblem::set_time(double time) {
   trial_time_ = time;
   motion_.set_dt(time - std::as_const(assembly_).state().time());
   targets_ = assembly_.dofs().targets(time);
-  if (external_.empty() || !assembly_.terms().constant_loads()) assembly_.external(time, external_);
+  if (external_.empty() || !assembly_.terms().constant_loads()) assembly_.terms().external(time, external_);
   assembly_.set_time(time);
 }
 
@@ -332,7 +332,7 @@ void EquilibriumProblem::look_ahead() {
   const double later = trial_time_ + small_time_;
   const auto moved = assembly_.dofs().targets(later);
   for (std::size_t i = 0; i < lead_.size(); ++i) lead_[i] = moved[i] - targets_[i];
-  assembly_.external(later, later_external_);
+  assembly_.terms().external(later, later_external_);
   set_push(later_external_, external_);
 }
 

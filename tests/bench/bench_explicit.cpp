@@ -94,7 +94,7 @@ class Sheet {
         if (in_rows) rate_[equation] = k < 3 ? row_velocity(X.y())[k] : 0;
       }
     }
-    assembly_.external(0, external_);
+    assembly_.terms().external(0, external_);
   }
   void step() {
     assembly_.begin_iterate();

@@ -132,7 +132,7 @@ TEST_CASE("a zone nowhere open has the residual and the tangent of the sheet wit
     one.apply_increment(delta, 1, {});
     one.set_time(0);
     std::vector<double> external, product(one.dofs().unknowns());
-    one.external(0, external);
+    one.terms().external(0, external);
     REQUIRE(one.tangent({}, K[i], {}, product));
     r[i].resize(one.dofs().unknowns());
     one.residual(external, r[i]);

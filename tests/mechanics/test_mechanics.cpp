@@ -58,7 +58,7 @@ std::vector<double> residual_at(mechanics::Assembly& a, const std::vector<double
   a.apply_increment(step, scale, a.dofs().targets(0));
   REQUIRE(a.forces({}));
   std::vector<double> external, r(a.dofs().unknowns());
-  a.external(0, external);
+  a.terms().external(0, external);
   a.residual(external, r);
   return r;
 }
@@ -89,7 +89,7 @@ std::vector<double> tangent_errors(mechanics::Assembly& a) {
   for (std::size_t c = 0; c < n; ++c)
     for (auto k = K.pattern->column[c]; k < K.pattern->column[c + 1]; ++k)
       product[K.pattern->row[k]] += K.value[k] * direction[c];
-  a.external(0, external);
+  a.terms().external(0, external);
   a.residual(external, r);
   // A body's tangent is that of the exponential map: its moment residual r turns under the spin's, by half.
   for (const auto& body : a.dofs().freedoms().bodies) {

@@ -47,7 +47,7 @@ TEST_CASE("gravity's moment is the weight's about the reference surface, for an 
     // Of all loads on directors and nodes at the reference: force, and moment about the reference surface's
     // middle.
     std::vector<double> external;
-    a.external(0, external);
+    a.terms().external(0, external);
     a.begin_iterate();
     REQUIRE(a.forces({}));
     Vec3 force = Vec3::Zero(), moment = Vec3::Zero();

@@ -56,7 +56,7 @@ double tangent_error(Assembly& a, double strain) {
     a.apply_increment(direction, h, a.dofs().targets(0));
     REQUIRE(a.forces({}));
     std::vector<double> external, r(n);
-    a.external(0, external);
+    a.terms().external(0, external);
     a.residual(external, r);
     return r;
   };
