@@ -1,16 +1,12 @@
 -- A step of implicit motion in which the ledger goes off is repeated at half its size. A clamped square of muslin, flat at first, snaps taut within the first
 -- steps of its pressure; what comes to rest is the static shape, though the steps that the deck gives are far too long for the way there.
 local fabric = require "fabric"
-local near = dofile((arg[0]:gsub("[^/]*$", "common/check.lua"))).near
+local check = dofile((arg[0]:gsub("[^/]*$", "common/check.lua")))
+local near, highest = check.near, check.highest
 
 local function square(triangles, ramp)
   local m = fabric.model { mesh = fabric.mesh.rectangle { width = 0.2, height = 0.2, nx = 6, ny = 6, triangles = triangles }, card = fabric.card("muslin", { bending = "estimated" }), warp = 0 }
   return m:fix("boundary", "x y z"):pressure(fabric.ramp(100, ramp))
-end
-local function highest(a)
-  local most = 0
-  for _, z in ipairs(a:field "z") do most = math.max(most, math.abs(z)) end
-  return most
 end
 
 for _, triangles in ipairs { false, true } do

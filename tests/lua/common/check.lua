@@ -16,6 +16,13 @@ function check.near(got, want, relative, what)
   end
 end
 
+-- The largest height of a run's nodes above or below z = 0, m.
+function check.highest(a)
+  local most = 0
+  for _, z in ipairs(a:field "z") do most = math.max(most, math.abs(z)) end
+  return most
+end
+
 -- The exit code of a shell's command, and what it printed.
 function check.shell(command)
   local pipe = assert(io.popen(command))
