@@ -23,7 +23,7 @@ assert(not too_large and tostring(words_of_ball):find("ball_burst: field 'ball':
 local sides = { card = svk(4e3), method = "trapezoid", h = 3 * mm, width = 30 * mm, short = 20 * mm, long = 46 * mm, cut = 6 * mm, tear = 9 * mm, speed = 3 }
 local trapezoid = fabric.lab.tear(sides)
 assert(trapezoid.curve[#trapezoid.curve].torn >= 9 * mm * (1 - 1e-9) and trapezoid.fracture > 0)
-for name, value in pairs { short = 17 * mm, long = 20 * mm, cut = 30 * mm, tear = 25 * mm } do
+for name, value in pairs { short = 13 * mm, long = 20 * mm, cut = 30 * mm, tear = 25 * mm } do
   local wrong = {}
   for key, given in pairs(sides) do wrong[key] = given end
   wrong[name] = value

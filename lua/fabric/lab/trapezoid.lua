@@ -24,7 +24,7 @@ local function rows(h, far, more)
 end
 
 local function check(t)
-  local least = 2 * (straight + 1) * t.h
+  local least = 2 * (straight + 0.25) * t.h
   if t.short < least then
     define.fail(("tear: field 'short': expected at least %.4g m with elements of %.3g m, got %.4g"):format(least, t.h, t.short))
   end

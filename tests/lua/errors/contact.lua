@@ -223,7 +223,7 @@ wrong("fabric.rigid.sphere", "fabric.rigid.sphere{ radius=1, centre={0, 0/0, 0} 
 
 -- fabric.lab.ball_drop
 wrong("fabric.lab.ball_drop", "fabric.lab.ball_drop{ wrong=1 }",
-  "deck.lua:1: ball_drop: unknown field 'wrong' (known: card side radius mass height friction stiffness cells duration step scheme inertia points gravity damping every out)")
+  "deck.lua:1: ball_drop: unknown field 'wrong' (known: card side radius mass height friction stiffness cells duration step scheme points damping every out)")
 wrong("fabric.lab.ball_drop", "fabric.lab.ball_drop{}",
   "deck.lua:1: ball_drop: field 'card': expected a card, got nil (missing, or a misspelt variable)")
 wrong("fabric.lab.ball_drop", "fabric.lab.ball_drop{ card='blend' }",
@@ -237,7 +237,7 @@ wrong("fabric.lab.ball_drop", "fabric.lab.ball_drop{ card=card, cells=2.5 }",
 
 -- fabric.lab.capstan
 wrong("fabric.lab.capstan", "fabric.lab.capstan{ wrong=1 }",
-  "deck.lua:1: capstan: unknown field 'wrong' (known: card radius wrap friction tension width around lead draw step points stiffness)")
+  "deck.lua:1: capstan: unknown field 'wrong' (known: card radius wrap friction tension width around lead draw step stiffness)")
 wrong("fabric.lab.capstan", "fabric.lab.capstan{}",
   "deck.lua:1: capstan: field 'card': expected a card, got nil (missing, or a misspelt variable)")
 wrong("fabric.lab.capstan", "fabric.lab.capstan{ card='blend' }",

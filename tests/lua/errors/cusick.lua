@@ -1,7 +1,7 @@
 -- Wrong calls and their messages: the drape tester. Read by tests/lua/errors.lua.
 wrong("fabric.lab.cusick", "fabric.lab.cusick{ wrong=1 }",
   "deck.lua:1: cusick: unknown field 'wrong' (known: card disc support seeds seed orientation cells around offset edge held side friction contact self "
-    .. "by steps lowering damping gravity still window duration processes every out file)")
+    .. "by steps lowering damping still window duration processes every out file)")
 wrong("fabric.lab.cusick", "fabric.lab.cusick{}",
   "deck.lua:1: cusick: field 'card': expected a card, got nil (missing, or a misspelt variable)")
 wrong("fabric.lab.cusick", "fabric.lab.cusick{ card='blend' }",

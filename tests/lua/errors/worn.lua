@@ -44,7 +44,7 @@ wrong("fabric.rigid.torso", "fabric.rigid.torso{ sections={ {0, 1, 1}, {1, 1, 1}
 
 -- fabric.lab.dress
 wrong("fabric.lab.dress", "fabric.lab.dress{ wrong=1 }",
-  "deck.lua:1: dress: unknown field 'wrong' (known: analysis at window still calm)")
+  "deck.lua:1: dress: unknown field 'wrong' (known: analysis at window still calm state)")
 wrong("fabric.lab.dress", "fabric.lab.dress{ analysis=5, at=1 }",
   "deck.lua:1: dress: field 'analysis': expected an analysis, got 5")
 wrong("fabric.lab.dress", "fabric.lab.dress{ analysis=run }",
@@ -57,6 +57,8 @@ wrong("fabric.lab.dress", "fabric.lab.dress{ analysis=run, at=2 }",
   "deck.lua:1: dress: field 'at': expected at most the duration of the run, 1 s, got 2 s")
 wrong("fabric.lab.dress", "fabric.lab.dress{ analysis=run, at=0.5, window=0.6 }",
   "deck.lua:1: dress: field 'window': expected less than at= (0.5 s), got 0.6 s")
+wrong("fabric.lab.dress", "fabric.lab.dress{ analysis=run, at=0.5, state='kept' }",
+  "deck.lua:1: dress: field 'state': expected a table, got 'kept'")
 wrong("fabric.lab.dress", "fabric.lab.dress{ analysis=run, at=0.5 }",
   "deck.lua:1: dress: the model has no contact: expected m:contact{ between={body, \"all\"} }")
 
