@@ -14,14 +14,14 @@ struct SewnEdges {
   const mesh::Mesh& mesh;
   const std::vector<model::Stitch>& stitches;
   std::function<Vec3(mesh::Index)> place, director;
-  // Whether the directors of both edges become one as the seam closes: those of a seam that is no hinge, by
-  // default where the sheets lie on either side of it, so that one continues the other, and their normals are
-  // no more than 60 degrees apart. Error: they are to, and their normals are farther apart.
+  // 1 if the directors of both edges become one as the seam closes, so that it bends as one piece, else 0.
+  // The deck says so (hinge); if it does not, they do where one sheet continues the other across the seam and
+  // their normals are no more than 60 degrees apart. Error: hinge=false although they are farther apart.
   std::uint8_t turning(const model::Seam& seam, std::size_t number) const;
 
  private:
-  bool continues(std::size_t seam) const;
-  mesh::Index disagree(std::size_t seam) const;  // a node at which the normals do; -1: none
+  bool continues(std::size_t seam) const;        // whether the sheets lie on either side of the seam
+  mesh::Index disagree(std::size_t seam) const;  // a node where the normals are too far apart; -1: none
 };
 
 }  // namespace fabricsh::mechanics

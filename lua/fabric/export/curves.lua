@@ -1,5 +1,5 @@
 -- The loading and unloading curves of a woven card in the measures of strain and stress that a target uses.
-local ours = require "fabric.export.ours"
+local sampled = require "fabric.export.sampled"
 local curves = {}
 
 local n = 64
@@ -58,14 +58,14 @@ end
 --   style "scaled": unloading rises from {0, 0}, hardly below the residual strain, meets the loading curve at the tested strain, and continues
 --   style "shifted": unloading with the residual strain as its origin
 local function part_of(card, name, measure, style)
-  local tested = ours.tested(card)[name]
+  local tested = sampled.tested(card)[name]
   local shear = name == "shear"
   local reach = shear and math.min(1.3 * tested, (tested + 0.49) / 2) or 1.3 * tested
   local convert = shear and measure.shear or measure.axis
   local E, S
-  if shear then E, S = ours.shear(card, reach, n) else E, S = ours.uniaxial(card, name, reach, n) end
+  if shear then E, S = sampled.shear(card, reach, n) else E, S = sampled.uniaxial(card, name, reach, n) end
   local loading = mapped(convert, E, S)
-  local Eu, Su, residual = ours.unloading(card, name, tested, 24)
+  local Eu, Su, residual = sampled.unloading(card, name, tested, 24)
   local down = mapped(convert, Eu, Su)
   local unloading, meet = { x = {}, y = {} }, { down.x[1], down.y[1] }
   local origin = down.x[#down.x]

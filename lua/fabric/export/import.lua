@@ -5,7 +5,7 @@ local units = require "fabric.export.units"
 local curves = require "fabric.export.curves"
 local laws = require "fabric.export.laws"
 local loss = require "fabric.export.loss"
-local ours = require "fabric.export.ours"
+local sampled = require "fabric.export.sampled"
 local read = require "fabric.export.read_deck"
 local fail = define.fail
 
@@ -55,7 +55,7 @@ local function steepest(name, list, upto)
 end
 
 -- The unloading curve of the file as points {E, S} in the card's measures, from the reversal down to `share` of its stress.
-local function way_down(back, part, shifted, share)
+local function unloading_points(back, part, shifted, share)
   local c, top = part.unloading, part.meet
   local inverse = { x = c.y, y = c.x }
   local offset = shifted and top[1] - laws.value(inverse, top[2]) or 0
@@ -86,9 +86,9 @@ local straight = 0.03  -- of the stress at the reversal; up to this a curve coun
 -- reversal to (nearly) no stress, as long as it is steeper than `least`; nil for an elastic curve.
 local function modulus(name, back, part, shifted, least, notes)
   if part.elastic then return end
-  local begins, whole = slope(way_down(back, part, shifted, 0.8)), way_down(back, part, shifted, 0.02)
+  local begins, whole = slope(unloading_points(back, part, shifted, 0.8)), unloading_points(back, part, shifted, 0.02)
   local a, b = whole[#whole - 1], whole[#whole]
-  whole[#whole + 1] = { b[1] - b[2] * (a[1] - b[1]) / (a[2] - b[2]), 0 } -- below that LAW58 hardly pulls on its way to zero strain
+  whole[#whole + 1] = { b[1] - b[2] * (a[1] - b[1]) / (a[2] - b[2]), 0 } -- to zero stress in a straight line: the tail of a LAW58 curve runs nearly flat to zero strain
   local off = sag(whole)
   if off <= straight then return begins end
   local used = slope(whole) > least and slope(whole) or begins
@@ -168,7 +168,7 @@ local function turn_all(t, p, kind, notes)
     if p[name].ended and E == 0 and stated then
       E, said = stated[name], ("%s:%d"):format(t.file, line)
       if E == 0 then
-        E = ours.untested[name]
+        E = sampled.untested[name]
         notes[#notes + 1] = not_tested(name, line, E)
       end
     elseif not p[name].ended and E == 0 and stated then
@@ -222,7 +222,7 @@ end
 -- nu12 / nu21, then the first again.
 local function fit_ratios(fields, make)
   local wanted = {}
-  for _, path in ipairs(ours.paths(fabric.woven(fields))) do
+  for _, path in ipairs(sampled.paths(fabric.woven(fields))) do
     if path.name == "biaxial" or path.name == "bias" then
       local lists, peak = { laws.along(make(), path) }, 0
       for _, list in ipairs(lists) do
@@ -235,7 +235,7 @@ local function fit_ratios(fields, make)
     fields.warp.poisson, fields.weft.poisson = mean * math.exp(lean), mean * math.exp(-lean)
     local card, sum = fabric.woven(fields), 0
     for _, w in ipairs(wanted) do
-      for k, list in ipairs { ours.along(card, w.path) } do
+      for k, list in ipairs { sampled.along(card, w.path) } do
         for i, S in ipairs(list) do sum = sum + ((S - w.lists[k][i]) / w.peak) ^ 2 / #list end
       end
     end

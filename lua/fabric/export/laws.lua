@@ -328,7 +328,7 @@ local function solve_uniaxial(law, angle, Ex, guess)
   return S
 end
 
--- The stresses of a law along a path (see ours.paths): one list, or two for the biaxial path.
+-- The stresses of a law along a path (see sampled.paths): one list, or two for the biaxial path.
 function laws.along(law, path)
   local first, second, guess = {}, path.drive == "biaxial" and {} or nil, { 0, 0 }
   for i, x in ipairs(path.values) do

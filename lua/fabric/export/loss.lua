@@ -1,5 +1,5 @@
 -- The loss of an export: the target's law compared with the card's own, path by path.
-local ours = require "fabric.export.ours"
+local sampled = require "fabric.export.sampled"
 local registry = require("fabric.define").registry
 local laws = require "fabric.export.laws"
 local loss = {}
@@ -40,8 +40,8 @@ end
 -- Rows {path, words, worst, rms, work (per cent), where (strain), peak (Pa), strain, ours, theirs} for the law of make().
 function loss.rows(card, make)
   local rows = {}
-  for i, path in ipairs(ours.paths(card)) do
-    local a1, a2 = ours.along(card, path)
+  for i, path in ipairs(sampled.paths(card)) do
+    local a1, a2 = sampled.along(card, path)
     local b1, b2 = laws.along(make(), path)
     rows[i] = compare(path, a1, a2, b1, b2)
   end
@@ -107,7 +107,7 @@ function loss.sentences(card, target)
     add("shear flips: " .. target.flips)
     if card.biaxial then add "biaxial stiffening: the card's fourth spring is lost" end
     local linear = target.measure ~= nil -- a law of constants, which takes secants at the tested strains and no curves
-    for _, axis in ipairs(ours.axes) do
+    for _, axis in ipairs(sampled.axes) do
       local l = card[axis].loop
       if l and target.elastic then
         add(("curved loops: the %s unloads along its loading curve there; the card's loop (friction %.4g, reach %.4g, curve %.4g) is lost"):format(axis, l.friction, l.reach, l.curve))

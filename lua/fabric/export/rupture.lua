@@ -6,7 +6,7 @@
 local fabric = require "fabric"
 local define = require "fabric.define"
 local laws = require "fabric.export.laws"
-local ours = require "fabric.export.ours"
+local sampled = require "fabric.export.sampled"
 local rupture = {}
 
 local farthest, step = 4, 1e-3 -- nominal strain
@@ -99,7 +99,7 @@ function rupture.prepare(t, target, law)
     return out
   end
   local said = false
-  for _, axis in ipairs(ours.axes) do
+  for _, axis in ipairs(sampled.axes) do
     local broken = card.rupture[axis]
     if broken then
       local strains, from, most = rupture.strains(card, axis, t.element, law)

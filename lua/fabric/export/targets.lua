@@ -1,7 +1,7 @@
 -- The materials to which a card can be exported. For each: its solver, the kinds of card that it accepts, the determination of its
 -- parameters, its text, its law, and a description of its losses.
 local fabric = require "fabric"
-local ours = require "fabric.export.ours"
+local sampled = require "fabric.export.sampled"
 local curves = require "fabric.export.curves"
 local laws = require "fabric.export.laws"
 local dyna = require "fabric.export.dyna"
@@ -11,8 +11,8 @@ local abaqus = require "fabric.export.abaqus"
 local targets = {}
 
 local function ends(card)
-  local t, out = ours.tested(card), {}
-  for _, axis in ipairs(ours.axes) do
+  local t, out = sampled.tested(card), {}
+  for _, axis in ipairs(sampled.axes) do
     out[axis] = { E = t[axis], S = fabric.point(card):uniaxial(axis, t[axis]).S }
     out[axis].stretch = math.sqrt(1 + 2 * t[axis])
   end

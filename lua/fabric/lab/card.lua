@@ -7,10 +7,10 @@ local fail = define.fail
 -- Assumptions for unmeasured values, with the range found for the four supplied cloths (card "blend" and so on).
 local rule = {
   unloading = { warp = 4, weft = 4, shear = 3, -- times the steepest tangent of the loading
-    said = { warp = "2.5 to 10", weft = "2.5 to 10", shear = "1.5 to 3.9" } },
-  poisson = { value = 0.4, said = "0.12 to 2.04" },
-  shear = { value = 0.09, said = "0.05 to 0.27" }, -- times the mean initial modulus of the yarns
-  yarns = { value = 11, said = "4 to 20" },        -- times the initial modulus in shear, the same rule the other way round
+    range = { warp = "2.5 to 10", weft = "2.5 to 10", shear = "1.5 to 3.9" } },
+  poisson = { value = 0.4, range = "0.12 to 2.04" },
+  shear = { value = 0.09, range = "0.05 to 0.27" }, -- times the mean initial modulus of the yarns
+  yarns = { value = 11, range = "4 to 20" },        -- times the initial modulus in shear, the same rule the other way round
   inextensible = 0.01,                             -- largest strain of the yarns in a bias test, which is evaluated as if they had none
   stable = 0.9,                                    -- of the largest ratio with which the law stays stable
 }
@@ -103,7 +103,7 @@ local function yarns_from_shear(shear)
   local by_rule, stiff = rule.yarns.value * first, stress_at(shear.loading, shear.tested) / rule.inextensible
   if by_rule >= stiff then
     return by_rule, ("assumed: straight, %g times the initial modulus in shear (%s on the shipped cloths), since no pull was made along a yarn"):format(
-      rule.yarns.value, rule.yarns.said)
+      rule.yarns.value, rule.yarns.range)
   end
   return stiff, ("assumed: straight, %.3g MPa, with which the yarns stretch by %g %% at the end of the bias test, whose evaluation takes them for inextensible, "
     .. "since no pull was made along a yarn"):format(stiff / 1e6, 100 * rule.inextensible)
@@ -181,7 +181,7 @@ local function missing_part(t, name, provenance)
     end
   end
   provenance["shear.loading"] = ("assumed: straight, %g of the yarns' initial modulus (%s on the shipped cloths), since no bias test was made"):format(
-    rule.shear.value, rule.shear.said)
+    rule.shear.value, rule.shear.range)
   return { loading = { rule.shear.value * sum / n } }
 end
 
@@ -194,7 +194,7 @@ local function unloading_of(t, fit, name, provenance)
   local given = assumed(t, field, "expected a fit with an unloading modulus (a cyclic test), got one of loading alone")
   provenance[field] = given and "assumed: given by the deck"
     or ("assumed: %g times the steepest tangent of the loading (%s on the shipped cloths), since no test includes unloading"):format(rule.unloading[name],
-      rule.unloading.said[name])
+      rule.unloading.range[name])
   return given or rule.unloading[name] * tangents(fit.loading, fit.tested)
 end
 
@@ -219,7 +219,7 @@ local function poisson_of(t, name, provenance)
     end
   end
   local value = math.min(rule.poisson.value, math.max(0.1, rule.stable * most))
-  provenance[field] = ("assumed: %.3g (%s on the shipped cloths), since no markers were tracked"):format(value, rule.poisson.said)
+  provenance[field] = ("assumed: %.3g (%s on the shipped cloths), since no markers were tracked"):format(value, rule.poisson.range)
   if value < rule.poisson.value then provenance[field] = provenance[field] .. ("; not %g, since the yarn softens, and the law would be unstable"):format(rule.poisson.value) end
   return value
 end

@@ -3,7 +3,7 @@ local fabric = require "fabric"
 local fail = require "fabric.define".fail
 local check = {}
 
--- Asks about a specimen's width or length that no cloth has.
+-- Warns of a width or length that no specimen has, as of one in mm.
 function check.lengths(call, t)
   for _, name in ipairs { "width", "length", "gauge_length" } do
     if t[name] and (t[name] < 1e-3 or t[name] > 2) then fabric.warn(("%s: field '%s': %g m is far from what cloth is: is it in m?"):format(call, name, t[name])) end
@@ -22,7 +22,7 @@ function check.numbers(call, field, list)
   return #list
 end
 
--- The forces of a pull in the rows that count: positive, but for noise below zero by no more than this share of the largest.
+-- The forces of a pull in the given rows are positive: what noise makes negative is at most this share of the largest.
 local below = 0.1
 function check.pull(call, field, forces, rows)
   local low, high, place = math.huge, -math.huge, 1

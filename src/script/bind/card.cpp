@@ -85,7 +85,7 @@ void merge(lua_State* L, int to, int from, const std::vector<Argument>& rows) {
     } else if (row != nullptr && !row->rows.empty() && is_group(L, value)) {
       lua_newtable(L);
       merge(L, lua_gettop(L), value, row->rows);
-      // Nothing but parts that were not there.
+      // The changes take away only what the card does not have.
       if (is_empty(L, lua_gettop(L)) && !is_empty(L, value)) lua_pushnil(L);
     } else {
       lua_pushvalue(L, value);

@@ -1,13 +1,13 @@
 -- Samples of a card's law by fabric.point: the curves for a target, and the paths by which it is judged.
 local fabric = require "fabric"
-local ours = {}
+local sampled = {}
 
-ours.axes = { "warp", "weft" }
+sampled.axes = { "warp", "weft" }
 
 -- Largest tested strain of an axis or of shear (E12); these values are used if the card states none.
 local untested = { warp = 0.10, weft = 0.10, shear = 0.20 }
-ours.untested = untested
-function ours.tested(card)
+sampled.untested = untested
+function sampled.tested(card)
   local out = {}
   for name, default in pairs(untested) do
     local known = card.kind == "woven" and card.tested[name] or 0
@@ -18,7 +18,7 @@ end
 
 -- {E, S} of virgin uniaxial loading along an axis with zero lateral and shear stress, from zero to `reach`; S: second
 -- Piola-Kirchhoff stress, Pa.
-function ours.uniaxial(card, axis, reach, n)
+function sampled.uniaxial(card, axis, reach, n)
   local p, E, S = fabric.point(card), { 0 }, { 0 }
   for i = 1, n do
     E[i + 1] = reach * i / n
@@ -28,7 +28,7 @@ function ours.uniaxial(card, axis, reach, n)
 end
 
 -- {E12, S12} of virgin shear with E11 = E22 = 0.
-function ours.shear(card, reach, n)
+function sampled.shear(card, reach, n)
   local p, E, S = fabric.point(card), { 0 }, { 0 }
   for i = 1, n do
     E[i + 1] = reach * i / n
@@ -64,7 +64,7 @@ local function residual_of(card, part, from)
 end
 
 -- {E, S} of unloading from the virgin strain `from` to zero stress, in descending strain, down to the residual strain.
-function ours.unloading(card, part, from, n)
+function sampled.unloading(card, part, from, n)
   local residual = residual_of(card, part, from)
   local value, drive = loaded(card, part, from)
   local E, S = { from }, { value }
@@ -93,8 +93,8 @@ local function visit(corners)
   return out
 end
 
-function ours.paths(card)
-  local t = ours.tested(card)
+function sampled.paths(card)
+  local t = sampled.tested(card)
   local both = math.min(t.warp, t.weft)
   local function cycle(x) return visit { 0.6 * x, 0.3 * x, x, 0.6 * x } end
   return {
@@ -109,7 +109,7 @@ function ours.paths(card)
 end
 
 -- The stresses of the card along a path: one list, or two for the biaxial path.
-function ours.along(card, path)
+function sampled.along(card, path)
   local p, first, second = fabric.point(card), {}, path.drive == "biaxial" and {} or nil
   for i, x in ipairs(path.values) do
     if path.drive == "uniaxial" then
@@ -124,4 +124,4 @@ function ours.along(card, path)
   return first, second
 end
 
-return ours
+return sampled
