@@ -50,7 +50,7 @@ TriangleRegion region(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c
   return {0, false, vb / sum, vc / sum};
 }
 
-// Parameters of the closest points of two lines, and whether both lie inside their segments.
+// Whether the closest points of two lines lie inside of their segments, and where.
 struct Crossing {
   double s = 0, t = 0;
   bool inside = false;
@@ -60,8 +60,10 @@ Crossing crossing(const Vec3& u, const Vec3& v, const Vec3& r) {
   const double a = u.dot(u), b = u.dot(v), c = v.dot(v), e = u.dot(r), f = v.dot(r);
   const double det = a * c - b * b;
   if (!(det > 1e-14 * a * c)) return {};
-  const double s = (b * f - c * e) / det, t = (a * f - b * e) / det;
-  return {s, t, s > 0 && s < 1 && t > 0 && t < 1};
+  const double s = b * f - c * e, t = a * f - b * e;
+  // Most edges that are near do not cross: no division for those.
+  if (!(s > 0 && s < det && t > 0 && t < det)) return {};
+  return {s / det, t / det, true};
 }
 
 }  // namespace
