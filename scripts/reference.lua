@@ -15,7 +15,7 @@ local root = arg[0]:gsub("[^/]*$", "") .. "../"
 -- What comes back, where it is an object or plain; anything else is `any`.
 local returns = {
   ["fabric.card"] = "card", ["fabric.woven"] = "card", ["fabric.svk"] = "card", ["fabric.linear"] = "card", ["fabric.cards"] = "string[]",
-  ["card:with"] = "card", ["card:sample"] = "card[]", ["card:write"] = "nil", ["fabric.lab.card"] = "card", ["fabric.lab.kes_card"] = "card",
+  ["card:with"] = "card", ["card:sample"] = "card[]", ["card:write"] = "nil", ["fabric.lab.card"] = "card", ["fabric.lab.kes_card"] = "card", ["fabric.lab.tension_field"] = "card",
   ["fabric.lab.fast_card"] = "card", ["fabric.point"] = "point", ["point:reset"] = "nil", ["fabric.model"] = "model", ["fabric.poly"] = "number[]",
   ["fabric.history"] = "history", ["fabric.ramp"] = "history", ["history:value"] = "number", ["fabric.static"] = "analysis",
   ["fabric.dynamic"] = "analysis", ["fabric.checking"] = "boolean", ["fabric.warn"] = "nil", ["fabric.globals"] = "nil",

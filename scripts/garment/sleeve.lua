@@ -1,10 +1,12 @@
 -- A sleeve on an arm that bends and straightens twice: cut flat, wrapped around the straight arm, sewn, come to rest, and worn. It is held at the
 -- shoulder, as by a bodice. Printed are the pressures on parts of the arm, and the work of the arm in each cycle with what became of it.
 --
---   fabricsh sleeve.lua [blend|duck|muslin|denim] [size of elements, mm] [bend, degrees] [time of a bend, s] [folder of checkpoint and series, or -] [flesh, mm]
+--   fabricsh sleeve.lua [blend|duck|muslin|denim] [size of elements, mm] [bend, degrees] [time of a bend, s] [folder of checkpoint and series, or -] [flesh, mm] [field]
 --
 -- With `flesh` the arm gives way by that much below its skin, with the stiffness of 50 kPa over 20 mm (initial moduli of 0.2 to 58 kPa were measured on limbs
 -- [zheng1999]); without it, on a hard arm, the folds of elements below some 10 mm are pinched until contact makes the steps a hundred times as short.
+--
+-- With `field`, the word itself, yarns that are shortened carry nothing (fabric.lab.tension_field): for elements larger than the folds.
 --
 -- warns: a finer mesh folds
 -- The short form bends by 20 degrees. Elements have to be smaller than the folds at the elbow: beyond about 30 degrees those of 20 mm crease or turn a director over, which the program says.
@@ -13,6 +15,7 @@ local mm = fabric.units.mm
 local cloth, size, bend, stroke, out = arg[1] or "blend", (tonumber(arg[2]) or 20) * mm, tonumber(arg[3]) or 20, tonumber(arg[4]) or 0.02, arg[5] ~= "-" and arg[5] or nil
 local flesh = tonumber(arg[6]) and tonumber(arg[6]) * mm
 local card = fabric.card(cloth, { bending = "estimated" })
+if arg[7] == "field" then card = fabric.lab.tension_field { card = card } end
 local dressed, cycles = 0.01, 2 -- s: the sleeve rests
 local duration = dressed + 2 * cycles * stroke
 
@@ -64,7 +67,7 @@ if out then
 end
 
 -- It hangs loosely and stores next to nothing, so that what moves is what counts.
-local rest = fabric.lab.dress { analysis = a, at = dressed, window = 5e-3, calm = 1, state = state }
+local rest = fabric.lab.dress { analysis = a, at = dressed, window = 5e-3, calm = arg[7] == "field" and 1e4 or 1, state = state }
 local times = { dressed }
 for cycle = 1, cycles do times[cycle + 1] = dressed + 2 * cycle * stroke end
 local worn = fabric.lab.wear { analysis = a, body = arm, mesh = shapes[1], times = times, state = state, out = out }

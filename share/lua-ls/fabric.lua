@@ -1546,6 +1546,15 @@ function fabric.lab.tear(fields) end
 ---@return table<string, any>
 function fabric.lab.tensile(fields) end
 
+---@class fabric_lab_tension_field_fields
+---@field card card a woven card
+---@field slack? number strain up to which a yarn carries next to nothing; at five times that it carries what it did (default 0.001)
+
+---A card whose yarns carry next to nothing where they are shortened, as cloth that folds: for garments and drapes on elements larger than the folds. In tension nothing changes from five times `slack` on.
+---@param fields fabric_lab_tension_field_fields
+---@return card
+function fabric.lab.tension_field(fields) end
+
 ---@class fabric_lab_track_fields.region
 ---@field left? integer first column, from 0 at the left
 ---@field top? integer first row, from 0 at the top
@@ -1664,7 +1673,7 @@ function fabric.lab.viscous(fields) end
 ---@field state? table an empty table to gather in, for `keep` of a:checkpoint, so that a restart goes on with it
 ---@field out? string folder for pressure.csv, worn.pvd (cloth and body, with the pressure on it) and worn.txt
 
----What worn cloth does to the body and its wearer: runs through the times and returns regions (of each name, and of all: mean, Pa, the largest of its mean pressures over time, usual, their mean over time, peak, the largest over a disc of skin, peak_at, m, its middle on the body at time 0, touched, the largest share of its area), map (mean and largest of each vertex, Pa), rows (the mean pressures over time), cycles (of each: work, J, that moves the body, supports and loads did, and what became of it: cloth, what the law of the cloth dissipated, friction, damping, impact, fracture, stored, kinetic), slip (m, on the skin: largest and its node, mean, nodes), tension (warp, weft: value, N/m, element, time), beyond (strain over the tested strain of the card), compressed (how much shorter yarns get: value, element, time; from 1 % on, where a finer mesh would fold, a warning says so), gap, ledger, and text, all of this in words.
+---What worn cloth does to the body and its wearer: runs through the times and returns regions (of each name, and of all: mean, Pa, the largest of its mean pressures over time, usual, their mean over time, peak, the largest over a disc of skin, peak_at, m, its middle on the body at time 0, touched, the largest share of its area), map (mean and largest of each vertex, Pa), rows (the mean pressures over time), cycles (of each: work, J, that moves the body, supports and loads did, and what became of it: cloth, what the law of the cloth dissipated, friction, damping, impact, fracture, stored, kinetic), slip (m, on the skin: largest and its node, mean, nodes), tension (warp, weft: value, N/m, element, time), beyond (strain over the tested strain of the card), compressed (how much shorter yarns get: value, element, time, and push, N/m, what they carry then at most; from 1 % on, where a finer mesh would fold, a warning says so), gap, ledger, and text, all of this in words.
 ---@param fields fabric_lab_wear_fields
 ---@return table<string, any>
 function fabric.lab.wear(fields) end
