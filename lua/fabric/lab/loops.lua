@@ -8,6 +8,7 @@ local check = require "fabric.lab.check"
 local curve = require "fabric.lab.curve"
 local linear = require "fabric.lab.linear"
 local origin = require "fabric.lab.origin"
+local stress_of = require("fabric.lab.loading").stress
 local fail = define.fail
 
 local strands = 6
@@ -51,19 +52,6 @@ local function along(legs, p, visit)
 end
 
 -- --- the record ---
-
--- The stress of a loading curve: {d0, d1, ...}, or points.
-local function stress_of(loading, E)
-  if type(loading[1]) ~= "table" then
-    local S = 0
-    for k, d in ipairs(loading) do S = S + d * E ^ k / k end
-    return S
-  end
-  local k = 2
-  while k < #loading and loading[k][1] < E do k = k + 1 end
-  local a, b = loading[k - 1], loading[k]
-  return a[2] + (E - a[1]) * (b[2] - a[2]) / (b[1] - a[1])
-end
 
 -- The stress at the largest strain so far and its deviation: the fitted curve, times what the last rows of virgin loading are of it.
 local function peak_of(E, S, loading)

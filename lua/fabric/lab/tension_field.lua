@@ -4,23 +4,11 @@
 -- instead, and carry what the cloth would not. In a tension field [steigmann1990] such a sheet gives way without a force: what an element
 -- then is shorter stands for the folds in it.
 local define = require "fabric.define"
+local stress = require("fabric.lab.loading").stress
 
 local soft = 1e-3   -- modulus of a yarn that is shortened, over that at the beginning of its loading curve
 local places = 40   -- of a curve that is given by moduli
 local growth = 1.5  -- of the steps between points behind the slack
-
--- The stress of a loading curve, given by moduli or points, which are joined by lines here.
-local function stress(loading, E)
-  if type(loading[1]) ~= "table" then
-    local S = 0
-    for k, D in ipairs(loading) do S = S + D * E ^ k / k end
-    return S
-  end
-  local i = 2
-  while i < #loading and loading[i][1] < E do i = i + 1 end
-  local a, b = loading[i - 1], loading[i]
-  return a[2] + (b[2] - a[2]) * (E - a[1]) / (b[1] - a[1])
-end
 
 -- The curve with next to no stress up to the strain `slack`. Cards go on into compression with the slope at zero.
 local function slackened(name, loading, upto, slack)
