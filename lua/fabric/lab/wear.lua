@@ -7,9 +7,9 @@ local define = require "fabric.define"
 local fabric = require "fabric"
 
 -- Cloth folds before its yarns are compressed by this much. Elements that are larger than the folds are compressed instead, carry a load that
--- the cloth would not, and press with it; unless their yarns carry next to nothing then (fabric.lab.tension_field): less than this part of the
--- largest tension.
-local folds_at, slack_below = 0.01, 0.01
+-- the cloth would not, and press with it; unless their yarns carry next to nothing then (fabric.lab.tension_field): less than this part of what
+-- they carry when they are stretched as much.
+local folds_at, slack_below = 0.01, 0.05
 
 local function fail(field, words) define.fail(("wear: field '%s': %s"):format(field, words)) end
 
@@ -58,7 +58,7 @@ local function begin(state, count, regions)
   state.samples, state.force, state.area, state.last, state.paths, state.rows, state.energies = 0, {}, {}, {}, {}, {}, {}
   state.map = { mean = {}, largest = {}, times = 0 }
   state.regions, state.tension = {}, { warp = { value = -math.huge }, weft = { value = -math.huge } }
-  state.beyond, state.compressed, state.push = { value = 0 }, { value = 0 }, 0
+  state.beyond, state.compressed = { value = 0 }, { value = 0 }
   for v = 1, count do state.force[v], state.area[v], state.map.mean[v], state.map.largest[v] = 0, 0, 0, 0 end
   for _, region in ipairs(regions) do state.regions[region.name] = { mean = 0, peak = 0, sum = 0, touched = 0 } end
 end
@@ -135,10 +135,8 @@ local function observe(t, state, regions, discs)
     state.samples = state.samples + 1
     number = state.samples
     if number % per ~= 0 then return end
-    local warp, weft = run:field "tension_warp", run:field "tension_weft"
-    largest(state.tension.warp, warp, run.time)
-    largest(state.tension.weft, weft, run.time)
-    for e = 1, #warp do state.push = math.max(state.push, -warp[e], -weft[e]) end
+    largest(state.tension.warp, run:field "tension_warp", run.time)
+    largest(state.tension.weft, run:field "tension_weft", run.time)
     largest(state.beyond, run:field "beyond", run.time)
     largest(state.compressed, compression(run), run.time)
     close_window(t, state, regions, discs, run.time)
@@ -188,12 +186,21 @@ local function work_between(was, is)
   return row
 end
 
+-- Whether the yarns of a card give way where they are shortened.
+local function gives_way(card)
+  for _, yarn in ipairs { "warp", "weft" } do
+    local function stress(E) return fabric.point(card):uniaxial(yarn, E).S end
+    if not (-stress(-folds_at) < slack_below * stress(folds_at)) then return false end
+  end
+  return true
+end
+
 -- What compression says; and whether pressures depend on the mesh for it.
 local function fold_words(result)
-  local c, pull = result.compressed, math.max(result.tension.warp.value, result.tension.weft.value)
+  local c = result.compressed
   local words = ("yarns are compressed by up to %.2g %%"):format(100 * c.value)
   if c.value < folds_at then return words end
-  if c.push < slack_below * pull then return words .. ", and carry next to nothing then: these are folds" end
+  if result.gives_way then return words .. ", and carry next to nothing then: these are folds" end
   return ("yarns are compressed by up to %.2g %% (element %d, at %.4g s), where a finer mesh folds: pressures about there depend on the mesh"):format(100 * c.value, c.element,
     c.time), true
 end
@@ -261,7 +268,7 @@ local function run(t)
     t.state.energies[k] = t.state.energies[k] or energies(a)
     if k > 1 then result.cycles[k - 1] = work_between(t.state.energies[k - 1], t.state.energies[k]) end
   end
-  result.compressed.push = t.state.push
+  result.gives_way = result.compressed.value >= folds_at and gives_way(a.model.card)
   for _, region in ipairs(regions) do result.names[#result.names + 1] = region.name end
   add_regions(result, t, t.state, regions)
   add_slip(result, t.state)
@@ -294,7 +301,7 @@ define {
   sentence = "What worn cloth does to the body and its wearer: runs through the times and returns regions (of each name, and of all: mean, Pa, the largest of its mean pressures over time, usual, their mean over time, "
     .. "peak, the largest over a disc of skin, peak_at, m, its middle on the body at time 0, touched, the largest share of its area), map (mean and largest of each vertex, Pa), rows (the mean pressures over time), "
     .. "cycles (of each: work, J, that moves the body, supports and loads did, and what became of it: cloth, what the law of the cloth dissipated, friction, damping, impact, fracture, stored, kinetic), slip (m, on the skin: largest and its node, mean, nodes), "
-    .. "tension (warp, weft: value, N/m, element, time), beyond (strain over the tested strain of the card), compressed (how much shorter yarns get: value, element, time, and push, N/m, what they carry then at most; from 1 % on, where a finer mesh would fold, a warning says so), gap, ledger, and text, all of this in words.",
+    .. "tension (warp, weft: value, N/m, element, time), beyond (strain over the tested strain of the card), compressed (how much shorter yarns get: value, element, time; from 1 % on, where a finer mesh would fold, a warning says so), gives_way (whether the yarns of the card carry next to nothing then), gap, ledger, and text, all of this in words.",
   example = "local fabric = require 'fabric'\n"
     .. "local face = fabric.mesh.rectangle{ width=0.08, height=0.08, nx=2, ny=2, origin={-0.01, -0.01, 0} }\n"
     .. "face:set('left half', function(x) return x < 0.03 end)\n"
