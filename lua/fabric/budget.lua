@@ -9,6 +9,7 @@ local fail = define.fail
 local assumed = require "fabric.assumed"
 local random = require "fabric.lab.random"
 local sorted = require "fabric.sorted"
+local convergence = require "fabric.lab.convergence"
 
 local level, boots = 0.95, 400
 
@@ -165,23 +166,11 @@ end
 
 -- --- evaluation
 
--- The error of the last of some values on finer and finer meshes (or with shorter steps), as a standard uncertainty: half of the grid
--- convergence index [roache1998], with the order found from three values, or an order of 1 and three times the index for two. Values that do
--- not converge: their spread as that of a uniform distribution.
-local function numerical_uncertainty(sizes, values)
-  local n = #values
-  if n < 2 then return nil end
-  local last, before = values[n], values[n - 1]
-  local function ratio(i) return math.max(sizes[i] / sizes[i - 1], sizes[i - 1] / sizes[i]) end
-  if n == 2 then return 3 * math.abs(last - before) / math.max(ratio(2) - 1, 1e-9) / 2, 1 end
-  local first = values[n - 2]
-  local spread = math.max(first, before, last) - math.min(first, before, last)
-  if spread <= 1e-12 * math.abs(last) then return 0 end
-  local quotient = (first - before) / (before - last)
-  local order = quotient > 0 and math.log(quotient) / math.log(ratio(n)) or 0
-  if order < 0.5 then return spread / math.sqrt(3) end
-  order = math.min(order, 4)
-  return 1.25 * math.abs(before - last) / (ratio(n) ^ order - 1) / 2, order
+-- Where the values of a list of meshes or steps go: elements along a side are sizes the other way round.
+local function limit_of(kind, sizes, values)
+  local h = {}
+  for i, size in ipairs(sizes) do h[i] = kind == "mesh" and 1 / size or size end
+  return convergence.of(h, values)
 end
 
 -- Indices of first and total order of one input from rows {A, B, AB_1, AB_2, ...}: [saltelli2010], (b) and (f) of table 2, of which both are
@@ -243,9 +232,9 @@ local function budget_of(t, inputs, base, numerical, rows)
       local values = { base }
       for i = 2, #sizes do values[i] = numerical[place + i - 1] end
       place = place + #sizes - 1
-      shift = shift + values[#values] - base
-      local u, order = numerical_uncertainty(sizes, values)
-      add(kind == "steps" and "step" or kind, u, { order = order, values = values })
+      local found = limit_of(kind, sizes, values)
+      shift = shift + found.value - base
+      add(kind == "steps" and "step" or kind, found.deviation, { order = found.order, values = values, untold = found.untold, limit = found.value })
     end
   end
   value = value + shift
@@ -284,6 +273,22 @@ local function budget_of(t, inputs, base, numerical, rows)
   return out
 end
 
+-- Numbers of which the meshes or steps do not tell where they go, a line each.
+local function untold_of(result, names)
+  local out = {}
+  for _, name in ipairs(names) do
+    for _, c in ipairs(result.of[name].contributions) do
+      if c.untold then
+        local list = {}
+        for i, v in ipairs(c.values) do list[i] = ("%.5g"):format(v) end
+        out[#out + 1] = ("%s: the %s do not tell where it goes (%s): the value is that of the last, and the band a guess from their spread; %s"):format(name,
+          c.source == "mesh" and "meshes" or "steps", table.concat(list, ", "), c.source == "mesh" and "finer ones may" or "shorter ones may")
+      end
+    end
+  end
+  return out
+end
+
 -- --- words and picture
 
 local function text_of(t, result, names)
@@ -295,7 +300,7 @@ local function text_of(t, result, names)
     say("  %-24s %11s %8s  %-22s %-22s %s", "source", "deviation", "share/%", "first order (95 %)", "total (95 %)", "range")
     for _, c in ipairs(b.contributions) do
       local function index(kind) return c[kind] and ("%5.2f (%5.2f to %.2f)"):format(c[kind], c[kind .. "_band"][1], c[kind .. "_band"][2]) or "" end
-      local range = c.range or c.order and ("order %.1f"):format(c.order) or c.values and "no order" or ""
+      local range = c.range or c.untold and "no order" or c.order and (#c.values == 2 and "order 1 taken" or ("order %.1f"):format(c.order)) or ""
       say("  %-24s %11.3g %8.1f  %-22s %-22s %s", c.source, c.deviation, 100 * c.share, index "first", index "total", c.why and range .. ": " .. c.why or range)
     end
   end
@@ -307,6 +312,7 @@ local function text_of(t, result, names)
     say("%d runs%s, %d samples%s", result.runs, where ~= "" and ", samples with " .. where or "", t.samples,
       result.failed > 0 and (", %d of them left out because a run of theirs failed: %s"):format(result.failed, result.trouble) or "")
   end
+  for _, words in ipairs(result.untold) do say("%s", words) end
   for _, one in ipairs(result.sample_warnings) do say("%s in %d of %d runs: %s", one.code, one.runs, result.runs - 1, one.text) end
   for _, name in ipairs(result.not_varied) do say("not varied: %s, which the card assumes", name) end
   return table.concat(lines, "\n")
@@ -339,6 +345,7 @@ end
 
 local function run(t)
   check(t)
+  local before = define.log_end()
   local used, inputs = {}, {}
   if t.card then band_inputs(t, t.card, inputs) end
   local not_varied = assumed_inputs(t, t.card, inputs)
@@ -355,9 +362,8 @@ local function run(t)
   local result = { of = {}, value = {}, band = {}, contributions = {}, not_varied = not_varied, runs = 0, failed = 0, warnings = {}, sample_warnings = {} }
   if fabric.checking() then return result end
   local jobs, numerical = plan(t, inputs)
-  local before = define.log_end()
   local answers = #jobs > 0 and compute(t, jobs, names) or {}
-  result.runs, result.warnings, result.sample_warnings = #jobs + 1, define.warnings(before), counted(answers)
+  result.runs, result.sample_warnings = #jobs + 1, counted(answers)
   for _, one in ipairs(result.sample_warnings) do define.say(("budget: in %d of %d runs: %s"):format(one.runs, #jobs, one.text)) end
   for i = 1, numerical do
     if answers[i].trouble then fail("budget: " .. answers[i].trouble) end
@@ -381,6 +387,9 @@ local function run(t)
     local b = budget_of(t, inputs, base[name], values, rows)
     result.of[name], result.value[name], result.band[name], result.contributions[name] = b, b.value, b.band, b.contributions
   end
+  result.untold = untold_of(result, names)
+  for _, words in ipairs(result.untold) do fabric.warn("budget: " .. words) end
+  result.warnings = define.warnings(before)
   result.text = text_of(t, result, names)
   if t.print then print(result.text) end
   if t.figure then result.drawn = draw(result, names, t.figure) end
@@ -402,8 +411,8 @@ define {
     { name = "print", kind = "boolean", default = true, sentence = "the table" },
     { name = "figure", kind = "text", optional = true, sentence = "a file for a picture of the shares" },
   },
-  sentence = "The uncertainty of what a deck computes, after the GUM: the errors of the mesh (Richardson's extrapolation) and of the steps, the card's measured bands, what it assumes, and the specimen. Returns by the name of each number value, band {low, high} (95 %) "
-    .. "and contributions { {source, deviation, share, first, total, first_band, total_band, range, why}, ... }, the largest first; text, runs, failed, warnings, sample_warnings (what the samples warned of, once each: code, text, runs), not_varied.",
+  sentence = "The uncertainty of what a deck computes, after the GUM: the errors of the mesh (Richardson's extrapolation, whose limit is the value) and of the steps, the card's measured bands, what it assumes, and the specimen. Returns by the name of each number value, band {low, high} (95 %) "
+    .. "and contributions { {source, deviation, share, first, total, first_band, total_band, range, why}, ... }, the largest first; text, runs, failed, warnings, sample_warnings (what the samples warned of, once each: code, text, runs), not_varied, untold (lines on numbers of which the meshes or steps do not tell where they go).",
   example = "local b = require 'fabric'.budget{ assumed={ a={0, 2}, b={0, 1} }, samples=256, print=false,\n"
     .. "  run=function(p) return { sum=p.assumed.a + p.assumed.b } end }\n"
     .. "assert(math.abs(b.value.sum - 1.5) < 1e-12 and b.contributions.sum[1].source == 'assumed.a')\n"

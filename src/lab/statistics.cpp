@@ -1,10 +1,12 @@
 #include "lab/statistics.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <unsupported/Eigen/SpecialFunctions>
 
 #include "base/error.hpp"
+#include "lab/sequence.hpp"
 
 namespace fabricsh::lab {
 
@@ -83,9 +85,24 @@ MeanWithBand band_of(const std::vector<std::vector<double>>& specimens, const Ba
   return out;
 }
 
-std::vector<double> draw_around(const std::vector<double>& value, const std::vector<double>& half,
-                                const std::vector<double>& covariance, double level,
-                                std::mt19937_64& random) {
+namespace {
+
+// A draw z of the normal distribution, carried over to one in which `below` and `above` are the distances of
+// the ends of the band from the value, in quantiles of the normal distribution: monotone in z, so that
+// correlations stay.
+double carried(double z, double below, double above) {
+  const double apart = below + above;
+  if (below < 0 || above < 0 || std::abs(above - below) <= 1e-9 * apart) return z * apart / 2;
+  const double rank = std::erfc(-z / std::sqrt(2.0)) / 2, under = below / apart;
+  const auto tail = [](double p) { return normal_quantile(std::clamp(p, 1e-300, 0.5)); };
+  return rank < under ? below * tail(rank / under / 2) : -above * tail((1 - rank) / (1 - under) / 2);
+}
+
+}  // namespace
+
+std::vector<double> draw_around(const std::vector<double>& value, const std::vector<double>& low,
+                                const std::vector<double>& high, const std::vector<double>& covariance,
+                                double level, std::mt19937_64& random) {
   const auto n = static_cast<Eigen::Index>(value.size());
   const Matrix C = Eigen::Map<const Matrix>(covariance.data(), n, n);
   const Vector deviation = C.diagonal().cwiseSqrt();
@@ -95,9 +112,11 @@ std::vector<double> draw_around(const std::vector<double>& value, const std::vec
   std::normal_distribution<double> normal;
   Vector z = Vector::NullaryExpr(n, [&] { return normal(random); });
   z = modes.eigenvectors() * modes.eigenvalues().cwiseMax(0).cwiseSqrt().cwiseProduct(z);
-  const double quantile = student_quantile((1 + level) / 2, 1e9);  // of the normal distribution
+  const double quantile = normal_quantile((1 + level) / 2);
   std::vector<double> out(value);
-  for (std::size_t i = 0; i < out.size(); ++i) out[i] += z(static_cast<Eigen::Index>(i)) * half[i] / quantile;
+  for (std::size_t i = 0; i < out.size(); ++i)
+    out[i] += carried(z(static_cast<Eigen::Index>(i)), (value[i] - low[i]) / quantile,
+                      (high[i] - value[i]) / quantile);
   return out;
 }
 

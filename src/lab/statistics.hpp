@@ -30,9 +30,13 @@ struct BandOptions {
 // [hesterberg2015, section 4.3; gum2008, section 5].
 MeanWithBand band_of(const std::vector<std::vector<double>>& specimens, const BandOptions& options);
 
-// Draws parameters from a joint normal distribution about value, with the correlation of `covariance` (n x
-// n); each lies within `half` of its value with the probability `level`.
-std::vector<double> draw_around(const std::vector<double>& value, const std::vector<double>& half,
-                                const std::vector<double>& covariance, double level, std::mt19937_64& random);
+// Draws parameters from a joint distribution about value with the correlation of `covariance` (n x n). Each
+// lies between low and high with the probability `level`: normal where both are as far from the value, else
+// of two halves of a normal distribution, whose shares and deviations are as those distances; where the value
+// is an end of its band, on the side of the band alone. A value outside of its band is drawn about as if it
+// were its middle.
+std::vector<double> draw_around(const std::vector<double>& value, const std::vector<double>& low,
+                                const std::vector<double>& high, const std::vector<double>& covariance,
+                                double level, std::mt19937_64& random);
 
 }  // namespace fabricsh::lab

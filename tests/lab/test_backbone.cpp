@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -128,15 +129,39 @@ TEST_CASE("the bootstrap's covariance is that of the mean; a shared error adds t
 
 TEST_CASE("drawn parameters fill their bands and keep their correlation", "[lab]") {
   std::mt19937_64 random(1);
-  const std::vector<double> value{1, -2}, half{0.5, 3}, covariance{4, 5.4, 5.4, 9};  // correlation 0.9
+  const std::vector<double> value{1, -2}, low{0.5, -5}, high{1.5, 1},
+      covariance{4, 5.4, 5.4, 9};  // correlation 0.9
   double inside = 0, xx = 0, xy = 0, yy = 0;
   constexpr int draws = 20000;
   for (int i = 0; i < draws; ++i) {
-    const auto d = draw_around(value, half, covariance, 0.95, random);
+    const auto d = draw_around(value, low, high, covariance, 0.95, random);
     const double x = (d[0] - 1) / 0.5, y = (d[1] + 2) / 3;
     inside += std::abs(x) < 1 ? 1 : 0;
     xx += x * x, xy += x * y, yy += y * y;
   }
   CHECK(std::abs(inside / draws - 0.95) < 0.005);  // three deviations of the count
   CHECK(std::abs(xy / std::sqrt(xx * yy) - 0.9) < 0.01);
+}
+
+TEST_CASE("bands whose value is nearer to one end are drawn as they are stated", "[lab]") {
+  std::mt19937_64 random(2);
+  // at its lower end; a quarter of the way up; at its upper end, and moving against the first
+  const std::vector<double> value{3, 1, 8}, low{3, 0, 2}, high{7, 4, 8},
+      covariance{4, 0, -6, 0, 1, 0, -6, 0, 9};
+  constexpr int draws = 20000;
+  std::array<int, 3> inside{}, below{};
+  double apart = 0;
+  for (int k = 0; k < draws; ++k) {
+    const auto d = draw_around(value, low, high, covariance, 0.95, random);
+    for (std::size_t i = 0; i < 3; ++i) {
+      inside[i] += low[i] <= d[i] && d[i] <= high[i] ? 1 : 0;
+      below[i] += d[i] < value[i] ? 1 : 0;
+    }
+    apart = std::max(apart, std::abs((d[0] - 3) / 4 - (8 - d[2]) / 6));
+  }
+  for (const int n : inside) CHECK(std::abs(static_cast<double>(n) / draws - 0.95) < 0.005);
+  CHECK(below[0] == 0);
+  CHECK(std::abs(static_cast<double>(below[1]) / draws - 0.25) < 0.01);  // three deviations of the count
+  CHECK(below[2] == draws);
+  CHECK(apart < 1e-6);  // fully correlated, so they move together
 }

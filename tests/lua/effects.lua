@@ -66,6 +66,31 @@ local function coverage(n, w, trials)
   end
   return inside / trials / #x
 end
+-- two laboratories are one degree of freedom, however many modes their curves have; a third beside two records of each likewise
+local pair = effects.learn({ record({ 0.1, 0.03, 0.01 }, { laboratory = "A" }), record({ -0.1, 0.02, -0.02 }, { laboratory = "B" }) }, { "laboratory" }, 0.95)
+local third = pair:predict(record({ 0, 0, 0 }, { laboratory = "C" }))
+for k, at in ipairs(x) do assert(third.half[k] > 12.7 * 0.1 * at, third.half[k]) end -- deviation 0.141 of a laboratory, and the mean's own
+local function another(labs, each, trials)
+  local inside = 0
+  for _ = 1, trials do
+    local tests, own = {}, {}
+    for lab = 1, labs + 1 do own[lab] = { 0.1 * draw.normal(), 0.05 * draw.normal(), 0.02 * draw.normal() } end
+    local function made(lab)
+      local c = own[lab]
+      return record({ c[1] + 0.01 * draw.normal(), c[2] + 0.005 * draw.normal(), c[3] + 0.003 * draw.normal() }, { laboratory = lab })
+    end
+    for lab = 1, labs do
+      for _ = 1, each do tests[#tests + 1] = made(lab) end
+    end
+    local new = made(labs + 1)
+    local p = effects.learn(tests, { "laboratory" }, 0.95):predict(new)
+    for k, y in ipairs(new.rest) do inside = inside + (math.abs(y - p.shift[k]) <= p.half[k] and 1 or 0) end
+  end
+  return inside / trials / #x
+end
+local one_each, three_each, of_three = another(2, 1, 100), another(2, 3, 100), another(3, 2, 100)
+assert(one_each > 0.9 and three_each > 0.87 and of_three > 0.87, ("%g %g %g"):format(one_each, three_each, of_three))
+
 local two, four = coverage(2, { 1, 0.5, 0.25 }, 150), coverage(4, { 1, 0.5, 0.25 }, 150)
 assert(two > 0.87 and two <= 1 and four > 0.9 and four < 0.99, ("%g %g"):format(two, four)) -- a set counts as about two points: +- 3 standard errors
 

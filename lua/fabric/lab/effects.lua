@@ -218,19 +218,24 @@ local function of_new(state, point, labels, columns)
   return mean, V
 end
 
--- Degrees of freedom of a new test's variance: those of the parts that it has of its own, each as many as labels less one [satterthwaite1946]; to be
--- multiplied by the modes that count.
-local function freedom_of(state, labels)
-  local spare, squares, total = #state.tests - 1, 0, 0
-  for _, name in ipairs(state.groups) do spare = spare - (state.count[name] - 1) end
+-- Degrees of freedom of a new test's variance: those of the parts that it has of its own [satterthwaite1946]. A laboratory, a size, a rate count as labels less one, two of them as one
+-- degree: the modes of a curve do not multiply them, since all of them are of one draw. Specimens beside them count with the `modes_of` their curves; where there is one of each label, what
+-- is the specimen's own cannot be told from the label's, and is as uncertain.
+local function freedom_of(state, labels, modes_of)
+  local spare, squares, total, least = #state.tests - 1, 0, 0, math.huge
   local function add(share, count)
     total, squares = total + share, squares + share ^ 2 / math.max(1, count)
   end
   for _, name in ipairs(state.groups) do
+    spare = spare - (state.count[name] - 1)
     local known = labels[name] ~= nil and state.labels[name][labels[name]]
-    if not known then add(state.shares[name], state.count[name] - 1) end
+    if not known then
+      add(state.shares[name], state.count[name] - 1)
+      least = math.min(least, state.count[name] - 1)
+    end
   end
-  add(state.shares.specimen, spare > 0 and spare or #state.tests - 1)
+  if spare <= 0 and least < math.huge then return least end
+  add(state.shares.specimen, modes_of * (spare > 0 and spare or #state.tests - 1))
   return total ^ 2 / squares * state.freedom / (modes * (#state.tests - 1))
 end
 
@@ -246,7 +251,7 @@ local function predicted(state, new)
   local rows, inverse = rows_of(state, new.x, new.scale)
   local columns, open = combined(state.bases, columns_of(rows, inverse, new))
   if open then return nil, "it depends on parameters that the tests do not determine" end
-  local shift, second, half, largest, own, mean_V = {}, {}, {}, 0, freedom_of(state, new.labels), linear.zeros(modes)
+  local shift, second, half, largest, mean_V = {}, {}, {}, 0, linear.zeros(modes)
   for i, s in ipairs(new.scale) do shift[i], second[i], half[i], largest = 0, 0, 0, math.max(largest, math.abs(s)) end
   for _, point in ipairs(state.grid) do
     local mean, V = of_new(state, point, new.labels, columns)
@@ -255,7 +260,8 @@ local function predicted(state, new)
       for l = 1, modes do mean_V[k][l] = mean_V[k][l] + point.weight * V[k][l] end
     end
     local count = (w[1] + w[2] + w[3]) ^ 2 / (w[1] ^ 2 + w[2] ^ 2 + w[3] ^ 2)
-    local quantile = fabric.lab.student(0.5 + state.level / 2, math.max(1, math.min(state.freedom, count * own)))
+    local own = freedom_of(state, new.labels, count)
+    local quantile = fabric.lab.student(0.5 + state.level / 2, math.max(1, math.min(state.freedom, own)))
     for i, row in ipairs(rows) do
       local m = dot(row, mean)
       shift[i], second[i] = shift[i] + point.weight * m, second[i] + point.weight * m * m

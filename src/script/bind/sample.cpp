@@ -1,6 +1,7 @@
 // card:sample.
 #include <algorithm>
 
+#include "base/number.hpp"
 #include "card/fields.hpp"
 #include "lab/statistics.hpp"
 #include "law/check.hpp"
@@ -19,14 +20,26 @@ void draw(card::Card& card, const char* part, const ParameterBand& band, double 
           std::mt19937_64& random) {
   if (band.low.empty()) return;
   const card::Field& group = *card::find_field(card::fields(card), part);
-  std::vector<double> half;
-  for (std::size_t i = 0; i < band.low.size(); ++i) half.push_back((band.high[i] - band.low[i]) / 2);
-  set_parameters(group, card,
-                 lab::draw_around(parameters(group, card), half, band.covariance, level, random));
+  set_parameters(
+      group, card,
+      lab::draw_around(parameters(group, card), band.low, band.high, band.covariance, level, random));
 }
 
+// Why a drawn card cannot be used; empty for one that can.
+std::string fault_of(const card::Card& card) {
+  const law::CheckReport report = law::check(card, 0.1);
+  for (const law::CheckItem& item : report.items)
+    if (item.severity == Severity::error) return item.text;
+  return report.ok() ? "" : "it is not valid";
+}
+
+struct Refused {  // drawn cards that are none
+  int count = 0;
+  std::string first;  // the reason of the first
+};
+
 // Draws until the card is valid, because the bands may include impossible parameters.
-std::shared_ptr<card::Card> drawn_card(const card::Card& from, std::mt19937_64& random) {
+std::shared_ptr<card::Card> drawn_card(const card::Card& from, std::mt19937_64& random, Refused& refused) {
   for (int attempt = 0; attempt < 1000; ++attempt) {
     auto copy = std::make_shared<card::Card>(from);
     auto& law = std::get<Woven>(copy->law);
@@ -35,9 +48,23 @@ std::shared_ptr<card::Card> drawn_card(const card::Card& from, std::mt19937_64& 
     draw(*copy, "weft", bands.weft, bands.level, random);
     draw(*copy, "shear", bands.shear, bands.level, random);
     law.bands.reset();
-    if (law::check(*copy, 0.1).ok()) return copy;
+    const std::string fault = fault_of(*copy);
+    if (fault.empty()) return copy;
+    if (refused.count++ == 0) refused.first = fault;
   }
-  throw Error("sample: of 1000 cards within the bands none is usable; card:check() says what is wrong");
+  throw Error("sample: of 1000 cards within the bands none is usable: " + refused.first);
+}
+
+// Bands of which a part makes no card are cut there, and the samples are those of narrower bands.
+void tell(Call& call, int n, const Refused& refused) {
+  if (refused.count * 50 < n) return;
+  const double share = 100.0 * refused.count / (n + refused.count);
+  call.session().warn(
+      "card",
+      "sample: " + std::to_string(refused.count) + " of " + std::to_string(n + refused.count) +
+          " cards drawn from the bands (" + fabricsh::number(share, 2) +
+          " %) make no card and were drawn again, so that the samples do not fill the bands; the first: " +
+          refused.first);
 }
 
 int sample(Call& call) {
@@ -47,11 +74,15 @@ int sample(Call& call) {
   if (law == nullptr || !law->bands) throw Error("sample: expected a woven card with bands, got one without");
   std::mt19937_64 random(static_cast<std::uint64_t>(call.integer("seed")));
   const int n = call.count("n");
-  lua_createtable(L, std::min(n, 1000), 0);
+  Refused refused;
+  lua_createtable(L, std::min(n, 1000), 1);
   for (lua_Integer i = 1; i <= n; ++i) {
-    push_object(L, drawn_card(*card, random));
+    push_object(L, drawn_card(*card, random, refused));
     lua_rawseti(L, -2, i);
   }
+  lua_pushinteger(L, refused.count);
+  lua_setfield(L, -2, "refused");
+  tell(call, n, refused);
   return 1;
 }
 
@@ -62,8 +93,11 @@ void bind_sample(Session& session) {
           {{"card:sample",
             Style::positional,
             {integer_("n", from_one, "of cards"), integer_("seed", not_negative, "of the draw").or_else(1.0)},
-            "Cards drawn from the card's confidence bands, for the uncertainty of any answer; cards with "
-            "impossible values are drawn again.",
+            "Cards drawn from the card's confidence bands, for the uncertainty of any answer, a list; a "
+            "value at the "
+            "end of its band is drawn on the band's side. Drawn values that make no card are drawn again; "
+            "`refused` "
+            "says how often, and from one in fifty on there is a warning.",
             "local fabric = require 'fabric'\n"
             "local card = fabric.card 'blend':with{ bands={ warp={ low={7e6, 800e6, 850e6, 0.2}, high={9e6, "
             "852e6, 878e6, 0.3},\n"
