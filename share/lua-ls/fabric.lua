@@ -274,7 +274,7 @@ function card:check(element_size) end
 ---@return any
 function card:free_thickness() end
 
----Cards drawn from the card's confidence bands, for the uncertainty of any answer; cards with impossible values are drawn again.
+---Cards drawn from the card's confidence bands, for the uncertainty of any answer, a list; a value at the end of its band is drawn on the band's side. Drawn values that make no card are drawn again; `refused` says how often, and from one in fifty on there is a warning.
 ---@param n integer of cards
 ---@param seed? integer of the draw (default 1)
 ---@return card[]
@@ -306,7 +306,7 @@ function fabric.asked_case() end
 ---@field print? boolean the table (default true)
 ---@field figure? string a file for a picture of the shares
 
----The uncertainty of what a deck computes, after the GUM: the errors of the mesh (Richardson's extrapolation) and of the steps, the card's measured bands, what it assumes, and the specimen. Returns by the name of each number value, band {low, high} (95 %) and contributions { {source, deviation, share, first, total, first_band, total_band, range, why}, ... }, the largest first; text, runs, failed, warnings, sample_warnings (what the samples warned of, once each: code, text, runs), not_varied.
+---The uncertainty of what a deck computes, after the GUM: the errors of the mesh (Richardson's extrapolation, whose limit is the value) and of the steps, the card's measured bands, what it assumes, and the specimen. Returns by the name of each number value, band {low, high} (95 %) and contributions { {source, deviation, share, first, total, first_band, total_band, range, why}, ... }, the largest first; text, runs, failed, warnings, sample_warnings (what the samples warned of, once each: code, text, runs), not_varied, untold (lines on numbers of which the meshes or steps do not tell where they go).
 ---@param fields fabric_budget_fields
 ---@return any
 function fabric.budget(fields) end
