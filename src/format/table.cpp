@@ -10,6 +10,7 @@
 #include "format/spreadsheet.hpp"
 #include "format/table_line.hpp"
 #include "format/table_rows.hpp"
+#include "format/table_signs.hpp"
 
 namespace fabricsh::format {
 
@@ -79,8 +80,8 @@ std::vector<TableReading> find_readings(const Source& source, const TableForm& g
   std::vector<TableReading> best;
   for (const char separator : {'\t', ';', ',', '|', ' '}) {
     if (given.separator != 0 && given.separator != separator) continue;
-    for (const char decimal : {'.', ','}) {
-      if (given.decimal != 0 && given.decimal != decimal) continue;
+    for (const char decimal :
+         given.decimal == 0 ? std::string_view(".,") : std::string_view(&given.decimal, 1)) {
       const TableReading reading =
           try_form(source, {separator, decimal, given.lenient, given.thousands}, text);
       if (reading.columns == 0) continue;
@@ -123,6 +124,22 @@ bool is_units(std::string_view line, const TableReading& reading, Cells& cells) 
   return std::any_of(cells.begin(), cells.end(), [](auto cell) { return !cell.empty(); });
 }
 
+// Three lines of headings and more are kept with the columns: which of them holds the names, the reader of
+// the table decides by the words that it knows.
+void keep_heads(Table& table, const std::vector<std::string_view>& above, const TableReading& reading) {
+  constexpr std::size_t least = 3, most = 5;
+  std::vector<Cells> lines;
+  Cells cells;
+  for (std::size_t i = above.size(); i-- > 0 && lines.size() < most;) {
+    const bool lowest = i + 1 == above.size();
+    if (!is_heading(above[i], reading, cells) && !(lowest && is_units(above[i], reading, cells))) break;
+    lines.push_back(cells);
+  }
+  if (lines.size() < least) return;
+  for (std::size_t c = 0; c < reading.columns; ++c)
+    for (std::size_t i = lines.size(); i-- > 0;) table.columns[c].heads.emplace_back(lines[i][c]);
+}
+
 void name_columns(Table& table, const std::vector<std::string_view>& above, const TableReading& reading) {
   table.columns.resize(reading.columns);
   for (std::size_t i = 0; i < reading.columns; ++i) table.columns[i].name = std::to_string(i + 1);
@@ -141,9 +158,12 @@ void name_columns(Table& table, const std::vector<std::string_view>& above, cons
     std::swap(cells, below);
     units = true;
   }
+  keep_heads(table, above, reading);
   const Cells& names = units ? below : cells;
   for (std::size_t i = 0; i < reading.columns; ++i) {
-    table.columns[i] = heading(names[i]);
+    TableColumn column = heading(names[i]);
+    column.heads = std::move(table.columns[i].heads);
+    table.columns[i] = std::move(column);
     if (units && table.columns[i].unit.empty()) table.columns[i].unit = bare(cells[i]);
   }
 }
@@ -300,21 +320,45 @@ std::vector<TableReading> readings_of(const Source& source, const TableForm& for
   return others.empty() ? readings : others;
 }
 
+// Whether the signs of the file are open, so that each column may have its own.
+bool is_open(const TableForm& form) {
+  return form.decimal == 0 && (form.thousands == 0 || form.thousands == kNoThousands);
+}
+
+// The file with a decimal sign for each column by itself and with units in the cells; none if it is no table
+// then either.
+std::vector<Table> tables_with_either_sign(const Source& source, TableForm form, std::size_t& bad) {
+  const TableForm asked = form;
+  form.decimal = kEitherSign;
+  auto readings = readings_of(source, form);
+  if (readings.empty()) return {};
+  widen(source, readings[0]);
+  return read_as(source, readings[0], asked, bad);
+}
+
 std::vector<Table> tables_in(const std::string& name, std::string_view bytes, TableForm form) {
   const Source source(name, bytes);
-  if (form.thousands != 0 && form.decimal == 0) form.decimal = form.thousands == '.' ? ',' : '.';
+  if ((form.thousands == '.' || form.thousands == ',') && form.decimal == 0)
+    form.decimal = form.thousands == '.' ? ',' : '.';
   auto readings = readings_of(source, form);
-  if (readings.empty())
+  std::size_t bad = 0;
+  std::vector<Table> tables;
+  if (readings.empty()) {
+    if (is_open(form)) tables = tables_with_either_sign(source, form, bad);
+    if (!tables.empty()) return tables;
     throw Error(source.name() +
                 ":1: expected lines of numbers (columns parted by comma, semicolon, tab, | or "
                 "blanks; decimal point or comma), found none in the first 200 lines");
+  }
   for (TableReading& reading : readings) widen(source, reading);
-  std::size_t bad = 0;
-  auto tables = read_as(source, readings[0], form, bad);
+  tables = read_as(source, readings[0], form, bad);
   if (bad > 0 && readings.size() > 1) {  // later rows determine the decimal sign
     std::size_t other = 0;
     auto comma = read_as(source, readings[1], form, other);
-    if (other < bad) tables = std::move(comma);
+    if (other < bad) {
+      tables = std::move(comma);
+      bad = other;
+    }
   }
   return tables;
 }
@@ -330,7 +374,9 @@ std::vector<Table> tables_in_sheets(const std::string& name, std::string_view by
   TableForm plain{'\t', '.', form.lenient};
   std::vector<LeftOut> empty;
   for (const Worksheet& sheet : sheets_of(name, bytes)) {
-    if (!has_numbers(sheet.text, plain)) {
+    // Cells of words may hold numbers with their unit, or with the sign of another country.
+    plain.decimal = has_numbers(sheet.text, {'\t', '.'}) ? '.' : char{0};
+    if (plain.decimal == 0 && !has_numbers(sheet.text, {'\t', kEitherSign})) {
       empty.push_back({0, "sheet '" + sheet.name + "', which has no rows of numbers", false});
       continue;
     }

@@ -10,9 +10,9 @@ namespace fabricsh::format {
 
 struct TableForm {
   char separator = 0;    // ',' ';' '\t' or ' ' (any run of blanks); 0: found from the file
-  char decimal = 0;      // '.' or ','; 0: found from the file
+  char decimal = 0;      // '.' or ','; 0: found from the file; '?': every column by itself (table_signs.hpp)
   bool lenient = false;  // a cell that is not a number is recorded in its column instead of an exception
-  char thousands = 0;    // '.' or ',': this sign stands between thousands wherever it occurs
+  char thousands = 0;    // '.' or ',': this sign stands between thousands wherever it occurs; 'n': none does
 };
 
 struct TableColumn {
@@ -24,7 +24,10 @@ struct TableColumn {
   std::string error;           // message for the first cell that is not a number; empty: none
   std::size_t error_row = 0;   // the row of that cell
   std::vector<std::string>
-      words;  // every cell as written, in a column with a cell that is no number; else empty
+      words;          // every cell as written, in a column with a cell that is no number; else empty
+  std::string doubt;  // what else its numbers may mean; empty: nothing
+  // Its cells in the lines of headings, from above, where there are three lines or more; else empty.
+  std::vector<std::string> heads;
 };
 
 // A line below the rows that is none of them: words, or totals (mean, maximum) behind words or without a

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "format/source.hpp"
+#include "format/table_signs.hpp"
 
 namespace fabricsh::format {
 
@@ -136,6 +137,10 @@ bool parse_grouped(std::string_view cell, char decimal, char mark, bool single, 
 }  // namespace
 
 bool parse_cell(std::string_view cell, const TableForm& form, double& value) {
+  if (form.decimal == kEitherSign) {  // the value is settled with the whole column
+    value = 0;
+    return is_number_in_either_sign(cell);
+  }
   const char mark = form.decimal == '.' ? ',' : '.';
   if (form.thousands == mark && parse_grouped(cell, form.decimal, mark, true, value)) return true;
   if (parse_plain(cell, form.decimal, value)) return true;
@@ -210,13 +215,15 @@ bool is_total(std::string_view cell) {
   return false;
 }
 
-bool may_be_thousands(std::string_view cell) {
-  const auto comma = cell.find(',');
-  if (comma == cell.npos) return false;
+bool may_be_group(std::string_view cell, char mark) {
+  const auto place = cell.find(mark);
+  if (place == cell.npos) return false;
   const auto digits = cell.find_first_of("0123456789");
-  const bool group = cell.size() == comma + 4 && cell.find_first_not_of("0123456789", comma + 1) == cell.npos;
-  return group && digits <= 1 && comma > digits && comma - digits <= 3 && cell[digits] != '0';
+  const bool group = cell.size() == place + 4 && cell.find_first_not_of("0123456789", place + 1) == cell.npos;
+  return group && digits <= 1 && place > digits && place - digits <= 3 && cell[digits] != '0';
 }
+
+bool may_be_thousands(std::string_view cell) { return may_be_group(cell, ','); }
 
 TableColumn heading(std::string_view cell) {
   std::string once(trimmed(cell));

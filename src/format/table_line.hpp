@@ -25,6 +25,8 @@ bool is_total(std::string_view cell);
 bool has_letter(std::string_view words);
 // Whether a number with a comma may be one without decimals: 1,234, but not 0,5 or 0,123.
 bool may_be_thousands(std::string_view cell);
+// Whether a number has this sign once, as it would stand between thousands: 1.234, but not 0.123 or 1.23.
+bool may_be_group(std::string_view cell, char mark);
 // Name and unit of a heading: "Load [N]", "load (N)", "load / N".
 TableColumn heading(std::string_view cell);
 

@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "format/table_line.hpp"
+#include "format/table_signs.hpp"
 
 namespace fabricsh::format {
 
@@ -122,8 +123,6 @@ class TableRowReader {
       return table.header && !first.name.empty() && without_number(other.name) == without_number(first.name);
     });
   }
-
-  bool any() const { return !table_.columns.front().values.empty(); }
 
   // Whether a line may be the first that is no row: another number of cells, a word where numbers stood, no
   // time.
@@ -265,8 +264,11 @@ class CommaCells {
   std::vector<Cell> unclear_;
 };
 
+// The signs of all columns, while they are read.
+using Signs = std::vector<ColumnSigns>;
+
 // Appends a row; returns the number of its cells that hold something else than a number.
-std::size_t append(Table& table, const Cells& cells, const Source& source, CommaCells& commas) {
+std::size_t append(Table& table, const Cells& cells, const Source& source, CommaCells& commas, Signs& signs) {
   std::size_t bad = 0;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     TableColumn& column = table.columns[i];
@@ -274,6 +276,7 @@ std::size_t append(Table& table, const Cells& cells, const Source& source, Comma
     if (parse_cell(cells[i], table.form, value)) {
       column.text = false;
       commas.take(cells[i], i, column.values.size(), column.name, source, table.form);
+      if (!signs.empty()) signs[i].take(cells[i], column.values.size());
     } else {
       value = std::numeric_limits<double>::quiet_NaN();
       if (!is_missing(cells[i])) ++bad;
@@ -321,16 +324,25 @@ std::optional<TableHeading> read_rows(Table& table, Source& source, const TableF
   std::optional<TableHeading> head;
   TableRowReader rows(table, source);
   CommaCells commas(table.form);
+  const bool either = table.form.decimal == kEitherSign;
+  EitherCells columns(either ? table.columns.size() : 0);
+  Signs signs(asked.decimal == 0 && asked.thousands == 0 && !either ? table.columns.size() : 0);
   for (std::size_t place = source.place(); source.next_line(line); place = source.place()) {
     if (!carries_data(line) || is_blank_row(line, table.form.separator)) continue;
     split_row(line, table.form.separator, table.columns.size(), cells);
-    if (rows.any() && rows.stands_out(cells) && rows.end_at(line, head)) break;
+    if (!places.empty() && rows.stands_out(cells) && rows.end_at(line, head)) break;
     if (cells.size() != table.columns.size())
       source.fail("expected " + std::to_string(table.columns.size()) + " cells, got " +
                   std::to_string(cells.size()));
-    bad += append(table, cells, source, commas);
+    if (either)
+      columns.take(cells, place);
+    else
+      bad += append(table, cells, source, commas, signs);
     places.push_back(place);
   }
+  if (either) bad += columns.settle(table, source, asked);
+  for (std::size_t i = 0; i < signs.size(); ++i)
+    table.columns[i].doubt = doubt_of(signs[i], table.form.decimal);
   if (asked.decimal == 0) bad += commas.settle(table);
   look_back(table, source, places);
   return head;

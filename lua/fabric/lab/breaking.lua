@@ -42,7 +42,7 @@ end
 -- The records of a file; nil for one without a number in its name that is no record.
 local function records_of(t, result, file, numbered)
   local ok, found = pcall(fabric.lab.read, { file = t.folder .. "/" .. file.name, columns = t.columns, units = t.units, default_units = t.default_units,
-    vocabulary = t.vocabulary, thousands = t.thousands, gauge_length = t.gauge_length, width = t.width })
+    vocabulary = t.vocabulary, thousands = t.thousands, reverse = t.reverse, restarts = t.restarts, gauge_length = t.gauge_length, width = t.width })
   if not ok then
     local words = tostring(found):gsub("^.-: read: ", "")
     if numbered then stop(words) end
@@ -98,12 +98,20 @@ end
 -- The record with its beginning taken off: the crosshead's position, and an offset of the load cell unless that is the pretension.
 local function from_zero(t, record)
   if not t.zero then return record end
-  local out = { displacement = {}, force = record.force, time = record.time, specimen = record.specimen }
+  local out = { displacement = {}, force = record.force, time = record.time, specimen = record.specimen, lines = record.lines, warnings = record.warnings }
   for i, u in ipairs(record.displacement) do out.displacement[i] = u - record.displacement[1] end
   if t.pretension then return out end
   out.force = {}
   for i, F in ipairs(record.force) do out.force[i] = F - record.force[1] end
   return out
+end
+
+-- A specimen whose extensometer was taken off before the largest force, which is known, while the elongation there is not.
+local function without_elongation(t, test, name)
+  local F = test.beyond.force
+  local top, row = largest_row(F), #F
+  while row > top and F[row] < t.kept * F[top] do row = row - 1 end
+  return { name = name, force = F[top], broken = row < #F, speed = speed_of(test, #test.force), warnings = test.warnings or {} }
 end
 
 -- A specimen {name, force, elongation, elongation_at_break?, speed?, warnings}. Slack mounting lengthens the specimen by the way to the pretension.
@@ -113,6 +121,7 @@ local function specimen_of(t, record, name)
   local ok, test = pcall(fabric.lab.tensile, { record = record, gauge_length = t.gauge_length, width = t.width, thickness = 1e-3, plies = 1, pretension = t.pretension, outliers = t.outliers })
   if not ok then stop(name .. ": " .. tostring(test):gsub("^.-tensile: ", "")) end
   local u, F = test.displacement, test.force
+  if test.extensometer then return without_elongation(t, test, name) end
   local top = largest_row(F)
   local start = start_of(u, F, t.pretension)
   local slack = t.pretension and start - u[1] or 0
@@ -211,7 +220,8 @@ local function seen_in(standard, s)
   for _, w in ipairs(s.warnings) do
     local beyond = w.way and standard.slip and w.way > standard.slip + 1e-9
     out[#out + 1] = w.code == "slip" and ("slip by %.2g mm at most%s, or yarns that broke one by one"):format(1e3 * w.way, beyond and ", beyond 2 mm" or "")
-      or w.code == "late-grip" and "gripped late, or slack" or w.code == "outliers" and "outlying readings left out" or w.code == "preload" and "force at the beginning" or w.code
+      or w.code == "late-grip" and "gripped late, or slack" or w.code == "outliers" and "outlying readings left out" or w.code == "preload" and "force at the beginning"
+      or w.code == "extensometer" and "extensometer taken off, no elongation" or w.code == "restart" and "begins anew: another specimen?" or w.code
   end
   return table.concat(out, "; ")
 end
@@ -324,7 +334,9 @@ define {
     { name = "units", kind = "table", optional = true, sentence = "as in fabric.lab.read" },
     { name = "default_units", kind = "table", optional = true, sentence = "as in fabric.lab.read" },
     { name = "vocabulary", kind = "table|text", optional = true, sentence = "as in fabric.lab.read" },
-    { name = "thousands", kind = "text", choices = { "auto", ".", "," }, default = "auto", sentence = "as in fabric.lab.read" },
+    { name = "thousands", kind = "text", choices = { "auto", ".", ",", "none" }, default = "auto", sentence = "as in fabric.lab.read" },
+    { name = "reverse", kind = "text", choices = { "none", "both", "displacement", "force" }, default = "none", sentence = "as in fabric.lab.read" },
+    { name = "restarts", kind = "text", choices = { "tell", "specimens", "cycles" }, default = "tell", sentence = "as in fabric.lab.read" },
     { name = "file", kind = "text", optional = true, sentence = "the table as CSV" },
   },
   sentence = "The table of a folder of pulls to rupture after ISO 13934-1 or ASTM D5035. Returns names (of the groups), groups { name={ specimens={ {name, force, elongation, "

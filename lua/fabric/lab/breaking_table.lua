@@ -19,7 +19,7 @@ end
 local function cells(group)
   local out = { { "specimen", "largest force, N", "elongation there, %", "at break, %", "from the jaw, mm", "" } }
   for _, s in ipairs(group.specimens) do
-    out[#out + 1] = { s.name, number(s.force, "%.5g"), number(100 * s.elongation, "%.2f"), number(s.elongation_at_break and 100 * s.elongation_at_break, "%.2f"),
+    out[#out + 1] = { s.name, number(s.force, "%.5g"), number(s.elongation and 100 * s.elongation, "%.2f"), number(s.elongation_at_break and 100 * s.elongation_at_break, "%.2f"),
       s.from_jaw == "jaw" and "at it" or mm(s.from_jaw), s.remark }
   end
   for _, line in ipairs(group.force and statistics or {}) do
@@ -48,8 +48,10 @@ end
 local function rounded(standard, group)
   if not standard.rounded_force or not group.force or not group.force.low then return end
   local F, e = group.force, group.elongation
-  return ("  rounded as the standard says: %g N (%g to %g), CV %.1f %%; elongation %g %% (%g to %g)"):format(standard.rounded_force(F.mean), standard.rounded_force(F.low),
-    standard.rounded_force(F.high), 100 * F.cv, standard.rounded_elongation(100 * e.mean), standard.rounded_elongation(100 * e.low), standard.rounded_elongation(100 * e.high))
+  local force = ("  rounded as the standard says: %g N (%g to %g), CV %.1f %%"):format(standard.rounded_force(F.mean), standard.rounded_force(F.low),
+    standard.rounded_force(F.high), 100 * F.cv)
+  if not e or not e.low then return force end
+  return ("%s; elongation %g %% (%g to %g)"):format(force, standard.rounded_elongation(100 * e.mean), standard.rounded_elongation(100 * e.low), standard.rounded_elongation(100 * e.high))
 end
 
 function rows_of.text(standard, result)

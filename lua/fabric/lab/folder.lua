@@ -1,7 +1,7 @@
 -- A folder of measurements, reduced to fits and a card. It contains laboratory.lua, which returns
 --
 --   { name=, source=, gauge_length=, width=, thickness=, plies=, density= | mass_per_area=, markers={rows, columns},
---     compliance=, slip=, shared= (relative uncertainty of all moduli together), units={...}, columns={...}, thousands="." (as in fabric.lab.read), default_units={...} (where
+--     compliance=, slip=, shared= (relative uncertainty of all moduli together), units={...}, columns={...}, thousands=".", reverse="both", restarts="specimens" (as in fabric.lab.read), default_units={...} (where
 --     a heading says none), vocabulary= (a table, or the file in this folder that returns it), degree=, rule=,
 --     bias={width=, length=} (of bias specimens without markers, if their size differs), zero= (subtract the first row),
 --     poisson={warp=, weft=}, assume={['warp.unloading']=, ...} (instead of the rules of fabric.lab.card),
@@ -20,6 +20,7 @@ local fabric = require "fabric"
 local define = require "fabric.define"
 local lab, registry = fabric.lab, define.registry
 local check = require "fabric.lab.check"
+local doubts = require "fabric.lab.doubts"
 local check_pull = require("fabric.lab.frames").check_pull
 local told_of_loops = require("fabric.lab.loops").ready
 
@@ -87,7 +88,7 @@ local function along(about, path, direction)
   local tests, grids = {}, {}
   for _, s in ipairs(specimens(path, "^" .. direction .. "%-(%w+)")) do
     local made = lab.tensile(options(about, { file = s.file, columns = about.columns, units = about.units, default_units = about.default_units,
-      vocabulary = about.vocabulary, thousands = about.thousands, zero = about.zero }))
+      vocabulary = about.vocabulary, thousands = about.thousands, reverse = about.reverse, restarts = about.restarts, zero = about.zero }))
     local markers = s.stem .. "-markers.csv"
     if #made > 0 and exists(markers) then stop(("%s: expected one specimen, whose markers are in %s, got %d"):format(s.file, markers, #made)) end
     table.move(#made > 0 and made or { made }, 1, math.max(1, #made), #tests + 1, tests)
@@ -139,8 +140,13 @@ end
 -- The records of a file of bias pulls: strains and forces per width count for the specimen's size.
 local function records_of(about, file, width, length)
   local found = lab.read { file = file, columns = about.columns, units = about.units, default_units = about.default_units, vocabulary = about.vocabulary,
-    thousands = about.thousands, width = width, gauge_length = length }
-  return #found > 0 and found or { found }
+    thousands = about.thousands, reverse = about.reverse, restarts = about.restarts, width = width, gauge_length = length }
+  found = #found > 0 and found or { found }
+  for i, record in ipairs(found) do
+    local ends = doubts.end_of(record.warnings)
+    if ends then found[i] = doubts.cut(record, ends) end
+  end
+  return found
 end
 
 -- The record of one bias pull, whose photographs are in other files.
@@ -184,7 +190,7 @@ local function in_shear(about, marked)
     local record, grid = paired(record_of(about, s.file, about.width, about.gauge_length), grid_of(about, s.stem .. "-markers.csv"), s.file)
     check.pull("laboratory: " .. s.file, "force", record.force, rows_up(record))
     tests[i] = lab.shear_from_bias(options(about, { markers = grid, force = record.force, displacement = record.displacement, warp = about.warp }))
-    tests[i].file = s.file
+    tests[i].file, tests[i].warnings = s.file, record.warnings
     if about.viscous then
       tests[i].name, tests[i].time = s.file, {}
       for k, frame in ipairs(tests[i].frames) do tests[i].time[k] = seconds_of(record, s.file)[frame] end
@@ -201,7 +207,7 @@ local function without_markers(about, record, file, width, length)
   check_pull("laboratory: " .. file, "force", pull)
   pull.thickness = about.thickness * (about.plies or 1)
   local shear = lab.bias_shear(pull)
-  local test = { E = shear.E12, S = shear.S12, file = file, specimen = record.specimen, without_markers = true,
+  local test = { E = shear.E12, S = shear.S12, file = file, specimen = record.specimen, without_markers = true, warnings = record.warnings,
     branches = { { kind = "loading", first = 1, last = #shear.E12 } } }
   return test, about.viscous and { name = file, displacement = record.displacement, force = record.force, time = seconds_of(record, file), width = width, length = length }
 end
@@ -220,7 +226,7 @@ local function in_shear_without_markers(about, plain)
 end
 
 local fields = { "name", "source", "gauge_length", "width", "thickness", "plies", "density", "mass_per_area", "markers", "compliance", "slip", "shared",
-  "units", "default_units", "columns", "vocabulary", "thousands", "degree", "rule", "grips", "poisson", "bending", "warp", "bias", "zero", "assume", "viscous", "loops" }
+  "units", "default_units", "columns", "vocabulary", "thousands", "reverse", "restarts", "degree", "rule", "grips", "poisson", "bending", "warp", "bias", "zero", "assume", "viscous", "loops" }
 
 -- The content of laboratory.lua, checked before any file is read.
 local function about_of(path)

@@ -4,6 +4,7 @@ local define = require "fabric.define"
 local fail = define.fail
 
 local check = require "fabric.lab.check"
+local doubts = require "fabric.lab.doubts"
 local house = require "fabric.lab.words"
 local function specimens() return require "fabric.lab.specimens" end -- loaded when a file is read
 local plain = house.plain
@@ -65,15 +66,19 @@ local function held(vocabulary, column)
   return meant or quantity
 end
 
--- The number of words in the name with another meaning: "Maximum load" is not the load.
+-- The number of words in the name with another meaning: "Maximum load" is not the load. The part of the machine that moves is the name of a column only where
+-- it stands alone: "Traverse", but not "Displacement of the traverse" beside "Elongation".
 local function others(vocabulary, column)
-  local count, quantity = 0, quantity_of(vocabulary, column.bare or column.name)
+  local count, parts, quantity = 0, 0, quantity_of(vocabulary, column.bare or column.name)
+  local words = 0
   for word in plain(column.bare or column.name):gmatch "[^%s_%-]+" do
-    local known = vocabulary.letters[(word:gsub("%.$", ""))] == quantity
+    local known, part = vocabulary.letters[(word:gsub("%.$", ""))] == quantity, false
     for _, w in ipairs(vocabulary.names[quantity]) do known = known or word:find(w, 1, true) end
-    if not known then count = count + 1 end
+    for _, w in ipairs(house.parts) do part = part or word:find(w, 1, true) end
+    words = words + 1
+    if part then parts = parts + 1 elseif not known then count = count + 1 end
   end
-  return count
+  return parts < words and count + parts or count
 end
 
 -- The columns whose headings state the quantity with the fewest other words; and those with more.
@@ -231,12 +236,26 @@ local function check_defaults(vocabulary, t)
   end
 end
 
--- A strain without a unit is a number; one beyond 1 is rather in per cent, or an elongation in mm.
-local function check_strain(t, column)
+-- Says something worth knowing of a record, and keeps it with it.
+local function tell(t, record, one)
+  record.warnings = record.warnings or {}
+  for _, known in ipairs(record.warnings) do
+    if known.text == one.text then return end
+  end
+  table.insert(record.warnings, one)
+  fabric.warn(("read: %s: %s%s"):format(t.file, record.specimen and "specimen " .. record.specimen .. ": " or "", one.text))
+end
+
+-- A strain without a unit is a number; one beyond 1 is rather in per cent, or an elongation in mm, and a large one may be. Per cent below a tenth would be no pull.
+local large_strain = 0.1
+local function check_strain(t, record, column)
   if column.unit ~= "" or (t.units or {}).strain or (t.default_units or {}).strain then return end
   local most = 0
   for _, e in ipairs(column.values) do most = math.max(most, math.abs(e)) end
-  if most > 1 then
+  if most > large_strain and most <= 1 then
+    tell(t, record, { code = "strain-unit", text = ("column '%s': the strain runs to %.4g and its heading names no unit: it is read as a number, %.4g %%; units={ strain='-' } says that it is one, units={ strain='%%' } that it is in per cent")
+      :format(column.name, most, 100 * most) })
+  elseif most > 1 then
     fail(("read: %s: column '%s': the strain runs to %.4g and its heading names no unit: is it in %%? give units={ strain='%%' }, or units={ strain='-' } for a number"):format(
       t.file, column.name, most))
   end
@@ -257,7 +276,8 @@ local function take(vocabulary, t, record, quantity, column)
     check.lengths("read", { width = t.width })
     factor = factor * t.width
   end
-  if quantity == "strain" then check_strain(t, column) end
+  if quantity == "strain" then check_strain(t, record, column) end
+  if column.doubt then tell(t, record, { code = "signs", text = ("column '%s': %s"):format(column.name, column.doubt) }) end
   record[meant == "strain" and "strain" or quantity] = scaled(column.values, factor)
 end
 
@@ -387,6 +407,7 @@ local function record_of(vocabulary, t, file)
       take(vocabulary, t, record, quantity, column)
     elseif column and not column.trouble and known_factor(vocabulary, t, quantity, column) then
       record[quantity] = scaled(column.values, (known_factor(vocabulary, t, quantity, column)))
+      if column.doubt then tell(t, record, { code = "signs", text = ("column '%s': %s"):format(column.name, column.doubt) }) end
     elseif column and not column.trouble and quantity == "strain" and not record.displacement then -- nothing else says how far the specimen was pulled
       take(vocabulary, t, record, quantity, column)
     elseif quantity == "force" or quantity == "displacement" and not find_column(vocabulary, t, file, "strain", false) then
@@ -397,11 +418,70 @@ local function record_of(vocabulary, t, file)
       warn_dropped(vocabulary, t, file, quantity, column)
     end
   end
-  if record.strain and not record.displacement then check_strain(t, find_column(vocabulary, t, file, "strain", true)) end
+  if record.strain and not record.displacement then check_strain(t, record, find_column(vocabulary, t, file, "strain", true)) end
   from_strain(t, record)
   check_time(t, record, file.lines)
-  check_leap(t, record, file.lines)
+  doubts.reverse(record, t.reverse)
+  record.restarts = doubts.restarts(record.displacement, record.force)
+  if #record.restarts == 0 then
+    record.restarts = nil
+    check_leap(t, record, file.lines)
+  end
+  for _, one in ipairs(doubts.of(record, t.restarts)) do tell(t, record, one) end
   return record
+end
+
+-- The rows of a record from one at which another specimen begins to the next, as records of their own.
+local function parted(record)
+  local out, starts = {}, { 1 }
+  table.move(record.restarts, 1, #record.restarts, 2, starts)
+  for k, first in ipairs(starts) do
+    local last, part = (starts[k + 1] or #record.force + 1) - 1, {}
+    for name, values in pairs(record) do
+      part[name] = type(values) == "table" and #values == #record.force and table.move(values, first, last, 1, {}) or values
+    end
+    part.rows, part.restarts, part.specimen = last - first + 1, nil, record.specimen and ("%s.%d"):format(record.specimen, k) or tostring(k)
+    out[k] = part
+  end
+  return out
+end
+
+-- The cell of a line of headings without brackets around it, and what stands in brackets behind its words.
+local function head_of(cell)
+  local name, unit = cell:match "^(.-)%s*[%(%[<{]([^%(%[<{]*)[%)%]>}]$"
+  if not name then return cell, "" end
+  if name == "" then return unit, unit end
+  return name, unit
+end
+
+-- Of three lines of headings and more, the names are those of the line in which most columns are known, the units those of the line with most units of them.
+local function relabel(vocabulary, file)
+  local lines = file[1] and file[1].heads and #file[1].heads or 0
+  local best, names = 0, nil
+  for line = 1, lines do
+    local known = 0
+    for _, column in ipairs(file) do
+      if quantity_of(vocabulary, (head_of(column.heads[line]))) then known = known + 1 end
+    end
+    if known > best then best, names = known, line end
+  end
+  if best < 2 then return end
+  local most, units = 0, nil
+  for line = 1, lines do
+    local known = 0
+    for _, column in ipairs(file) do
+      local quantity = quantity_of(vocabulary, (head_of(column.heads[names])))
+      local word, unit = head_of(column.heads[line])
+      if line == names then word = unit end
+      if quantity and unit_of(vocabulary, quantity, word) then known = known + 1 end
+    end
+    if known > most then most, units = known, line end
+  end
+  for _, column in ipairs(file) do
+    local word, unit = head_of(column.heads[names])
+    column.name, column.unit, column.bare = word, unit, nil
+    if units and units ~= names and unit == "" then column.unit = (head_of(column.heads[units])) end
+  end
 end
 
 -- Whether a table has the columns of a pull.
@@ -438,6 +518,7 @@ local function read(t)
   local tables = fabric.table { file = t.file, separator = t.separator, decimal = t.decimal, thousands = t.thousands, lenient = true, blocks = true }
   local function column_of(file, quantity) return find_column(vocabulary, t, file, quantity, false) end
   for _, file in ipairs(tables) do
+    if not is_pull(vocabulary, {}, file) then relabel(vocabulary, file) end
     for _, column in ipairs(file) do
       split_unit(vocabulary, column)
       if quantity_of(vocabulary, column.bare or column.name) == "time" then specimens().clock(column) end
@@ -445,8 +526,14 @@ local function read(t)
   end
   local files, records = records_among(vocabulary, t, specimens().of(t, tables, column_of, function(file) return is_pull(vocabulary, t, file) end)), {}
   for i, file in ipairs(files) do
-    records[i] = record_of(vocabulary, t, file)
-    if #files > 1 then records[i].specimen = records[i].specimen or tostring(i) end
+    if #files > 1 then file.specimen = file.specimen or tostring(i) end
+    local record = record_of(vocabulary, t, file)
+    local parts = record.restarts and t.restarts == "specimens" and parted(record) or { record }
+    for _, one in ipairs(#parts > 1 and parts or {}) do
+      one.warnings = nil
+      for _, sign in ipairs(doubts.of(one)) do tell(t, one, sign) end
+    end
+    table.move(parts, 1, #parts, #records + 1, records)
   end
   if #records == 1 then return records[1] end
   records.file = t.file
@@ -467,10 +554,15 @@ define {
       sentence = "words of your frame: {force={'siua'}, displacement={...}, time=, strain=, units={force={dyn=1e-5}}}, or a Lua file that returns them" },
     { name = "separator", kind = "text", choices = { "auto", ",", ";", "tab", "blank" }, default = "auto", sentence = "between cells" },
     { name = "decimal", kind = "text", choices = { "auto", ".", "," }, default = "auto", sentence = "decimal sign" },
-    { name = "thousands", kind = "text", choices = { "auto", ".", "," }, default = "auto", sentence = "sign between thousands; auto: where it cannot be the decimal sign" },
+    { name = "thousands", kind = "text", choices = { "auto", ".", ",", "none" }, default = "auto",
+      sentence = "sign between thousands; auto: where it cannot be the decimal sign; none: no sign stands there" },
+    { name = "reverse", kind = "text", choices = { "none", "both", "displacement", "force" }, default = "none", sentence = "whose sign is changed, for a frame that counts a pull negative" },
+    { name = "restarts", kind = "text", choices = { "tell", "specimens", "cycles" }, default = "tell",
+      sentence = "where displacement and force leap back to their beginning. tell: a warning, read as one specimen; specimens: another begins there; cycles: one specimen whose way back was not recorded" },
   },
   sentence = "A load frame's record in SI: displacement, force, and time and strain where there are such columns that can be read; "
-    .. "rows, names, preamble, file, lines (of the file, of each row), left_out (lines below the rows), specimen where the file names it. A file "
+    .. "rows, names, preamble, file, lines (of the file, of each row), left_out (lines below the rows), specimen where the file names it, warnings (each {code, text, row}: reversed, restart, "
+    .. "extensometer, drift, strain-unit, signs; or nil). A file "
     .. "with several specimens (headings that occur again, below or side by side, a column that names the specimen, sheets of a spreadsheet) gives a list of records.",
   example = "local path = os.tmpname()\n"
     .. "local f = io.open(path, 'w') f:write 'Extension (mm),Load (kN)\\n0,0\\n2,0.001\\n' f:close()\n"

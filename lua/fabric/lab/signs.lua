@@ -13,6 +13,8 @@ local function scatter(F)
   return 1.4826 * median(sizes) / math.sqrt(1.5)
 end
 
+signs.scatter = scatter
+
 -- Sudden falls of the force while the grips move apart, after which it rises beyond what it was. A fall is at least a twentieth of the largest force
 -- so far, within `span` rows.
 local least, span = 0.05, 3

@@ -32,7 +32,9 @@ local function names_specimens(name)
   for word in house.plain(name):gmatch "[^%s_%-:]+" do
     word = word:gsub("%.$", "")
     local known = false
-    for _, own in ipairs(house.specimens) do known = known or word == own end
+    for _, list in ipairs { house.specimens, house.tests } do
+      for _, own in ipairs(list) do known = known or word == own end
+    end
     if not known and not house.beside_specimen[word] then return false end
     found = found or known
   end

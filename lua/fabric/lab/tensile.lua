@@ -2,6 +2,7 @@
 local fabric = require "fabric"
 local define = require "fabric.define"
 local check = require "fabric.lab.check"
+local doubts = require "fabric.lab.doubts"
 local outliers = require "fabric.lab.outliers"
 local fail = define.fail
 
@@ -27,7 +28,7 @@ local function record_of(t)
   end
   if not t.file then fail "tensile: field 'file': expected a file (or record: a table of displacement and force), got nil" end
   return fabric.lab.read { file = t.file, columns = t.columns, units = t.units, default_units = t.default_units,
-    vocabulary = t.vocabulary, gauge_length = t.gauge_length, width = t.width, thousands = t.thousands }
+    vocabulary = t.vocabulary, gauge_length = t.gauge_length, width = t.width, thousands = t.thousands, reverse = t.reverse, restarts = t.restarts }
 end
 
 -- Says something worth knowing of a record, and keeps it with the result: test.warnings, each {code, text, row}.
@@ -84,6 +85,19 @@ local function without_outliers(record, t)
       first, record.force[first], record.force[first - 1], record.force[first + 1]) }
 end
 
+-- A pull moves, and its force changes.
+local function check_moves(record, t)
+  for _, name in ipairs { "displacement", "force" } do
+    local values = record[name]
+    local low, high = math.huge, -math.huge
+    for _, v in ipairs(values) do low, high = math.min(low, v), math.max(high, v) end
+    if high == low then
+      fail(("tensile: %s%s stays at %.4g %s%s: expected the rows of a pull"):format(t.file and t.file .. ": " or "", name, low, name == "force" and "N" or "m",
+        #values == 1 and " in the only row" or (" in all %d rows"):format(#values)))
+    end
+  end
+end
+
 -- Tension must be positive and start at zero.
 local function check_record(record, t, test)
   for _, name in ipairs { "displacement", "force" } do
@@ -92,12 +106,9 @@ local function check_record(record, t, test)
     for _, v in ipairs(values) do low, high = math.min(low, v), math.max(high, v) end
     local unit = name == "force" and "N" or "m"
     local from = t.file and (t.file .. ": ") or ""
-    if high == low then
-      fail(("tensile: %s%s stays at %.4g %s%s: expected the rows of a pull"):format(from, name, low, unit,
-        #values == 1 and " in the only row" or (" in all %d rows"):format(#values)))
-    end
     if high <= 0 or -low > 2 * high then
-      fail(("tensile: %s%s runs from %.4g to %.4g %s: a pull counts positive; change the sign of the record"):format(from, name, low, high, unit))
+      fail(("tensile: %s%s runs from %.4g to %.4g %s: a pull counts positive; %s"):format(from, name, low, high, unit,
+        name == "displacement" and values[#values] > values[1] and "zero=true counts it from the beginning" or ("change the sign of the record (reverse='%s')"):format(name)))
     end
     local first = values[1]
     local meant = name == "force" and t.pretension and math.abs(first) <= t.pretension
@@ -130,10 +141,24 @@ local function mark_break(test, record, t, warnings, from_jaw)
   end
 end
 
+-- What was told of the record when it was read, or what a record of the deck's own shows; the row behind which its displacement says nothing.
+local function doubt(record, t, warnings)
+  local found = record.warnings or {}
+  if not record.lines then found = doubts.of(record, t.restarts) end
+  for _, one in ipairs(found) do
+    if one.code == "reversed" then fail(("tensile: %s%s"):format(t.file and t.file .. ": " or "", one.text)) end
+    if record.lines then table.insert(warnings.warnings, one) else warn(warnings, record, t, one) end
+  end
+  return doubts.end_of(found)
+end
+
 local function test_of(record, t, from_jaw)
   local warnings = { warnings = {} }
   if t.zero then record = zeroed(record) end
+  check_moves(record, t)
+  local ends = doubt(record, t, warnings)
   check_record(record, t, warnings)
+  if ends then record = doubts.cut(record, ends) end
   local bad, sign
   record, bad, sign = without_outliers(record, t)
   if sign then warn(warnings, record, t, sign) end
@@ -145,6 +170,7 @@ local function test_of(record, t, from_jaw)
     contact = t.slack == "contact" and (t.contact or 0.01 * record.force[top]) or nil,
   }
   test.force, test.time, test.file, test.specimen = record.force, record.time, record.file, record.specimen
+  test.extensometer, test.beyond = ends, record.beyond
   local reach = record.displacement[largest(record.displacement)]
   test.branches = fabric.lab.branches { displacement = record.displacement, tolerance = t.tolerance or 0.01 * reach }
   mark(test, t)
@@ -156,6 +182,14 @@ local function test_of(record, t, from_jaw)
   return test
 end
 
+-- A copy with the signs changed: the deck's own record stays as it is.
+local function reversed(record, which)
+  local out = {}
+  for name, values in pairs(record) do out[name] = type(values) == "table" and table.move(values, 1, #values, 1, {}) or values end
+  out.lines, out.warnings = nil, nil
+  return doubts.reverse(out, which)
+end
+
 -- A test, or a list of them for a file with several specimens.
 local function tensile(t)
   local record = record_of(t)
@@ -163,6 +197,11 @@ local function tensile(t)
   local from = type(given) == "table" and given or { given }
   if given and #from ~= (single and 1 or #record) then
     fail(("tensile: field 'from_jaw': expected a distance for each specimen, %d, got %d"):format(single and 1 or #record, #from))
+  end
+  if t.record and t.reverse ~= "none" then
+    local turned = {}
+    for i, one in ipairs(single and { record } or record) do turned[i] = reversed(one, t.reverse) end
+    record = single and turned[1] or turned
   end
   if single then return test_of(record, t, from[1]) end
   local tests = {}
@@ -179,7 +218,9 @@ define {
     { name = "units", kind = "table", optional = true, sentence = "as in fabric.lab.read" },
     { name = "default_units", kind = "table", optional = true, sentence = "as in fabric.lab.read" },
     { name = "vocabulary", kind = "table|text", optional = true, sentence = "as in fabric.lab.read" },
-    { name = "thousands", kind = "text", choices = { "auto", ".", "," }, default = "auto", sentence = "as in fabric.lab.read" },
+    { name = "thousands", kind = "text", choices = { "auto", ".", ",", "none" }, default = "auto", sentence = "as in fabric.lab.read" },
+    { name = "reverse", kind = "text", choices = { "none", "both", "displacement", "force" }, default = "none", sentence = "as in fabric.lab.read" },
+    { name = "restarts", kind = "text", choices = { "tell", "specimens", "cycles" }, default = "tell", sentence = "as in fabric.lab.read; a record of the deck's own stays one specimen" },
     { name = "gauge_length", kind = "number", unit = "m", above = 0, sentence = "between the grips" },
     { name = "width", kind = "number", unit = "m", above = 0, sentence = "of the specimen" },
     { name = "thickness", kind = "number", unit = "m", above = 0, sentence = "of one ply" },
@@ -203,7 +244,8 @@ define {
   retired = { "softening" },
   sentence = "A pull as stress and strain (eqs. 3.1, 3.2): E, S, displacement, force, time, branches (kind, first, last), loading "
     .. "(first and last row of virgin loading), yield and failure (rows or nil, on the virgin loading of all cycles), slack, area, outliers (places in the "
-    .. "record of what was left out, or nil), warnings (preload, slip in the jaws, a late grip, a break at the jaw: each {code, text, row}; or nil), "
+    .. "record of what was left out, or nil), warnings (preload, slip in the jaws, a late grip, a break at the jaw, and what fabric.lab.read tells: each {code, text, row}; or nil), "
+    .. "extensometer (the row at which it was taken off: the lists end there, and beyond={force, time} has all rows; or nil), "
     .. "from_jaw and jaw (whether it broke at one). A file with several specimens "
     .. "gives a list of tests, each with its specimen.",
   example = "local t = require 'fabric'.lab.tensile{ record={ displacement={0, 1e-3, 2e-3, 1e-3, 0}, force={0, 2, 5, 1, 0} },\n"

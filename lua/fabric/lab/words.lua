@@ -43,16 +43,20 @@ words.names = {
   displacement = { "displacement", "extension", "elongation", "crosshead", "stroke", "position", "travel", "weg", "verlangerung", "verlaengerung",
     "verformung", "auszug", "deplacement", "allongement", "deformation", "course", "elongazione", "spostamento", "allungamento", "estensione", "corsa", "przemieszczenie", "wydluzenie", "droga", "skok",
     "desplazamiento", "alargamiento", "elongacion", "recorrido", "carrera", "deslocamento", "alongamento", "extensao", "verplaatsing", "uitrekking", "verlenging",
-    "draha", "posuv", "protazeni", "prodlouzeni", "forlangning", "forskjutning", "stracka", "extensie", "erweiterung", "grip separation", "standart yol", "kontrol yolu", "uzama", "yer degistirme", "deplasman", "przesuniecie", "rozciagniecie", "перемещение", "удлинение", "растяжение", "путь",
+    "draha", "posuv", "protazeni", "prodlouzeni", "forlangning", "forskjutning", "stracka", "extensie", "erweiterung", "grip separation", "tool separation", "jaw separation", "separation", "traverse", "traversa", "traverso", "travesano", "travessa", "trawers", "pricnik", "траверс",
+    "werkzeugabstand", "backenabstand", "klemmenabstand", "klemmabstand", "einspannabstand", "langenanderung", "laengenaenderung", "actuator", "change in length", "length change", "ecartement", "distanza", "afstand", "rozstaw", "vzdalenost", "avstand",
+    "拉伸距离", "夹具间距", "夹头间距", "夾具間距", "夹距", "移动距离", "移動距離", "移動量", "つかみ具間", "チャック間", "クロスヘッド", "크로스헤드", "이동거리", "이동량", "зажим", "standart yol", "kontrol yolu", "uzama", "yer degistirme", "deplasman", "przesuniecie", "rozciagniecie", "перемещение", "удлинение", "растяжение", "путь",
     "位移", "伸长", "伸長", "变形", "變形", "行程", "변위", "신장", "연신", "스트로크",
     "\u{ff7d}\u{ff84}\u{ff9b}\u{ff70}\u{ff78}", "\u{4f38}\u{5ea6}",
     "\x90l\x82\xd1", "\u{5909}\u{4f4d}", "\u{30b9}\u{30c8}\u{30ed}\u{30fc}\u{30af}", "\u{4f38}\u{3073}", "\x95\xcf\x88\xca", "\x83x\x83g\x83\x8d\x81[\x83n" },
-  force = { "force", "load", "kraft", "belastung", "effort", "charge", "forza", "carico", "sila", "obciazenie", "fuerza", "carga", "forca", "kracht", "belasting", "kuvvet", "zatizeni",
+  force = { "force", "load", "kraft", "belastung", "effort", "charge", "forza", "carico", "sila", "obciazenie", "fuerza", "carga", "forca", "kracht", "belasting", "kuvvet", "zatizeni", "pruflast", "prueflast", "zuglast", "traccion", "tracao", "dragkraft", "dinamometro", "loadcell", "kraftaufnehmer",
     "сила", "усилие", "нагрузка", "载荷", "載荷", "负荷", "負荷", "拉力", "力值", "试验力", "試驗力", "标准力", "標準力", "负载", "負載", "拉伸力", "引張力", "인장력", "하중", "시험력", "\u{8377}\u{91cd}", "\u{8a66}\u{9a13}\u{529b}", "\x89\xd7\x8fd",
     "\x8e\x8e\x8c\xb1\x97\xcd" },
   time = { "time", "zeit", "temps", "duree", "tempo", "czas", "tiempo", "tijd", "zaman", "время", "时间", "時間", "시간", "\x8e\x9e\x8a\xd4" },
   strain = { "strain", "dehnung", "deformazione", "odksztalcenie", "deformacion", "deformacao", "gerinim", "деформация", "应变", "應變", "변형률", "변형", "신율", "\u{3072}\u{305a}\u{307f}", "\u{6b6a}" },
 }
+-- Of the displacement's words those of the part of a machine that moves.
+words.parts = { "traverse", "traversa", "traverso", "travesano", "travessa", "trawers", "pricnik", "траверс", "actuator" }
 -- Names that consist of one of these only.
 words.letters = { u = "displacement", ext = "displacement", disp = "displacement", elong = "displacement", dl = "displacement", p = "force", f = "force", t = "time",
   last = "force", yuk = "force", ["力"] = "force", ["힘"] = "force", hub = "displacement", slag = "displacement", curso = "displacement", ["ход"] = "displacement", rek = "strain",
@@ -71,6 +75,8 @@ words.bytes = {
 words.specimens = { "specimen", "sample", "probe", "prufling", "pruefling", "eprouvette", "echantillon", "probeta", "muestra", "provino", "campione", "provete", "amostra", "proefstuk",
   "numune", "probka", "vzorek", "provkropp", "prov", "образец", "试样", "試樣", "試験片", "시편", "replicate",
   "\x8e\x8e\x8c\xb1\x95\xd0", "\xca\xd4\xd1\xf9", "\xce\xe1\xf0a\xe7\xe5o", "\xee\xe1\xf0a\xe7\xe5o" } -- the last four in Shift-JIS, GBK and (as words.plain leaves them) Windows-1251
+-- Words of a test, which name the specimen in a column, but not in a line above a heading ("Test method").
+words.tests = { "test", "versuch", "prufung", "pruefung", "essai", "ensayo", "prova", "ensaio", "badanie", "zkouska", "испытание", "试验", "試驗", "試験", "시험" }
 words.beside_specimen = { no = true, nr = true, number = true, nummer = true, id = true, name = true, label = true, ["#"] = true, numero = true, ["n\u{b0}"] = true, ["\u{2116}"] = true }
 
 words.quantities = { "displacement", "force", "time", "strain" }

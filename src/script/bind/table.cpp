@@ -43,6 +43,11 @@ void push_column(lua_State* L, const format::TableColumn& column) {
   push_numbers(L, column.values);
   lua_setfield(L, -2, "values");
   if (!column.error.empty()) set_text(L, "trouble", column.error);
+  if (!column.doubt.empty()) set_text(L, "doubt", column.doubt);
+  if (!column.heads.empty()) {
+    push_texts(L, column.heads);
+    lua_setfield(L, -2, "heads");
+  }
   if (!column.words.empty()) {
     push_texts(L, column.words);
     lua_setfield(L, -2, "words");
@@ -95,7 +100,7 @@ void push_table(lua_State* L, const std::string& file, const format::Table& tabl
 format::TableForm form_of(Call& call) {
   const std::string decimal = call.text("decimal"), thousands = call.text("thousands");
   return {separator_of(call.text("separator")), decimal == "auto" ? char{0} : decimal[0],
-          call.flag("lenient"), thousands == "auto" ? char{0} : thousands[0]};
+          call.flag("lenient"), thousands == "auto" ? char{0} : thousands[0]};  // 'n' of "none"
 }
 
 // Totals below the rows are reported, since a reader of the file sees numbers there.
@@ -110,12 +115,23 @@ void warn_left_out(Call& call, const format::Table& table) {
     }
 }
 
+// What else the numbers of a column may mean. A lenient caller looks at the columns that it takes itself.
+void warn_doubts(Call& call, const format::Table& table) {
+  if (call.flag("lenient")) return;
+  for (const format::TableColumn& column : table.columns)
+    if (!column.doubt.empty()) {
+      const std::string words = "table: " + table.name + ": column '" + column.name + "': " + column.doubt;
+      call.session().notices().once(words, "warning: " + words);
+    }
+}
+
 int table_of(Call& call) {
   lua_State* L = call.L();
   const std::string file = call.text("file");
   if (!call.flag("blocks")) {
     const format::Table table = format::read_table(file, form_of(call));
     warn_left_out(call, table);
+    warn_doubts(call, table);
     push_table(L, file, table);
     return 1;
   }
@@ -123,6 +139,7 @@ int table_of(Call& call) {
   lua_createtable(L, static_cast<int>(tables.size()), 0);
   for (std::size_t i = 0; i < tables.size(); ++i) {
     warn_left_out(call, tables[i]);
+    warn_doubts(call, tables[i]);
     push_table(L, file, tables[i]);
     lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
   }
@@ -145,9 +162,11 @@ std::vector<Entry> rows() {
         value_("decimal", text, "decimal sign; auto: found from the file")
             .one_of({"auto", ".", ","})
             .or_else("auto"),
-        value_("thousands", text,
-               "sign between thousands, wherever it occurs; auto: where it cannot be the decimal sign")
-            .one_of({"auto", ".", ","})
+        value_(
+            "thousands", text,
+            "sign between thousands, wherever it occurs; auto: where it cannot be the decimal sign; none: no "
+            "sign stands there")
+            .one_of({"auto", ".", ",", "none"})
             .or_else("auto"),
         value_("blocks", boolean,
                "a list of the tables in the file, one for each heading or sheet; false: there is one")

@@ -262,7 +262,7 @@ wrong("fabric.lab.density", "fabric.lab.density{ mas={1}, area=1, thickness={1} 
 wrong("fabric.lab.tensile", "fabric.lab.tensile{ gauge_length=0.1, width=0.01, thickness=0.001, plies=1, zero='yes' }",
   "deck.lua:1: tensile: field 'zero': expected true or false, got 'yes'")
 wrong("fabric.lab.tensile", "fabric.lab.tensile{ record={ displacement={0, 1e-3, 2e-3}, force={0, -1, -2} }, gauge_length=0.1, width=0.01, thickness=0.001, plies=1 }",
-  "deck.lua:1: tensile: force runs from -2 to 0 N: a pull counts positive; change the sign of the record")
+  "deck.lua:1: tensile: force runs from -2 to 0 N: a pull counts positive; change the sign of the record (reverse='force')")
 wrong("fabric.lab.tensile", "fabric.lab.tensile{ gauge_length=0.1, width=0.01, thickness=0.001, plies=1 }",
   "deck.lua:1: tensile: field 'file': expected a file (or record: a table of displacement and force), got nil")
 wrong("fabric.lab.tensile", "fabric.lab.tensile{ file='none.csv', gauge_length=0.1, width=0.01, thickness=0.001, plies=1 }",
