@@ -657,7 +657,9 @@ function fabric.lab.branches(fields) end
 ---@field units? table as in fabric.lab.read
 ---@field default_units? table as in fabric.lab.read
 ---@field vocabulary? string|table as in fabric.lab.read
----@field thousands? "auto"|"."|"," as in fabric.lab.read (default "auto")
+---@field thousands? "auto"|"."|","|"none" as in fabric.lab.read (default "auto")
+---@field reverse? "none"|"both"|"displacement"|"force" as in fabric.lab.read (default "none")
+---@field restarts? "tell"|"specimens"|"cycles" as in fabric.lab.read (default "tell")
 ---@field file? string the table as CSV
 
 ---The table of a folder of pulls to rupture after ISO 13934-1 or ASTM D5035. Returns names (of the groups), groups { name={ specimens={ {name, force, elongation, elongation_at_break, from_jaw, jaw, counted, remark, warnings}, ... }, counted, force, elongation and elongation_at_break (each n, mean, deviation, cv, low, high: the interval of the mean), per_width (N/m), notes } }, text (the table), warnings {code, text, specimen}, file. Elongations are numbers, not per cent.
@@ -1291,9 +1293,11 @@ function fabric.lab.ratio(fields) end
 ---@field vocabulary? string|table words of your frame: {force={'siua'}, displacement={...}, time=, strain=, units={force={dyn=1e-5}}}, or a Lua file that returns them
 ---@field separator? "auto"|","|";"|"tab"|"blank" between cells (default "auto")
 ---@field decimal? "auto"|"."|"," decimal sign (default "auto")
----@field thousands? "auto"|"."|"," sign between thousands; auto: where it cannot be the decimal sign (default "auto")
+---@field thousands? "auto"|"."|","|"none" sign between thousands; auto: where it cannot be the decimal sign; none: no sign stands there (default "auto")
+---@field reverse? "none"|"both"|"displacement"|"force" whose sign is changed, for a frame that counts a pull negative (default "none")
+---@field restarts? "tell"|"specimens"|"cycles" where displacement and force leap back to their beginning. tell: a warning, read as one specimen; specimens: another begins there; cycles: one specimen whose way back was not recorded (default "tell")
 
----A load frame's record in SI: displacement, force, and time and strain where there are such columns that can be read; rows, names, preamble, file, lines (of the file, of each row), left_out (lines below the rows), specimen where the file names it. A file with several specimens (headings that occur again, below or side by side, a column that names the specimen, sheets of a spreadsheet) gives a list of records.
+---A load frame's record in SI: displacement, force, and time and strain where there are such columns that can be read; rows, names, preamble, file, lines (of the file, of each row), left_out (lines below the rows), specimen where the file names it, warnings (each {code, text, row}: reversed, restart, extensometer, drift, strain-unit, signs; or nil). A file with several specimens (headings that occur again, below or side by side, a column that names the specimen, sheets of a spreadsheet) gives a list of records.
 ---@param fields fabric_lab_read_fields
 ---@return table<string, any>
 function fabric.lab.read(fields) end
@@ -1525,7 +1529,9 @@ function fabric.lab.tear(fields) end
 ---@field units? table as in fabric.lab.read
 ---@field default_units? table as in fabric.lab.read
 ---@field vocabulary? string|table as in fabric.lab.read
----@field thousands? "auto"|"."|"," as in fabric.lab.read (default "auto")
+---@field thousands? "auto"|"."|","|"none" as in fabric.lab.read (default "auto")
+---@field reverse? "none"|"both"|"displacement"|"force" as in fabric.lab.read (default "none")
+---@field restarts? "tell"|"specimens"|"cycles" as in fabric.lab.read; a record of the deck's own stays one specimen (default "tell")
 ---@field gauge_length number m: between the grips
 ---@field width number m: of the specimen
 ---@field thickness number m: of one ply
@@ -1541,7 +1547,7 @@ function fabric.lab.tear(fields) end
 ---@field from_jaw? number|number[] m: where the specimen broke: distance from the nearer jaw, a number for each specimen; within 5 mm it is a break at the jaw
 ---@field outliers? "tell"|"drop"|"keep" single outlying readings of the force (a display that drops a digit). tell: left out with a warning; drop: left out silently; keep: kept (default "tell")
 
----A pull as stress and strain (eqs. 3.1, 3.2): E, S, displacement, force, time, branches (kind, first, last), loading (first and last row of virgin loading), yield and failure (rows or nil, on the virgin loading of all cycles), slack, area, outliers (places in the record of what was left out, or nil), warnings (preload, slip in the jaws, a late grip, a break at the jaw: each {code, text, row}; or nil), from_jaw and jaw (whether it broke at one). A file with several specimens gives a list of tests, each with its specimen.
+---A pull as stress and strain (eqs. 3.1, 3.2): E, S, displacement, force, time, branches (kind, first, last), loading (first and last row of virgin loading), yield and failure (rows or nil, on the virgin loading of all cycles), slack, area, outliers (places in the record of what was left out, or nil), warnings (preload, slip in the jaws, a late grip, a break at the jaw, and what fabric.lab.read tells: each {code, text, row}; or nil), extensometer (the row at which it was taken off: the lists end there, and beyond={force, time} has all rows; or nil), from_jaw and jaw (whether it broke at one). A file with several specimens gives a list of tests, each with its specimen.
 ---@param fields fabric_lab_tensile_fields
 ---@return table<string, any>
 function fabric.lab.tensile(fields) end
@@ -2215,7 +2221,7 @@ function fabric.svk(fields) end
 ---@field file string of numbers in columns
 ---@field separator? "auto"|","|";"|"tab"|"blank" between cells; auto: found from the file (default "auto")
 ---@field decimal? "auto"|"."|"," decimal sign; auto: found from the file (default "auto")
----@field thousands? "auto"|"."|"," sign between thousands, wherever it occurs; auto: where it cannot be the decimal sign (default "auto")
+---@field thousands? "auto"|"."|","|"none" sign between thousands, wherever it occurs; auto: where it cannot be the decimal sign; none: no sign stands there (default "auto")
 ---@field blocks? boolean a list of the tables in the file, one for each heading or sheet; false: there is one (default false)
 ---@field lenient? boolean a bad cell is no error but nan, and the column has trouble, the message (default false)
 
