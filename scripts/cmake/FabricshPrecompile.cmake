@@ -19,3 +19,11 @@ function(fabricsh_precompile target owner)
   # GCC forgets for precompiled headers that they are the system's, and is wrong about std::string in them.
   target_compile_options(${target} PRIVATE -Wno-stringop-overflow -Wno-array-bounds -Wno-stringop-overread)
 endfunction()
+
+# Several sources of a target are compiled as one: what they all include is parsed, and what they all instantiate is
+# compiled, once for each batch. Names in unnamed namespaces must then differ within a room.
+function(fabricsh_unite target)
+  if(FABRICSH_UNITY)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  endif()
+endfunction()

@@ -15,25 +15,26 @@ constexpr double onset = 0.2;     // share of the crush range over which the sti
 constexpr double denser = 0.85;   // ratio of the heights above the floor of successive knots below a curve
 constexpr double guarded = 0.25;  // share of the crush range, next to the floor, in which the guard acts
 
-[[noreturn]] void refuse(const std::string& what) { throw Error("contact: " + what); }
+[[noreturn]] void refuse_law(const std::string& what) { throw Error("contact: " + what); }
 
 void check_length(const char* name, double value) {
   if (!(value > 0) || !std::isfinite(value))
-    refuse(std::string(name) + ": expected a positive length in m, got " + number(value));
+    refuse_law(std::string(name) + ": expected a positive length in m, got " + number(value));
 }
 
 void check_curve(const LawData& data) {
   const auto& c = data.curve;
-  if (c.size() < 2) refuse("compression: expected at least two points, got " + std::to_string(c.size()));
+  if (c.size() < 2) refuse_law("compression: expected at least two points, got " + std::to_string(c.size()));
   for (std::size_t i = 0; i < c.size(); ++i) {
     const bool ordered = i == 0 || (c[i].first > c[i - 1].first && c[i].second < c[i - 1].second);
     if (!std::isfinite(c[i].first) || !std::isfinite(c[i].second) || !(c[i].second > 0) || !ordered)
-      refuse("compression: expected gaps (m) that ascend and positive pressures (Pa) that descend, got (" +
-             number(c[i].first) + ", " + number(c[i].second) + ") as point " + std::to_string(i + 1));
+      refuse_law(
+          "compression: expected gaps (m) that ascend and positive pressures (Pa) that descend, got (" +
+          number(c[i].first) + ", " + number(c[i].second) + ") as point " + std::to_string(i + 1));
   }
   if (!(c.front().first > data.floor))
-    refuse("compression: expected gaps above the floor of " + number(data.floor) + " m, got " +
-           number(c.front().first) + " m");
+    refuse_law("compression: expected gaps above the floor of " + number(data.floor) + " m, got " +
+               number(c.front().first) + " m");
 }
 
 // Slope of a monotone curve at a point between two secants: the harmonic mean of their slopes.
@@ -46,10 +47,10 @@ ContactLaw::ContactLaw(const LawData& data) : floor_(data.floor) {
   if (data.curve.empty()) {
     check_length("gap", data.gap);
     if (!(data.stiffness > 0) || !std::isfinite(data.stiffness))
-      refuse("stiffness: expected a positive number in Pa/m, got " + number(data.stiffness));
+      refuse_law("stiffness: expected a positive number in Pa/m, got " + number(data.stiffness));
     if (!(data.gap > data.floor))
-      refuse("gap: expected more than the floor of " + number(data.floor) + " m, got " + number(data.gap) +
-             " m");
+      refuse_law("gap: expected more than the floor of " + number(data.floor) + " m, got " +
+                 number(data.gap) + " m");
     gap_ = data.gap;
     add(gap_, 0);
     add(gap_ - onset * (gap_ - floor_), data.stiffness);

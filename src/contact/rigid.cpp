@@ -12,7 +12,7 @@
 namespace fabricsh::contact {
 namespace {
 
-[[noreturn]] void refuse(const std::string& what) { throw Error("rigid body: " + what); }
+[[noreturn]] void refuse_body(const std::string& what) { throw Error("rigid body: " + what); }
 
 // Inertia of a body of revolution from its moments along and perpendicular to its axis.
 Mat3 about_axis(const Vec3& axis, double along, double across) {
@@ -31,8 +31,8 @@ void check_closed(std::span<const Triangle> triangles) {
   const auto open =
       std::count_if(walked.begin(), walked.end(), [](const auto& e) { return e.second != 1001; });
   if (open > 0)
-    refuse("expected a closed surface, whose every edge two triangles walk in opposite senses; " +
-           std::to_string(open) + " edges are not");
+    refuse_body("expected a closed surface, whose every edge two triangles walk in opposite senses; " +
+                std::to_string(open) + " edges are not");
 }
 
 }  // namespace
@@ -73,7 +73,7 @@ Mass solid_mass(std::span<const Vec3> vertices, std::span<const Triangle> triang
     first += v / 4 * sum;
     second += v / 20 * (a * a.transpose() + b * b.transpose() + c * c.transpose() + sum * sum.transpose());
   }
-  if (!(volume > 0)) refuse("expected triangles that run counter-clockwise as seen from outside");
+  if (!(volume > 0)) refuse_body("expected triangles that run counter-clockwise as seen from outside");
   const Vec3 centre = first / volume;
   second -= volume * centre * centre.transpose();
   return {mass, origin + centre, mass / volume * (second.trace() * Mat3::Identity() - second)};
@@ -87,10 +87,10 @@ FreeBody::FreeBody(const Mass& mass, const Vec3& velocity, const Vec3& spin)
   if (frame_.determinant() < 0) frame_.col(0) = -frame_.col(0);
   turn_ = frame_;
   if (!(mass_ > 0) || !std::isfinite(mass_))
-    refuse("mass: expected a positive number in kg, got " + number(mass_));
+    refuse_body("mass: expected a positive number in kg, got " + number(mass_));
   if (!(moments_.minCoeff() > 0) || !moments_.allFinite())
-    refuse("expected an inertia with positive moments");
-  if (!velocity.allFinite() || !spin.allFinite()) refuse("expected a finite velocity and spin");
+    refuse_body("expected an inertia with positive moments");
+  if (!velocity.allFinite() || !spin.allFinite()) refuse_body("expected a finite velocity and spin");
 }
 
 void FreeBody::kick(const Vec3& force, const Vec3& torque, double dt) {
@@ -152,18 +152,19 @@ Wrench wrench(std::span<const Vec3> x, std::span<const Vec3> force, const Vec3& 
 MovingShape::MovingShape(std::vector<double> times, std::vector<std::vector<Vec3>> shapes)
     : times_(std::move(times)), shapes_(std::move(shapes)) {
   if (shapes_.empty() || times_.size() != shapes_.size())
-    refuse("moving surface: expected as many times as shapes and at least one, got " +
-           std::to_string(times_.size()) + " and " + std::to_string(shapes_.size()));
+    refuse_body("moving surface: expected as many times as shapes and at least one, got " +
+                std::to_string(times_.size()) + " and " + std::to_string(shapes_.size()));
   for (std::size_t i = 0; i < shapes_.size(); ++i) {
     if (!std::isfinite(times_[i]) || (i > 0 && !(times_[i] > times_[i - 1])))
-      refuse("moving surface: expected finite times (s) that ascend, got " + number(times_[i]) +
-             " as number " + std::to_string(i + 1));
+      refuse_body("moving surface: expected finite times (s) that ascend, got " + number(times_[i]) +
+                  " as number " + std::to_string(i + 1));
     if (shapes_[i].size() != shapes_[0].size())
-      refuse("moving surface: shape " + std::to_string(i + 1) + " has " + std::to_string(shapes_[i].size()) +
-             " vertices, the first has " + std::to_string(shapes_[0].size()));
+      refuse_body("moving surface: shape " + std::to_string(i + 1) + " has " +
+                  std::to_string(shapes_[i].size()) + " vertices, the first has " +
+                  std::to_string(shapes_[0].size()));
     for (const Vec3& x : shapes_[i])
       if (!x.allFinite())
-        refuse("moving surface: shape " + std::to_string(i + 1) + " has a vertex that is not finite");
+        refuse_body("moving surface: shape " + std::to_string(i + 1) + " has a vertex that is not finite");
   }
 }
 

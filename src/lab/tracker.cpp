@@ -13,9 +13,9 @@ namespace fabricsh::lab {
 
 namespace {
 
-using Map = std::array<double, 6>;
+using Affine = std::array<double, 6>;
 
-std::pair<double, double> moved(const Map& m, double x, double y) {
+std::pair<double, double> moved(const Affine& m, double x, double y) {
   return {m[0] * x + m[1] * y + m[2], m[3] * x + m[4] * y + m[5]};
 }
 
@@ -140,7 +140,7 @@ using Matches = std::vector<std::optional<std::size_t>>;
 
 // Positions of any type with x and y.
 template <class Places>
-Matches nearest(const Places& last, const std::vector<Dot>& dots, const Map& map, double gate) {
+Matches nearest(const Places& last, const std::vector<Dot>& dots, const Affine& map, double gate) {
   Matches out(last.size());
   for (std::size_t m = 0; m < last.size(); ++m) {
     const auto [x, y] = moved(map, last[m].x, last[m].y);
@@ -153,7 +153,7 @@ Matches nearest(const Places& last, const std::vector<Dot>& dots, const Map& map
 
 // The affine map of the matched markers; the old one if too few are matched.
 template <class Places>
-Map affine(const Places& last, const std::vector<Dot>& dots, const Matches& matches, const Map& old) {
+Affine affine(const Places& last, const std::vector<Dot>& dots, const Matches& matches, const Affine& old) {
   const auto n = std::count_if(matches.begin(), matches.end(), [](const auto& m) { return m.has_value(); });
   if (n < 4) return old;
   Eigen::MatrixXd A(n, 3), b(n, 2);

@@ -4,13 +4,13 @@
 #include <numeric>
 #include <set>
 
+#include "mechanics/mesh_tools.hpp"
+
 namespace fabricsh::mechanics {
 
 namespace {
 
 constexpr double kOnLine = 0.01;  // of an edge's length: how far from a line its ends may be
-
-std::size_t corners(const std::array<Index, 4>& element) { return element[3] < 0 ? 3 : 4; }
 
 double distance_to(const Vec3& x, const Vec3& a, const Vec3& b) {
   const Vec3 way = b - a;
@@ -29,7 +29,7 @@ Joints::Joints(const mesh::Mesh& mesh) : mesh_(mesh) {
   std::map<Edge, std::set<Edge>> sides;  // of each edge: the nodes at its ends, side by side
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
     const auto& element = mesh.elements[e];
-    const std::size_t n = corners(element);
+    const auto n = static_cast<std::size_t>(corners(element));
     for (std::size_t a = 0; a < n; ++a) {
       Index i = element[a], j = element[(a + 1) % n];
       if (several[static_cast<std::size_t>(mesh.place_of(i))] != 0)
@@ -131,7 +131,7 @@ void Joints::divide(Index place) {
   bool any_open = false;
   for (const Index e : at_.at(place)) {
     const auto& element = mesh_.elements[static_cast<std::size_t>(e)];
-    const std::size_t n = corners(element);
+    const auto n = static_cast<std::size_t>(corners(element));
     for (std::size_t a = 0; a < n; ++a) {
       if (mesh_.place_of(element[a]) != place) continue;
       nodes.push_back(element[a]);

@@ -17,12 +17,12 @@ namespace {
   throw Error(std::string(call) + ": field '" + field + "': expected " + expected + ", got " + got);
 }
 
-std::string shown(double x) { return number(x, 10); }
+std::string all_digits(double x) { return number(x, 10); }
 
 }  // namespace
 
 void check_length(const char* call, const char* field, double length) {
-  if (!std::isfinite(length) || length <= 0) refuse(call, field, "a positive length, m", shown(length));
+  if (!std::isfinite(length) || length <= 0) refuse(call, field, "a positive length, m", all_digits(length));
 }
 
 void check_count(const char* call, const char* field, Index count, Index least) {
@@ -33,7 +33,7 @@ void check_count(const char* call, const char* field, Index count, Index least) 
 
 void check_angle(const char* call, const char* field, double angle, double most) {
   if (!(angle > 0 && angle <= most))
-    refuse(call, field, "an angle above 0 and up to " + shown(most) + " degrees", shown(angle));
+    refuse(call, field, "an angle above 0 and up to " + all_digits(most) + " degrees", all_digits(angle));
 }
 
 void check_product(const char* call, const char* fields, Index a, Index b) {

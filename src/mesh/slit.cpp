@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kOnLine = 0.01;  // of an edge's length: how far from the line its ends may be
 
-std::string text(const Vec3& p) {
+std::string point_text(const Vec3& p) {
   return "(" + number(p.x()) + ", " + number(p.y()) + ", " + number(p.z()) + ")";
 }
 
@@ -54,8 +54,8 @@ std::vector<Cut> edges_on(const Mesh& mesh, const Vec3& start, const Vec3& way) 
 // The edges must cover the line without a gap, each between two elements.
 void check_line(const std::vector<Cut>& line, const Vec3& from, const Vec3& to) {
   const auto refuse = [&](double share, const std::string& why) {
-    throw Error("slit: the line from " + text(from) + " to " + text(to) + " m " + why + " at " +
-                text(from + share * (to - from)) + " m: expected a line of edges between nodes");
+    throw Error("slit: the line from " + point_text(from) + " to " + point_text(to) + " m " + why + " at " +
+                point_text(from + share * (to - from)) + " m: expected a line of edges between nodes");
   };
   if (line.empty()) refuse(0, "has no edge");
   double reached = 0;
@@ -140,7 +140,8 @@ std::map<Index, Index> divide(Mesh& mesh, const std::vector<Cut>& line) {
 Lips slit(Mesh& mesh, const Vec3& from, const Vec3& to) {
   check_unused(mesh, "slit");
   if (!mesh.parts.empty()) throw Error("slit: expected a mesh of one part: slit that of the body first");
-  if (!((to - from).norm() > 0)) throw Error("slit: expected two points, got " + text(from) + " m twice");
+  if (!((to - from).norm() > 0))
+    throw Error("slit: expected two points, got " + point_text(from) + " m twice");
   const std::vector<Cut> line = edges_on(mesh, from, to - from);
   check_line(line, from, to);
   const bool whole_boundary = mesh.sets.contains("boundary") && mesh.set("boundary") == free_nodes(mesh);
@@ -148,7 +149,7 @@ Lips slit(Mesh& mesh, const Vec3& from, const Vec3& to) {
   const auto twin = divide(mesh, line);
   if (mesh.nodes.size() == before)
     throw Error(
-        "slit: the line from " + text(from) + " to " + text(to) +
+        "slit: the line from " + point_text(from) + " to " + point_text(to) +
         " m is one edge inside the mesh, which cannot open: expected two edges, or an end at the boundary");
   follow_sets(mesh, twin);
   if (whole_boundary) mesh.sets["boundary"] = free_nodes(mesh);

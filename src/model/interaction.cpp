@@ -15,7 +15,7 @@ using mesh::Index;
 
 namespace {
 
-std::string quoted(const std::string& s) { return "'" + s + "'"; }
+std::string quoted_name(const std::string& s) { return "'" + s + "'"; }
 
 // The elements of a side; one of several bodies goes by its name. Error: unknown set, no whole element.
 std::vector<Index> elements_of(const std::string& set, const mesh::Mesh& mesh) {
@@ -26,7 +26,7 @@ std::vector<Index> elements_of(const std::string& set, const mesh::Mesh& mesh) {
     return all;
   }
   auto inside = mesh.elements_in(mesh.set(set));
-  if (inside.empty()) throw Error("set " + quoted(set) + " holds no whole element, and so no surface");
+  if (inside.empty()) throw Error("set " + quoted_name(set) + " holds no whole element, and so no surface");
   return inside;
 }
 
@@ -113,7 +113,7 @@ void Interactions::add(ContactGiven contact, const mesh::Mesh& mesh) {
 void Interactions::move(BodyMotion motion) {
   const Rigid& body = *motion.body;
   const std::string what =
-      "move: the " + body.kind() + (body.name().empty() ? "" : " " + quoted(body.name()));
+      "move: the " + body.kind() + (body.name().empty() ? "" : " " + quoted_name(body.name()));
   if (body.free())
     throw Error(what +
                 " has a mass and moves freely: expected a body without a mass (m:velocity gives a free one "
@@ -133,7 +133,7 @@ void Interactions::move(BodyMotion motion) {
 void Interactions::velocity(BodyVelocity velocity) {
   const Rigid& body = *velocity.body;
   const std::string what =
-      "velocity: the " + body.kind() + (body.name().empty() ? "" : " " + quoted(body.name()));
+      "velocity: the " + body.kind() + (body.name().empty() ? "" : " " + quoted_name(body.name()));
   if (!body.free()) throw Error(what + " has no mass: expected a free body (m:move drives one that is not)");
   if (velocity_of(body) != nullptr) throw Error(what + " has a velocity already");
   if (!velocity.linear.allFinite() || !velocity.spin.allFinite())
@@ -242,7 +242,7 @@ class Sides {
   int number(const std::string& set) const { return number_.at(set); }
   std::string names(const std::vector<int>& sides) const {
     std::string words;
-    for (const int s : sides) words += (words.empty() ? "" : " and ") + quoted(names_[s]);
+    for (const int s : sides) words += (words.empty() ? "" : " and ") + quoted_name(names_[s]);
     return words;
   }
 
@@ -323,7 +323,8 @@ Surfaces work_out_surfaces(const Interactions& interactions, const mesh::Mesh& m
           for (const int b : surfaces_of(between[j])) {
             if (a == b)
               throw Error(
-                  "contact: field 'between': " + quoted(between[i].set) + " and " + quoted(between[j].set) +
+                  "contact: field 'between': " + quoted_name(between[i].set) + " and " +
+                  quoted_name(between[j].set) +
                   " share elements: expected sets without common elements; self= lets a cloth touch itself");
             meet(a, b, c);
           }

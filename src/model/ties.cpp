@@ -16,7 +16,7 @@ using Key = std::pair<mesh::Index, int>;  // node, component
 const char* const kNames[] = {"x", "y", "z", "rotation"};
 constexpr double kNear = 1e-6;  // of a set's size: positions closer than this are equal
 
-[[noreturn]] void clash(mesh::Index node, const std::string& what) {
+[[noreturn]] void tie_clash(mesh::Index node, const std::string& what) {
   throw Error("model: node " + std::to_string(node + 1) + ": " + what);
 }
 
@@ -40,10 +40,10 @@ class HeldFreedoms {
   void refuse(const Key& freedom, const std::string& tied) const {
     const std::string name = kNames[freedom.second];
     if (const auto held = held_.find(freedom); held != held_.end())
-      clash(freedom.first, name + " is tied (" + tied + ") and " + held->second);
+      tie_clash(freedom.first, name + " is tied (" + tied + ") and " + held->second);
     if (const auto framed = framed_.find(freedom.first); freedom.second < 3 && framed != framed_.end())
-      clash(freedom.first, name + " is tied (" + tied + ") and the node held in an oblique frame (set '" +
-                               framed->second + "')");
+      tie_clash(freedom.first, name + " is tied (" + tied + ") and the node held in an oblique frame (set '" +
+                                   framed->second + "')");
   }
 
  private:
@@ -82,7 +82,7 @@ mesh::Index farthest(const mesh::Mesh& mesh, const mesh::NodeSet& nodes, const V
   });
 }
 
-std::string metres(double length) { return number(length) + " m"; }
+std::string in_metres(double length) { return number(length) + " m"; }
 
 // For each node of a the partner in b: the nearest one after translating the centroid of a to that of b.
 mesh::NodeSet partners(const mesh::Mesh& mesh, const Tie& tie) {
@@ -102,8 +102,8 @@ mesh::NodeSet partners(const mesh::Mesh& mesh, const Tie& tie) {
     const double off = (mesh.nodes[best] - place).norm();
     if (!(off <= near))
       throw Error("tie: node " + std::to_string(n + 1) + " of set '" + tie.set + "' has no partner in set '" +
-                  tie.partner + "': the nearest, node " + std::to_string(best + 1) + ", is " + metres(off) +
-                  " off");
+                  tie.partner + "': the nearest, node " + std::to_string(best + 1) + ", is " +
+                  in_metres(off) + " off");
     if (!used.insert(best).second)
       throw Error("tie: node " + std::to_string(best + 1) + " of set '" + tie.partner +
                   "' is in both sets, or the partner of two nodes");
@@ -141,12 +141,12 @@ class Builder {
       Follower f{freedom.first, freedom.second, resolved(freedom.second, leads)};
       for (const auto& lead : f.leads)
         if (in_body_.contains(lead.node))
-          clash(lead.node, "is in a rigid set and leads node " + std::to_string(f.node + 1));
+          tie_clash(lead.node, "is in a rigid set and leads node " + std::to_string(f.node + 1));
       ties.followers.push_back(std::move(f));
     }
     for (const auto& [freedom, leads] : again_)
       if (!same(resolved(freedom.second, leads), resolved(freedom.second, first_.at(freedom))))
-        clash(freedom.first, std::string(kNames[freedom.second]) + " is tied twice, in two ways");
+        tie_clash(freedom.first, std::string(kNames[freedom.second]) + " is tied twice, in two ways");
     return ties;
   }
 
@@ -156,7 +156,7 @@ class Builder {
   void follow(mesh::Index node, int component, Leads leads) {
     const Key freedom(node, component);
     holds_.refuse(freedom, tied_);
-    if (in_body_.contains(node)) clash(node, "is in a rigid set and tied (" + tied_ + ")");
+    if (in_body_.contains(node)) tie_clash(node, "is in a rigid set and tied (" + tied_ + ")");
     if (!first_.emplace(freedom, leads).second) again_.emplace_back(freedom, std::move(leads));
   }
   void equal(const Tie& tie) {
@@ -175,8 +175,8 @@ class Builder {
       const double s = (mesh_.nodes[n] - mesh_.nodes[a]).dot(line) / line.squaredNorm();
       const double off = (mesh_.nodes[n] - mesh_.nodes[a] - s * line).norm();
       if (!(off <= kNear * line.norm()))
-        clash(n, "set '" + tie.set + "' is not straight: the node is " + metres(off) +
-                     " off the line between its ends");
+        tie_clash(n, "set '" + tie.set + "' is not straight: the node is " + in_metres(off) +
+                         " off the line between its ends");
       for (int c = 0; c < 3; ++c)
         if (tie.freedoms.translation[c]) follow(n, c, {{a, 1 - s}, {b, s}});
     }
@@ -186,9 +186,9 @@ class Builder {
     for (const auto n : nodes) {
       for (int c = 0; c < 4; ++c) {
         holds_.refuse({n, c}, tied_);
-        if (first_.contains({n, c})) clash(n, "is in a rigid set (" + tied_ + ") and tied");
+        if (first_.contains({n, c})) tie_clash(n, "is in a rigid set (" + tied_ + ") and tied");
       }
-      if (!in_body_.insert(n).second) clash(n, "is in two rigid sets");
+      if (!in_body_.insert(n).second) tie_clash(n, "is in two rigid sets");
     }
     bodies_.push_back(nodes);
   }
@@ -203,7 +203,7 @@ class Builder {
   }
   // Replaces leads that are followers themselves by their leads, until none is.
   Leads resolved(int component, const Leads& leads, int depth = 0) const {
-    if (depth > 100) clash(leads.front().node, std::string(kNames[component]) + " is tied in a circle");
+    if (depth > 100) tie_clash(leads.front().node, std::string(kNames[component]) + " is tied in a circle");
     std::map<mesh::Index, double> sum;
     for (const auto& lead : leads) {
       const auto own = first_.find({lead.node, component});

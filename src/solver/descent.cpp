@@ -8,8 +8,9 @@ namespace fabricsh::solver {
 
 namespace {
 
-constexpr double kFirst = 1e-3, kLeast = 1e-14, kMost = 1e4;  // of the viscosity's factor m
-constexpr double kRise = 8, kFall = 0.25, kBent = 2;          // after a failed, a whole and a shortened step
+constexpr double kFirstViscosity = 1e-3, kLeastViscosity = 1e-14,
+                 kMostViscosity = 1e4;                // of the viscosity's factor m
+constexpr double kRise = 8, kFall = 0.25, kBent = 2;  // after a failed, a whole and a shortened step
 constexpr double kShortest = 0.02;  // fraction of a step along which the energy falls, below which m rises
 
 // One solve.
@@ -38,7 +39,7 @@ class Creep final : public Downhill {
   }
   Answer lower();
 
-  double m_ = kFirst;
+  double m_ = kFirstViscosity;
   bool shortened_ = false;  // the last step, so that the energy falls
   bool uphill_ = false;     // why the last step was taken back: no less energy, and not what cannot be done
 };
@@ -72,14 +73,14 @@ Answer Creep::lower() {
 
 NewtonStatus Creep::make_step() {
   for (;; m_ *= kRise) {
-    if (m_ > kMost) return uphill_ ? NewtonStatus::too_many_iterations : NewtonStatus::law_failed;
+    if (m_ > kMostViscosity) return uphill_ ? NewtonStatus::too_many_iterations : NewtonStatus::law_failed;
     if (result_.iterations >= options_.max_iterations) return NewtonStatus::too_many_iterations;
     const Answer answer = factorise(m_) && find_downhill() ? lower() : Answer::cut;
     if (answer == Answer::broken) return NewtonStatus::broken;
     if (answer == Answer::ok) break;
   }
   r_.swap(trial_r_);
-  m_ = std::clamp((shortened_ ? kBent : kFall) * m_, kLeast, kMost);
+  m_ = std::clamp((shortened_ ? kBent : kFall) * m_, kLeastViscosity, kMostViscosity);
   return result_.iterations < options_.max_iterations ? NewtonStatus::converged
                                                       : NewtonStatus::too_many_iterations;
 }

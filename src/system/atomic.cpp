@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string reason_text(int reason) { return std::generic_category().message(reason); }
+std::string cause_text(int reason) { return std::generic_category().message(reason); }
 
 // The file that path refers to after following links. Only a regular file may be replaced.
 fs::path target_of(const std::string& path) {
@@ -86,7 +86,7 @@ pid_t writer_of(const std::string& name) {
 }  // namespace
 
 void cannot_write(const std::string& path, int reason) {
-  throw Error("cannot write '" + path + "': " + reason_text(reason));
+  throw Error("cannot write '" + path + "': " + cause_text(reason));
 }
 
 Descriptor::~Descriptor() {

@@ -16,12 +16,12 @@ namespace {
 // Share of m / dt^2 that drawing threads have, m being the mass of both edges taken together and dt the
 // largest step of the cloth: with it their own frequency does not limit a step.
 constexpr double kStiff = 0.2;
-constexpr double kDamped = 0.7;    // of their critical damping
-constexpr double kReady = 0.8;     // share of the time of sewing at which the edges are to meet
-constexpr double kLeads = 0.05;    // of that time: how fast a target leads as far as the thread is stretched
-constexpr double kSlow = 0.2;      // of a thread's own frequency: the same, in motion
-constexpr double kStiffest = 0.5;  // as for strings of tears: share of m / dt^2 on their way back
-constexpr double kOrigin =
+constexpr double kDamped = 0.7;  // of their critical damping
+constexpr double kReady = 0.8;   // share of the time of sewing at which the edges are to meet
+constexpr double kLeads = 0.05;  // of that time: how fast a target leads as far as the thread is stretched
+constexpr double kSlow = 0.2;    // of a thread's own frequency: the same, in motion
+constexpr double kStiffestThread = 0.5;  // as for strings of tears: share of m / dt^2 on their way back
+constexpr double kThreadOrigin =
     1e-3;  // and in steps that iterate: of the opening at which they carry nothing more
 
 // From 0 to 1, with rates of zero at both ends.
@@ -377,8 +377,8 @@ Sewn Seams::let_go(double step) {
     BridgingString string;
     string.force = carried_[i];
     string.energy = *seam(i).energy * stitches[i].length;
-    string.offset =
-        step > 0 ? carried_[i].norm() * step * step * inverse / kStiffest : kOrigin * string.vanishes();
+    string.offset = step > 0 ? carried_[i].norm() * step * step * inverse / kStiffestThread
+                             : kThreadOrigin * string.vanishes();
     ready_.push_back(string);
     ready_at_.push_back(i);
   }

@@ -19,7 +19,7 @@ namespace {
 constexpr double kAlong = std::numbers::pi / 180;  // rad: how far edges may be off the yarns
 constexpr double kFine = 4;  // elements per l = E' G / f^2, from which on the mesh does not matter
 constexpr double kNever = std::numeric_limits<double>::infinity();
-const char* const kYarn[] = {"warp", "weft"};
+const char* const kFamily[] = {"warp", "weft"};
 
 const std::optional<card::YarnBreak>& of_family(const card::Rupture& rupture, int family) {
   return family == 0 ? rupture.warp : rupture.weft;
@@ -156,7 +156,7 @@ double Tears::coarse(const model::Zone& zone, std::size_t region, int family, do
   if (zone.keep || !(kFine * h > length)) return strength;
   const double lowered = std::sqrt(energy / (per_stiffness * kFine * h));
   const std::string words = "tearable zone of set '" + zone.set + "': its elements, " + number(h, 3) +
-                            " m along the tear, are coarse for tears across the " + kYarn[family] +
+                            " m along the tear, are coarse for tears across the " + kFamily[family] +
                             ", which want " + number(length / kFine, 3) + " m: ";
   if (!zone.lower)
     throw Error(words + "expected a finer mesh, or coarse=\"lower\" (a strength of " + number(lowered, 4) +

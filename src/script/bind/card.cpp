@@ -303,7 +303,7 @@ std::vector<Entry> constructors() {
   };
 }
 
-std::vector<Entry> rows() {
+std::vector<Entry> card_entries() {
   return {
       {"fabric.card",
        Style::positional,
@@ -343,7 +343,7 @@ std::vector<Entry> rows() {
 
 void bind_card(Session& session) {
   install(session, constructors());
-  install(session, rows());
+  install(session, card_entries());
   set_meta(session, "card", "__index", card_index);
   set_meta(session, "card", "__tostring", card_string);
   set_meta(session, "card", "__eq", card_equal);

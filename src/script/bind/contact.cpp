@@ -188,8 +188,8 @@ int gap(Call& call) {
   return 2;
 }
 
-void push_numbers(lua_State* L, std::size_t count, const char* name,
-                  const std::function<double(std::size_t)>& value) {
+void push_places(lua_State* L, std::size_t count, const char* name,
+                 const std::function<double(std::size_t)>& value) {
   lua_createtable(L, static_cast<int>(count), 0);
   for (std::size_t i = 0; i < count; ++i) {
     lua_pushnumber(L, value(i));
@@ -201,8 +201,8 @@ void push_numbers(lua_State* L, std::size_t count, const char* name,
 void push_places(lua_State* L, const std::vector<Vec3>& places) {
   static constexpr std::array names = {"x", "y", "z"};
   for (int c = 0; c < 3; ++c)
-    push_numbers(L, places.size(), names.at(static_cast<std::size_t>(c)),
-                 [&places, c](std::size_t i) { return places[i][c]; });
+    push_places(L, places.size(), names.at(static_cast<std::size_t>(c)),
+                [&places, c](std::size_t i) { return places[i][c]; });
 }
 
 int on_body(Call& call) {
@@ -210,8 +210,8 @@ int on_body(Call& call) {
   lua_State* L = call.L();
   lua_newtable(L);
   push_places(L, skin.at);
-  push_numbers(L, skin.area.size(), "pressure", [&skin](std::size_t i) { return skin.pressure[i]; });
-  push_numbers(L, skin.area.size(), "area", [&skin](std::size_t i) { return skin.area[i]; });
+  push_places(L, skin.area.size(), "pressure", [&skin](std::size_t i) { return skin.pressure[i]; });
+  push_places(L, skin.area.size(), "area", [&skin](std::size_t i) { return skin.area[i]; });
   lua_newtable(L);
   push_places(L, skin.place);
   lua_createtable(L, static_cast<int>(skin.node.size()), 0);
@@ -301,7 +301,7 @@ std::vector<Entry> body_rows() {
   };
 }
 
-std::vector<Entry> model_rows() {
+std::vector<Entry> contact_model_rows() {
   return {
       {"model:contact",
        Style::fields,
@@ -376,7 +376,7 @@ std::vector<Entry> run_rows() {
 
 void bind_contact(Session& session) {
   install(session, body_rows());
-  install(session, model_rows());
+  install(session, contact_model_rows());
   install(session, run_rows());
   set_meta(session, "body", "__tostring", body_text);
 }

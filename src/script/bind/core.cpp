@@ -132,7 +132,7 @@ int warn(Call& call) {
   return 0;
 }
 
-std::vector<Entry> rows() {
+std::vector<Entry> core_entries() {
   return {
       {"fabric.poly",
        Style::positional,
@@ -171,7 +171,7 @@ std::vector<Entry> rows() {
 }  // namespace
 
 void bind_core(Session& session) {
-  install(session, rows());
+  install(session, core_entries());
   lua_State* L = session.lua();
   lua_getfield(L, LUA_REGISTRYINDEX, "fabric");
   set_text(L, "version", version());

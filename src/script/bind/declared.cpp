@@ -298,7 +298,7 @@ int mesh_of_run(Call& call) {
   return 1;
 }
 
-std::vector<Entry> rows() {
+std::vector<Entry> declared_entries() {
   const std::string sample = sample_model();
   return {
       {"model.mesh",
@@ -356,6 +356,6 @@ void keep_model(const Call& call) {
   lua_pop(L, 1);
 }
 
-void bind_declared(Session& session) { install(session, rows()); }
+void bind_declared(Session& session) { install(session, declared_entries()); }
 
 }  // namespace fabricsh::script

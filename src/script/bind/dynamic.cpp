@@ -26,7 +26,7 @@ void read_method(const Call& call, run::DynamicOptions& options) {
   options.ledger_limit = call.number("ledger_limit");
 }
 
-int make(Call& call) {
+int make_dynamic(Call& call) {
   run::DynamicOptions options;
   options.duration = call.number("duration");
   read_method(call, options);
@@ -116,11 +116,11 @@ std::vector<Argument> arguments() {
       limit_row()};
 }
 
-std::vector<Entry> rows() {
+std::vector<Entry> dynamic_entries() {
   return {
       {"fabric.dynamic", Style::fields, arguments(),
        "A dynamic run by Newmark's method, explicit or implicit, with a balance (ledger) of its energies.",
-       sample() + "assert(a:solve().energy.error < 1e-3)", make},
+       sample() + "assert(a:solve().energy.error < 1e-3)", make_dynamic},
       {"analysis.stable_step",
        Style::property,
        {},
@@ -137,6 +137,6 @@ std::vector<Entry> rows() {
 
 }  // namespace
 
-void bind_dynamic(Session& session) { install(session, rows()); }
+void bind_dynamic(Session& session) { install(session, dynamic_entries()); }
 
 }  // namespace fabricsh::script

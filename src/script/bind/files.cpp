@@ -15,12 +15,12 @@ int write_card(Call& call) {
   return 0;
 }
 
-int write(Call& call) {
+int write_text(Call& call) {
   if (!call.session().options().check) system::write_file(call.text("path"), call.text("content"));
   return 0;
 }
 
-std::vector<Entry> rows() {
+std::vector<Entry> files_entries() {
   return {
       {"fabric.write",
        Style::positional,
@@ -29,7 +29,7 @@ std::vector<Entry> rows() {
        "part.",
        "local path = os.tmpname()\nrequire 'fabric'.write(path, 'a,b\\n1,2\\n')\n"
        "assert(io.open(path):read 'a' == 'a,b\\n1,2\\n')\nos.remove(path)",
-       write},
+       write_text},
       {"card:write",
        Style::positional,
        {value_("path", text, "of the Lua file")},
@@ -42,6 +42,6 @@ std::vector<Entry> rows() {
 
 }  // namespace
 
-void bind_files(Session& session) { install(session, rows()); }
+void bind_files(Session& session) { install(session, files_entries()); }
 
 }  // namespace fabricsh::script

@@ -82,7 +82,7 @@ int history_text(lua_State* L) {
   return 1;
 }
 
-std::vector<Entry> rows() {
+std::vector<Entry> history_entries() {
   return {
       {"fabric.history",
        Style::positional,
@@ -118,7 +118,7 @@ History read_history(Session& session, lua_State* L, int index, const std::strin
 }
 
 void bind_history(Session& session) {
-  install(session, rows());
+  install(session, history_entries());
   set_meta(session, "history", "__tostring", history_text);
 }
 

@@ -228,7 +228,7 @@ int identifiability(Call& call) {
 
 Argument list(const char* name, const char* sentence) { return {name, numbers, "", everything, sentence}; }
 
-std::vector<Entry> rows() {
+std::vector<Entry> identify_entries() {
   return {
       {"fabric.lab.parallel",
        Style::fields,
@@ -287,6 +287,6 @@ std::vector<Entry> rows() {
 
 }  // namespace
 
-void bind_identify(Session& session) { install(session, rows()); }
+void bind_identify(Session& session) { install(session, identify_entries()); }
 
 }  // namespace fabricsh::script

@@ -124,7 +124,7 @@ std::string sample(const std::string& end) {
          end;
 }
 
-std::vector<Entry> rows() {
+std::vector<Entry> joints_entries() {
   const std::string cut_sample =
       "m:move('top', { y=fabric.ramp(0.01, 1) }):fix('top', 'x')\n"
       "local a = fabric.static{ model=m, duration=1, step=0.25 }\n"
@@ -204,6 +204,6 @@ std::vector<Entry> rows() {
 
 }  // namespace
 
-void bind_joints(Session& session) { install(session, rows()); }
+void bind_joints(Session& session) { install(session, joints_entries()); }
 
 }  // namespace fabricsh::script

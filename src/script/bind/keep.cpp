@@ -90,7 +90,7 @@ std::string failing_sample() {
          "local ok, e = pcall(a.solve, a)\nassert(not ok and e.kind == 'numerical')\n";
 }
 
-std::vector<Entry> rows() {
+std::vector<Entry> keep_entries() {
   const std::string sample = sample_run() + "local name = os.tmpname()\n";
   return {
       {"analysis:checkpoint",
@@ -160,6 +160,6 @@ std::vector<Entry> rows() {
 
 }  // namespace
 
-void bind_keep(Session& session) { install(session, rows()); }
+void bind_keep(Session& session) { install(session, keep_entries()); }
 
 }  // namespace fabricsh::script

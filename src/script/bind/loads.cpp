@@ -47,7 +47,7 @@ int spring(Call& call) {
   return return_self(call);
 }
 
-int turn(Call& call) {
+int turn_set(Call& call) {
   const Fields given = call.fields("motion");
   const Vec3 axis = read_vector(given.numbers("axis"), "turn: field 'axis'");
   std::optional<Vec3> centre;
@@ -143,14 +143,14 @@ Argument velocity_row() {
   return row;
 }
 
-Argument set_row() { return value_("set", text, "name of a node set"); }
+Argument loaded_set_row() { return value_("set", text, "name of a node set"); }
 
-std::vector<Entry> rows() {
+std::vector<Entry> loads_entries() {
   const std::string sample = sample_model();
   return {
       {"model:moment",
        Style::positional,
-       {set_row(),
+       {loaded_set_row(),
         components_row("N m", "{x=, y=, z=}: the total moment about axes that stay fixed in space"),
         frame_row()},
        "Loads the directors of a node set with a moment, shared by length or area.",
@@ -158,7 +158,7 @@ std::vector<Entry> rows() {
        moment},
       {"model:traction",
        Style::positional,
-       {set_row(),
+       {loaded_set_row(),
         components_row("N/m^2 | N/m",
                        "{x=, y=, z=}: per area where the set holds whole elements, else per edge length"),
         frame_row()},
@@ -174,7 +174,7 @@ std::vector<Entry> rows() {
        pressure},
       {"model:spring",
        Style::positional,
-       {set_row(),
+       {loaded_set_row(),
         fields_("stiffness",
                 {number_("x", "N/m", not_negative, "along x").optional(),
                  number_("y", "N/m", not_negative, "along y").optional(),
@@ -186,7 +186,7 @@ std::vector<Entry> rows() {
        spring},
       {"model:turn",
        Style::positional,
-       {set_row(),
+       {loaded_set_row(),
         fields_("motion",
                 {value_("axis", numbers, "{x, y, z}: direction of the axis"),
                  history_("angle", "degrees", "angle about the axis"),
@@ -195,7 +195,7 @@ std::vector<Entry> rows() {
                 "{axis=, angle=, centre=}")},
        "Turns the directors of a node set rigidly, and with a centre the nodes too: a rotating grip.",
        sample + "m:turn('top', { axis={1,0,0}, angle=fabric.ramp(90, 1) })",
-       turn},
+       turn_set},
       {"model:velocity",
        Style::positional,
        {set_or_body_row(), velocity_row()},
@@ -208,7 +208,7 @@ std::vector<Entry> rows() {
        velocity},
       {"model:symmetry",
        Style::positional,
-       {set_row(), value_("normal", text, "\"x\", \"y\" or \"z\": normal of the plane")},
+       {loaded_set_row(), value_("normal", text, "\"x\", \"y\" or \"z\": normal of the plane")},
        "Holds a node set in a plane of symmetry: the displacement along the normal and the two rotations out "
        "of the plane. The nodes lie in such a plane, and the cloth is symmetric about it: its yarns run "
        "along "
@@ -223,7 +223,7 @@ std::vector<Entry> rows() {
 }  // namespace
 
 void bind_loads(Session& session) {
-  install(session, rows());
+  install(session, loads_entries());
   bind_ties(session);
   bind_seams(session);
   bind_contact(session);

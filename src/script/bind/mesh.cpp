@@ -301,7 +301,7 @@ constexpr const char* sample =
     "local fabric = require 'fabric'\n"
     "local mesh = fabric.mesh.rectangle{ width=0.0254, height=0.0762, nx=3, ny=9 }\n";
 
-std::vector<Entry> rows() {
+std::vector<Entry> mesh_entries() {
   const std::string with_mesh = sample;
   const std::string ask = "are the lengths in m? (write 25.4*mm)";
   return {
@@ -401,7 +401,7 @@ std::vector<Entry> rows() {
 }  // namespace
 
 void bind_mesh(Session& session) {
-  install(session, rows());
+  install(session, mesh_entries());
   install(session, mesh_generator_rows());
   install(session, mesh_file_rows());
   install(session, panel_rows());

@@ -26,7 +26,7 @@ int read(Call& call) {
   return 1;
 }
 
-int write(Call& call) {
+int write_mesh(Call& call) {
   if (!call.session().options().check) {
     system::make_folder_for(call.text("file"));
     format::write_mesh(call.text("file"), *call.self<Mesh>());
@@ -105,7 +105,7 @@ int orient(Call& call) {
   return 1;
 }
 
-constexpr const char* sample =
+constexpr const char* disk_sample =
     "local fabric = require 'fabric'\n"
     "local mesh = fabric.mesh.disk{ radius=0.05, cells=4 }\n";
 
@@ -135,10 +135,10 @@ Entry write_row() {
       "Writes the mesh, lengths in m. With its sets: .vtu and .msh (Gmsh 4.1), which read back equal, "
       ".inp (Abaqus, CalculiX), .k (LS-DYNA), .rad (OpenRadioss). The surface alone: .obj, .ply, .stl. The "
       "old file stays until the new one is whole.",
-      std::string(sample) +
+      std::string(disk_sample) +
           "local file = os.tmpname()..'.vtu'\nmesh:write(file)\n"
           "assert(#fabric.mesh.read(file):set 'boundary' == 16)\nos.remove(file)",
-      write};
+      write_mesh};
 }
 
 Entry deck_lines_row() {
@@ -151,7 +151,7 @@ Entry deck_lines_row() {
        value_("elements", text, "inp: name of the set of all elements").or_else("all")},
       "The nodes, elements and sets of nodes as lines of a deck, to which the rest of a deck is added; see "
       "fabric.export.model for whole decks.",
-      std::string(sample) + "assert(mesh:deck_lines('inp', 1000):find '*ELEMENT, TYPE=S4, ELSET=all')",
+      std::string(disk_sample) + "assert(mesh:deck_lines('inp', 1000):find '*ELEMENT, TYPE=S4, ELSET=all')",
       deck_lines};
 }
 
@@ -167,7 +167,7 @@ Entry check_row() {
           "aspect, "
           "warping, "
           "angle, wide, taper, hanging, free), severity (note, warning, error), text, elements, nodes.",
-          std::string(sample) +
+          std::string(disk_sample) +
               "local report = mesh:check()\nassert(report.ok and report.borders == 1)\n"
               "assert(tostring(report) == report.text)",
           check};
@@ -181,7 +181,7 @@ Entry orient_row() {
                 "{x, y, z}: the mean normal of each part points along it"}
            .optional()},
       "Turns elements around until neighbours agree on the normal, as few as that takes; returns how many.",
-      std::string(sample) + "assert(mesh:orient() == 0 and mesh:orient{0, 0, -1} == #mesh.elements)",
+      std::string(disk_sample) + "assert(mesh:orient() == 0 and mesh:orient{0, 0, -1} == #mesh.elements)",
       orient};
 }
 

@@ -96,7 +96,7 @@ int merge(Call& call) {
   return give(call, mesh::merge(meshes, call.number("distance")));
 }
 
-constexpr Range turn{0, 360, true, false};
+constexpr Range full_turn{0, 360, true, false};
 constexpr const char* open_sets =
     "Below 360 degrees the sets start and end are its two cut edges, at 360 degrees seam is the line at "
     "angle 0.";
@@ -107,7 +107,7 @@ Argument length_(std::string name, std::string sentence) {
 }
 
 Argument angle_(double usual) {
-  return number_("angle", "degrees", turn, "of the sector, counter-clockwise from +x").or_else(usual);
+  return number_("angle", "degrees", full_turn, "of the sector, counter-clockwise from +x").or_else(usual);
 }
 
 Entry disk_row() {

@@ -199,7 +199,7 @@ int model_text(lua_State* L) {
 
 Argument set_row() { return value_("set", text, "name of a node set"); }
 
-std::vector<Entry> rows() {
+std::vector<Entry> model_entries() {
   const std::string sample = sample_model();
   return {
       {"fabric.model", Style::fields, model_rows(),
@@ -256,7 +256,7 @@ std::vector<Entry> rows() {
 }  // namespace
 
 void bind_model(Session& session) {
-  install(session, rows());
+  install(session, model_entries());
   bind_loads(session);
   set_meta(session, "model", "__tostring", model_text);
 }

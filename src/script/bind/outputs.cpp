@@ -217,7 +217,7 @@ bool is_vtu(const std::string& path) {
 }
 
 // The present state: a frame of a series if the format holds fields, else the mesh.
-int write(Call& call) {
+int write_output(Call& call) {
   const auto run = call.self<DeckRun>();
   const Fields options = options_of(call, "write");
   const run::VtkContents contents = contents_of(options);
@@ -272,7 +272,7 @@ Argument every_row() {
       .optional();
 }
 
-std::vector<Entry> rows() {
+std::vector<Entry> outputs_entries() {
   const std::string sample = sample_run() + "local name = os.tmpname()\nos.remove(name)\n";
   return {
       {"analysis:record",
@@ -320,12 +320,12 @@ std::vector<Entry> rows() {
        "frame of a:vtk into a .vtu, else as mesh:write does.",
        sample + "a:solve()\nlocal file = name..'.stl'\na:write(file)\n"
                 "assert(math.abs(fabric.mesh.read(file).nodes[7][2] - a:node(7).y) < 1e-9)\nos.remove(file)",
-       write},
+       write_output},
   };
 }
 
 }  // namespace
 
-void bind_outputs(Session& session) { install(session, rows()); }
+void bind_outputs(Session& session) { install(session, outputs_entries()); }
 
 }  // namespace fabricsh::script

@@ -523,7 +523,7 @@ std::vector<Argument> panel_rows() {
               .optional()};
 }
 
-std::vector<Entry> rows() {
+std::vector<Entry> plot_entries() {
   const Range letters{10, 400};
   std::vector<Argument> arguments = panel_rows();
   const std::vector<Argument> more = {
@@ -565,6 +565,6 @@ std::vector<Entry> rows() {
 
 }  // namespace
 
-void bind_plot(Session& session) { install(session, rows()); }
+void bind_plot(Session& session) { install(session, plot_entries()); }
 
 }  // namespace fabricsh::script

@@ -135,7 +135,7 @@ int push_curve(const Call& call, bool uniaxial, Drive drive) {
   return 1;
 }
 
-int make(Call& call) {
+int make_point(Call& call) {
   law::Site site;
   if (call.has("size")) site.size.fill(call.number("size"));
   push_object(call.L(), std::make_shared<DeckPoint>(call.object<card::Card>("card"), site));
@@ -339,7 +339,7 @@ Argument columns_() {
   return value_("columns", table, "names, such as {'E11', 'S11'}: returns {E11={...}, S11={...}}").optional();
 }
 
-std::vector<Entry> rows() {
+std::vector<Entry> point_entries() {
   const std::string sample = "local fabric = require 'fabric'\nlocal p = fabric.point(fabric.card 'blend')\n";
   return {
       {"fabric.point",
@@ -352,7 +352,7 @@ std::vector<Entry> rows() {
             .optional()},
        "One material point of virgin cloth, to be driven by strains.",
        sample,
-       make},
+       make_point},
       {"point:strain",
        Style::fields,
        {strain_("E11", "along the warp", above_nothing).optional(),
@@ -429,7 +429,7 @@ std::vector<Entry> rows() {
 }  // namespace
 
 void bind_point(Session& session) {
-  install(session, rows());
+  install(session, point_entries());
   set_meta(session, "point", "__tostring", point_text);
 }
 

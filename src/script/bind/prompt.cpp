@@ -127,7 +127,7 @@ int transcript(Call& call) {
   return 1;
 }
 
-std::vector<Entry> rows() {
+std::vector<Entry> prompt_entries() {
   return {
       {"fabric.who",
        Style::positional,
@@ -179,7 +179,7 @@ void bind_prompt(Session& session) {
   push_object(session.lua(), std::make_shared<Transcript>());
   lua_setfield(session.lua(), LUA_REGISTRYINDEX, transcript_key);
   keep_own_globals(session.lua());
-  install(session, rows());
+  install(session, prompt_entries());
 }
 
 }  // namespace fabricsh::script

@@ -99,7 +99,7 @@ int band(Call& call) {
   return return_self(call);
 }
 
-std::vector<Entry> rows() {
+std::vector<Entry> seams_entries() {
   Argument given = fields_("seam", options(), "{ first, second, ... }: the sets of the nodes of two edges");
   given.kinds |= table;
   return {
@@ -140,6 +140,6 @@ std::vector<Entry> rows() {
 
 }  // namespace
 
-void bind_seams(Session& session) { install(session, rows()); }
+void bind_seams(Session& session) { install(session, seams_entries()); }
 
 }  // namespace fabricsh::script

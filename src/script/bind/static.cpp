@@ -32,7 +32,7 @@ void read_scheme(Call& call, run::StaticOptions& options) {
     options.stabilise = run::usual_stabilisation;
 }
 
-int make(Call& call) {
+int make_static(Call& call) {
   run::StaticOptions options;
   options.duration = call.number("duration");
   if (call.has("step")) options.step = call.number("step");
@@ -57,7 +57,7 @@ int make(Call& call) {
   return 1;
 }
 
-std::vector<Entry> rows() {
+std::vector<Entry> static_entries() {
   return {
       {"fabric.static",
        Style::fields,
@@ -95,12 +95,12 @@ std::vector<Entry> rows() {
          "viscous forces on the nodes that lose this fraction of a step's work; true: 2e-4", false}},
        "A quasi-static run: Newton's method through the histories' time.",
        sample_run() + "assert(a.duration == 1)",
-       make},
+       make_static},
   };
 }
 
 }  // namespace
 
-void bind_static(Session& session) { install(session, rows()); }
+void bind_static(Session& session) { install(session, static_entries()); }
 
 }  // namespace fabricsh::script

@@ -151,7 +151,7 @@ int folder(Call& call) {
   return 1;
 }
 
-std::vector<Entry> rows() {
+std::vector<Entry> table_entries() {
   return {
       {"fabric.table",
        Style::fields,
@@ -196,6 +196,6 @@ std::vector<Entry> rows() {
 
 }  // namespace
 
-void bind_table(Session& session) { install(session, rows()); }
+void bind_table(Session& session) { install(session, table_entries()); }
 
 }  // namespace fabricsh::script

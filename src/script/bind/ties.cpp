@@ -40,7 +40,7 @@ int tie(Call& call) {
   return return_self(call);
 }
 
-std::vector<Entry> rows() {
+std::vector<Entry> ties_entries() {
   return {
       {"model:tie",
        Style::positional,
@@ -63,6 +63,6 @@ std::vector<Entry> rows() {
 
 }  // namespace
 
-void bind_ties(Session& session) { install(session, rows()); }
+void bind_ties(Session& session) { install(session, ties_entries()); }
 
 }  // namespace fabricsh::script

@@ -118,7 +118,7 @@ int photograph(Call& call) {
   return 0;
 }
 
-std::vector<Entry> rows() {
+std::vector<Entry> track_entries() {
   const auto rows_row = integer_("rows", Range{2, 10000}, "of dots, following each other along the pull (y)");
   const auto columns_row = integer_("columns", Range{2, 10000}, "of dots, across");
   const std::string name =
@@ -171,7 +171,7 @@ std::vector<Entry> rows() {
 }  // namespace
 
 void bind_track(Session& session) {
-  install(session, rows());
+  install(session, track_entries());
   install(session, correlation_rows());
 }
 

@@ -137,13 +137,13 @@ std::string record_table(lua_State* L, int index) {
   return text.substr(0, text.size() - 1);
 }
 
-struct Field {
+struct FoundField {
   std::string name, value;
 };
 
 // Entries of the table at the absolute index: first the list, then the named ones alphabetically.
-std::vector<Field> fields_of(lua_State* L, int index, int depth) {
-  std::vector<Field> fields, named;
+std::vector<FoundField> fields_of(lua_State* L, int index, int depth) {
+  std::vector<FoundField> fields, named;
   const auto n = static_cast<lua_Integer>(lua_rawlen(L, index));
   for (lua_Integer i = 1; i <= n && fields.size() <= most_fields; ++i) {
     lua_rawgeti(L, index, i);
@@ -160,33 +160,34 @@ std::vector<Field> fields_of(lua_State* L, int index, int depth) {
     }
     lua_pop(L, 1);
   }
-  std::sort(named.begin(), named.end(), [](const Field& a, const Field& b) { return a.name < b.name; });
+  std::sort(named.begin(), named.end(),
+            [](const FoundField& a, const FoundField& b) { return a.name < b.name; });
   fields.insert(fields.end(), named.begin(), named.end());
   return fields;
 }
 
 // If the list is described by its size, only the named entries are shown besides.
-void keep_named(std::vector<Field>& fields, const std::string& list) {
-  std::erase_if(fields, [](const Field& field) { return field.name.empty(); });
-  if (!fields.empty()) fields.insert(fields.begin(), Field{"", list});
+void keep_named(std::vector<FoundField>& fields, const std::string& list) {
+  std::erase_if(fields, [](const FoundField& field) { return field.name.empty(); });
+  if (!fields.empty()) fields.insert(fields.begin(), FoundField{"", list});
 }
 
-std::string one_line(const std::vector<Field>& fields) {
+std::string one_line(const std::vector<FoundField>& fields) {
   std::string out;
-  for (const Field& field : fields) {
+  for (const FoundField& field : fields) {
     out += (out.empty() ? "" : ", ") + (field.name.empty() ? "" : field.name + " = ") + field.value;
     if (out.size() > line_width) return "";
   }
   return "{" + out + "}";
 }
 
-std::string many_lines(std::vector<Field> fields) {
+std::string many_lines(std::vector<FoundField> fields) {
   const std::size_t more = fields.size() > most_fields ? fields.size() - most_fields : 0;
   fields.resize(fields.size() - more);
   std::vector<std::vector<std::string>> rows;
   const bool named =
-      std::any_of(fields.begin(), fields.end(), [](const Field& f) { return !f.name.empty(); });
-  for (Field& field : fields)
+      std::any_of(fields.begin(), fields.end(), [](const FoundField& f) { return !f.name.empty(); });
+  for (FoundField& field : fields)
     rows.push_back(named ? std::vector{field.name, field.value} : std::vector{field.value});
   return "{\n" + columns_text(rows) + (more > 0 ? "  ... and " + std::to_string(more) + " more\n" : "") + "}";
 }
