@@ -120,8 +120,14 @@ configure() {
   mkdir -p "$build"
   local generator=(-G Ninja)
   [ ! -f "$build/CMakeCache.txt" ] || generator=()
+  # A compiler cache, where there is one; it must be told that GCC's precompiled headers may be kept.
+  local cache=()
+  if command -v ccache >/dev/null && [ -z "${CXX:-}${CXXFLAGS:-}" ]; then
+    export CCACHE_SLOPPINESS=${CCACHE_SLOPPINESS:-pch_defines,time_macros}
+    cache=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache -DCMAKE_CXX_FLAGS=-fpch-preprocess)
+  fi
   run_logged "$build/configure.log" \
-    cmake -S "$root" -B "$build" "${generator[@]}" -DCMAKE_BUILD_TYPE=Release "$@"
+    cmake -S "$root" -B "$build" "${generator[@]}" -DCMAKE_BUILD_TYPE=Release "${cache[@]}" "$@"
 }
 
 # build_target <target...>: progress on a terminal, silence elsewhere.
