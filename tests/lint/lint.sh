@@ -19,7 +19,7 @@ if [ -d scripts ]; then
   done
 fi
 
-known=" .ci .clang-format .github .gitignore CHANGELOG.md CITATION.cff CMakeLists.txt CMakePresets.json CONTRIBUTING.md LICENSE README.md SECURITY.md lua meshes scripts share src tests "
+known=" .ci .clang-format .devcontainer .editorconfig .gitattributes .github .gitignore CHANGELOG.md CITATION.cff CMakeLists.txt CMakePresets.json CONTRIBUTING.md LICENSE README.md SECURITY.md lua meshes scripts share src tests "
 if command -v git >/dev/null && [ -e .git ]; then
   for name in $(git -c safe.directory='*' ls-files | cut -d/ -f1 | sort -u); do
     case $known in
