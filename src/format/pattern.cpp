@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "base/error.hpp"
@@ -32,13 +33,26 @@ std::string layer_words(const std::string& layer) {
 // Makes one piece of a drawing.
 class PieceMaker {
  public:
-  PieceMaker(const std::string& file, const Drawing& drawing, double unit) : drawing_(drawing), unit_(unit) {
+  // several: another drawing of the file has the same name, so that messages name the size.
+  PieceMaker(const std::string& file, const Drawing& drawing, double unit, bool several)
+      : drawing_(drawing), unit_(unit) {
     piece_.name = !drawing.name.empty() ? drawing.name : drawing.block;
-    who_ = file + ": piece '" + piece_.name + "': ";
+    piece_.block = drawing.block;
+    piece_.size = !drawing.size.empty() ? drawing.size : behind_name();
+    who_ = file + ": piece '" + piece_.name + "'" +
+           (several && !piece_.size.empty() ? ", size '" + piece_.size + "'" : "") + ": ";
   }
   PatternPiece make();
 
  private:
+  // What the block's name has behind that of the piece: 38 of FRONT-38.
+  std::string behind_name() const {
+    if (drawing_.name.empty() || !drawing_.block.starts_with(drawing_.name)) return {};
+    const auto at = drawing_.block.find_first_not_of(" _-.", drawing_.name.size());
+    return at == std::string::npos || at == drawing_.name.size() ? std::string() : drawing_.block.substr(at);
+  }
+  DrawnLine boundary_line();
+  void build();
   mesh::Loop loop(const DrawnLine& line, bool outline);
   std::vector<DrawnVertex> cleaned(const DrawnLine& line) const;
   bool smooth(const Vec2& x) const;
@@ -64,6 +78,60 @@ class PieceMaker {
   PatternPiece piece_;
   double extent_ = 0;  // of the boundary, units of the file
 };
+
+// Ends of lines that are nearer than this part of a piece's extent are meant to meet.
+constexpr double kJoined = 2e-3;
+
+constexpr std::size_t kMostLines = 10'000;  // of a boundary in single lines
+
+// Open lines in the order and direction in which they follow each other.
+struct Chain {
+  DrawnLine line;      // closed
+  std::size_t left;    // lines that do not follow
+  double gap, widest;  // between its end and its start; the largest between two of its lines
+  double nearest;      // from its end to the nearest line that is left
+};
+
+// The line from its end to its start. The bulge of a vertex belongs to what follows it.
+DrawnLine reversed(DrawnLine line) {
+  auto& v = line.vertices;
+  std::reverse(v.begin(), v.end());
+  for (std::size_t i = 0; i + 1 < v.size(); ++i) v[i].bulge = -v[i + 1].bulge;
+  v.back().bulge = 0;
+  return line;
+}
+
+// From the first line on, at each end the nearest end of those that are left, unless the start is nearer.
+Chain chained(std::vector<DrawnLine> lines, double reach) {
+  constexpr double far = std::numeric_limits<double>::infinity();
+  Chain chain{lines.front(), lines.size() - 1, far, 0, far};
+  lines.erase(lines.begin());
+  auto& v = chain.line.vertices;
+  while (true) {
+    const Vec2 end = v.back().x;
+    std::size_t next = 0;
+    bool turned = false;
+    chain.gap = v.size() > 2 ? (end - v.front().x).norm() : far;
+    chain.nearest = far;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      for (const bool backward : {false, true}) {
+        const Vec2& x = backward ? lines[i].vertices.back().x : lines[i].vertices.front().x;
+        if ((x - end).norm() < chain.nearest) chain.nearest = (x - end).norm(), next = i, turned = backward;
+      }
+    if (!(chain.nearest <= reach) || chain.gap < chain.nearest) break;
+    const DrawnLine more = turned ? reversed(lines[next]) : lines[next];
+    chain.widest = std::max(chain.widest, chain.nearest);
+    v.back().bulge = more.vertices.front().bulge;
+    v.insert(v.end(), more.vertices.begin() + 1, more.vertices.end());
+    lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(next));
+    --chain.left;
+  }
+  if (chain.gap <= reach && v.size() > 2) {
+    chain.line.closed = true;
+    v.pop_back();  // the start stands for both
+  }
+  return chain;
+}
 
 // The vertices, each place once. Error: the line is open, or too short.
 std::vector<DrawnVertex> PieceMaker::cleaned(const DrawnLine& line) const {
@@ -144,27 +212,97 @@ void PieceMaker::remark_layers() {
   if (!words.empty()) piece_.remarks.push_back(who_ + "layers that are not used: " + words);
 }
 
-PatternPiece PieceMaker::make() {
-  const auto& outlines = lines(boundary);
-  if (outlines.size() != 1)
-    refuse("expected one closed line on layer 1, the boundary, got " + std::to_string(outlines.size()));
+// The largest extent of lines, units of the file.
+double extent_of(const std::vector<DrawnLine>& lines) {
   Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity()), high = -low;
-  for (const DrawnVertex& v : outlines.front().vertices) {
-    low = low.cwiseMin(v.x);
-    high = high.cwiseMax(v.x);
+  for (const DrawnLine& line : lines)
+    for (const DrawnVertex& v : line.vertices) {
+      low = low.cwiseMin(v.x);
+      high = high.cwiseMax(v.x);
+    }
+  return (high - low).maxCoeff();
+}
+
+// The boundary: one line, or the open ones joined where their ends meet.
+DrawnLine PieceMaker::boundary_line() {
+  std::vector<DrawnLine> drawn;
+  for (const DrawnLine& line : lines(boundary))
+    if (!line.vertices.empty()) drawn.push_back(line);
+  extent_ = extent_of(drawn);
+  const auto closed = std::count_if(drawn.begin(), drawn.end(), [&](const DrawnLine& line) {
+    return line.closed || (line.vertices.back().x - line.vertices.front().x).norm() <= 1e-6 * extent_;
+  });
+  if (drawn.size() == 1 && closed == 0 && drawn.front().vertices.size() < 3) return drawn.front();
+  if (drawn.size() > kMostLines)
+    refuse("expected at most " + std::to_string(kMostLines) + " lines on layer 1, the boundary, got " +
+           std::to_string(drawn.size()));
+  if (closed > 0 || drawn.empty()) {
+    if (drawn.size() != 1)
+      refuse("expected one closed line on layer 1, the boundary, got " + std::to_string(drawn.size()));
+    return drawn.front();
   }
-  extent_ = (high - low).maxCoeff();
+  const Chain chain = chained(drawn, kJoined * extent_);
+  if (chain.left > 0 || chain.gap > kJoined * extent_) {
+    const Vec2 end = chain.line.vertices.back().x, start = chain.line.vertices.front().x;
+    std::string words = "open: ";
+    if (drawn.size() == 1)
+      words += "a line ends at ";
+    else
+      words += std::to_string(drawn.size()) + " lines on layer 1 make no closed boundary: after " +
+               std::to_string(drawn.size() - chain.left) + " of them it ends at ";
+    words += place(end) + ", " + number((end - start).norm()) + " from its start " + place(start);
+    if (chain.left > 0) words += ", and " + number(chain.nearest) + " from the nearest end of another line";
+    refuse(words + " (in units of the file)");
+  }
+  if (const double most = std::max(chain.gap, chain.widest); most > 1e-5 * extent_)
+    piece_.remarks.push_back(who_ + "the lines of its boundary end up to " + number(most * unit_ * 1e3) +
+                             " mm apart and are joined");
+  return chain.line;
+}
+
+// Makes the piece, or says in it why it cannot be made.
+PatternPiece PieceMaker::make() {
+  try {
+    build();
+  } catch (const Error& error) {
+    piece_.trouble = error.what();
+  }
+  return std::move(piece_);
+}
+
+void PieceMaker::build() {
   for (const char* layer : {boundary, cutout})
     if (drawing_.others.contains(layer))
       refuse(std::string("expected lines, polylines and circles on layer ") + layer +
              ", got an arc, an ellipse or a spline");
-  piece_.panel.outline = loop(outlines.front(), true);
+  piece_.panel.outline = loop(boundary_line(), true);
   name_edges(piece_.panel.outline);
   for (const DrawnLine& line : lines(cutout)) piece_.panel.holes.push_back(loop(line, false));
   add_notches();
   add_grain();
   remark_layers();
-  return std::move(piece_);
+}
+
+// The largest length or width of a piece, m.
+double reach_of(const PatternPiece& piece) {
+  Vec2 low = piece.panel.outline.front().curve.start(), high = low;
+  for (const mesh::OutlinePiece& side : piece.panel.outline) {
+    low = low.cwiseMin(side.curve.start());
+    high = high.cwiseMax(side.curve.start());
+  }
+  return (high - low).maxCoeff();
+}
+
+// Metric units are millimetres by the standard, and centimetres where programs write them. A pattern whose
+// largest piece would be smaller than a hand is asked about.
+void ask_for_centimetres(const std::string& name, const std::vector<PatternPiece>& pieces, Remarks* remarks) {
+  constexpr double hand = 0.1;
+  double reach = 0;
+  for (const PatternPiece& piece : pieces)
+    if (piece.trouble.empty()) reach = std::max(reach, reach_of(piece));
+  if (reach == 0 || reach >= hand || remarks == nullptr) return;
+  remarks->push_back(name + ": 'Units: METRIC' is taken for millimetres, and its largest piece is then " +
+                     number(reach * 1e3) + " mm long: is it in cm? unit=1*cm, or unit=1*mm, says");
 }
 
 bool has_boundary(const Drawing& drawing) { return drawing.lines.contains(boundary); }
@@ -193,9 +331,21 @@ std::vector<PatternPiece> parse_dxf_pattern(const std::string& name, std::string
   if (drawn.empty() && has_boundary(drawings.all.front())) drawn.push_back(&drawings.all.front());
   if (drawn.empty())
     throw Error(name + ": no piece: expected a closed line on layer 1, got layers " + layers_of(drawings));
+  if (!unit && !drawings.contradiction.empty())
+    throw Error(name + ": its units contradict each other: " + drawings.contradiction +
+                "; expected unit= (1*mm if one in the file is a millimetre)");
   const double used = unit_of_file(name, unit, drawings.unit, remarks);
   std::vector<PatternPiece> pieces;
-  for (const Drawing* drawing : drawn) pieces.push_back(PieceMaker(name, *drawing, used).make());
+  std::map<std::string, int> names;
+  const auto name_of = [](const Drawing* drawing) {
+    return drawing->name.empty() ? drawing->block : drawing->name;
+  };
+  for (const Drawing* drawing : drawn) ++names[name_of(drawing)];
+  for (const Drawing* drawing : drawn)
+    pieces.push_back(PieceMaker(name, *drawing, used, names[name_of(drawing)] > 1).make());
+  if (std::all_of(pieces.begin(), pieces.end(), [](const PatternPiece& p) { return !p.trouble.empty(); }))
+    throw Error(pieces.front().trouble);
+  if (!unit && drawings.by_word && *drawings.unit == 1e-3) ask_for_centimetres(name, pieces, remarks);
   return pieces;
 }
 

@@ -42,7 +42,7 @@ class DrawingReader final : public DL_CreationAdapter {
   Drawings result() { return std::move(drawings_); }
 
   void addBlock(const DL_BlockData& block) override {
-    drawings_.all.push_back({block.name, {}, {}, {}, {}});
+    drawings_.all.push_back({block.name, {}, {}, {}, {}, {}});
     inside_ = true;
     open_ = nullptr;
   }
@@ -69,18 +69,26 @@ class DrawingReader final : public DL_CreationAdapter {
   void addPoint(const DL_PointData& data) override { now().points[layer()].emplace_back(data.x, data.y); }
   void addText(const DL_TextData& data) override {
     if (const auto name = value_of(data.text, "piece name")) now().name = *name;
+    if (const auto size = value_of(data.text, "size")) now().size = *size;
     if (const auto unit = value_of(data.text, "units"))
-      if (const std::string word = lower(*unit); word == "metric" || word == "english")
-        text_unit_ = word == "metric" ? 1e-3 : 0.0254;
+      if (const std::string word = lower(*unit); word == "metric" || word == "english") add_word(word);
   }
   void addArc(const DL_ArcData&) override { other(); }
   void addEllipse(const DL_EllipseData&) override { other(); }
   void addSpline(const DL_SplineData&) override { other(); }
   void setVariableInt(const std::string& key, int value, int) override {
-    if (key == "$INSUNITS") drawings_.unit = unit_of(value);
+    if (key != "$INSUNITS") return;
+    drawings_.unit = unit_of(value);
+    code_ = value;
   }
 
+  // The code of the header and the word of a text may not contradict each other: an inch is no metric unit.
   void finish() {
+    if (drawings_.unit && text_unit_ && (code_ == 1 || code_ == 2) == (*text_unit_ == 1e-3))
+      drawings_.contradiction =
+          "$INSUNITS is " + std::to_string(code_) + " (" + words_of(code_) +
+          "), and a text says 'Units: " + (*text_unit_ == 1e-3 ? "METRIC'" : "ENGLISH' (inches)");
+    drawings_.by_word = !drawings_.unit && text_unit_;
     if (!drawings_.unit) drawings_.unit = text_unit_;
   }
 
@@ -91,12 +99,24 @@ class DrawingReader final : public DL_CreationAdapter {
     open_ = nullptr;
     now().lines[layer()].push_back(std::move(line));
   }
+  void add_word(const std::string& word) {
+    const double unit = word == "metric" ? 1e-3 : 0.0254;
+    if (text_unit_ && *text_unit_ != unit)
+      drawings_.contradiction = "one text says 'Units: METRIC', another 'Units: ENGLISH'";
+    text_unit_ = unit;
+  }
+  static std::string words_of(int code) {
+    static const std::map<int, std::string> words = {{1, "inches"},      {2, "feet"},   {4, "millimetres"},
+                                                     {5, "centimetres"}, {6, "metres"}, {14, "decimetres"}};
+    return words.at(code);
+  }
   std::string layer() { return attributes.getLayer(); }
   void other() { ++now().others[layer()]; }
 
   Drawings drawings_;
   DrawnLine* open_ = nullptr;
   std::optional<double> text_unit_;
+  int code_ = 0;  // of $INSUNITS
   bool inside_ = false;
 };
 

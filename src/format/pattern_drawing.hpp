@@ -24,6 +24,7 @@ struct DrawnLine {
 // Of one block, or of no block. Lengths in units of the file.
 struct Drawing {
   std::string block, name;                                // name: from a text "Piece name: ..."
+  std::string size;                                       // from a text "Size: ..."
   std::map<std::string, std::vector<DrawnLine>> lines;    // by layer
   std::map<std::string, std::vector<mesh::Vec2>> points;  // by layer
   std::map<std::string, int> others;                      // by layer: entities of further kinds
@@ -32,6 +33,8 @@ struct Drawing {
 struct Drawings {
   std::vector<Drawing> all;         // the first is what is in no block
   std::optional<double> unit = {};  // m
+  bool by_word = false;             // the unit is known from a text alone
+  std::string contradiction = {};   // two units that cannot both be, in words; empty if there is none
 };
 
 Drawings read_drawings(std::string_view bytes);

@@ -1,6 +1,7 @@
 // Patterns in SVG drawings: each closed path is a piece.
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "base/error.hpp"
@@ -43,9 +44,18 @@ void add_grain(PatternPiece& piece, const SvgShape& shape) {
   piece.has_grain = true;
 }
 
+// The name, with a number behind it if another piece has it: copies of one shape have one id.
+std::string distinct(std::map<std::string, int>& taken, const std::string& name) {
+  std::string made = name;
+  for (int& k = taken[name]; k > 0 && taken.contains(made);) made = name + "-" + std::to_string(++k);
+  taken[made] = std::max(taken[made], 1);
+  return made;
+}
+
 // All closed shapes but grain lines and notches; the names of open ones are added to `unused`.
 std::vector<PatternPiece> pieces_of(const std::vector<SvgShape>& shapes, std::string& unused) {
   std::vector<PatternPiece> pieces;
+  std::map<std::string, int> taken;
   for (const SvgShape& shape : shapes) {
     if (begins(shape.id, "grain") || begins(shape.id, "notch")) continue;
     const auto closed = [](const SvgLine& line) { return line.closed; };
@@ -55,6 +65,7 @@ std::vector<PatternPiece> pieces_of(const std::vector<SvgShape>& shapes, std::st
     }
     PatternPiece& piece = pieces.emplace_back();
     piece.name = shape.id.empty() ? "piece" + std::to_string(pieces.size()) : shape.id;
+    piece.name = distinct(taken, piece.name);
     piece.panel.outline = shape.lines.front().pieces;
     for (std::size_t i = 1; i < shape.lines.size(); ++i) piece.panel.holes.push_back(shape.lines[i].pieces);
     name_edges(piece.panel.outline);

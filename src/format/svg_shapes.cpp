@@ -194,6 +194,111 @@ std::optional<double> unit_of(xmlNode* root) {
   return std::abs(across / down - 1) < 1e-3 ? std::optional(across) : std::nullopt;
 }
 
+// Replaces each <use> by a group with a copy of what it names, so that the reader of shapes meets shapes
+// only.
+class UseExpander {
+ public:
+  explicit UseExpander(xmlDoc* document) : document_(document) {}
+  void run(xmlNode* root) {
+    collect(root);
+    expand(root, 0);
+  }
+  std::size_t copied() const { return copied_; }
+
+ private:
+  static constexpr int deepest = 16;               // uses within uses
+  static constexpr std::size_t most = 50'000'000;  // bytes that are copied
+
+  static bool is(const xmlNode* node, const char* name) {
+    return node->type == XML_ELEMENT_NODE && std::string(reinterpret_cast<const char*>(node->name)) == name;
+  }
+  void collect(xmlNode* node) {
+    std::vector<xmlNode*> open{node};
+    while (!open.empty()) {
+      xmlNode* one = open.back();
+      open.pop_back();
+      if (one->type != XML_ELEMENT_NODE) continue;
+      if (const std::string id = attribute(one, "id"); !id.empty()) named_.try_emplace(id, one);
+      for (xmlNode* child = one->children; child != nullptr; child = child->next) open.push_back(child);
+    }
+  }
+  static std::string target(xmlNode* use) {
+    std::string name = attribute(use, "href");
+    if (name.empty()) {
+      xmlChar* text = xmlGetNsProp(use, reinterpret_cast<const xmlChar*>("href"),
+                                   reinterpret_cast<const xmlChar*>("http://www.w3.org/1999/xlink"));
+      if (text != nullptr) name = reinterpret_cast<const char*>(text);
+      xmlFree(text);
+    }
+    if (name.size() < 2 || name[0] != '#')
+      throw std::runtime_error("<use> of '" + name +
+                               "', expected the id of an element of this drawing, '#id'");
+    return name.substr(1);
+  }
+  // Children of definitions are drawn only where they are used.
+  static bool is_definition(const xmlNode* node) {
+    return is(node, "defs") || is(node, "symbol") || is(node, "clipPath") || is(node, "mask") ||
+           is(node, "pattern") || is(node, "marker");
+  }
+  void expand(xmlNode* node, int depth) {
+    for (xmlNode *child = node->children, *next = nullptr; child != nullptr; child = next) {
+      next = child->next;
+      if (child->type != XML_ELEMENT_NODE || is_definition(child)) continue;
+      if (is(child, "use"))
+        replace(child, depth);
+      else
+        expand(child, depth);
+    }
+  }
+  static void set(xmlNode* node, const char* name, const std::string& value) {
+    xmlSetProp(node, reinterpret_cast<const xmlChar*>(name), reinterpret_cast<const xmlChar*>(value.c_str()));
+  }
+  // About the bytes of an element with all that is in it.
+  static std::size_t weight(const xmlNode* node) {
+    std::size_t all = 64;
+    if (node->type == XML_ELEMENT_NODE)
+      for (const xmlAttr* one = node->properties; one != nullptr; one = one->next)
+        for (const xmlNode* text = one->children; text != nullptr; text = text->next)
+          all += 16 + static_cast<std::size_t>(xmlStrlen(text->content));
+    for (const xmlNode* child = node->children; child != nullptr; child = child->next) all += weight(child);
+    return all;
+  }
+  void replace(xmlNode* use, int depth) {
+    const std::string id = target(use);
+    const auto found = named_.find(id);
+    if (found == named_.end()) throw std::runtime_error("<use> of '#" + id + "', and no element has this id");
+    for (const xmlNode* above = use; above != nullptr; above = above->parent)
+      if (above == found->second) throw std::runtime_error("<use> of '#" + id + "' inside of itself");
+    copied_ += weight(found->second);
+    if (depth >= deepest || copied_ > most)
+      throw std::runtime_error("uses within uses without end, at '#" + id + "'");
+    xmlNode* group = xmlNewDocNode(document_, use->ns, reinterpret_cast<const xmlChar*>("g"), nullptr);
+    std::string x = attribute(use, "x"), y = attribute(use, "y");
+    const std::string shift = x.empty() && y.empty()
+                                  ? ""
+                                  : "translate(" + (x.empty() ? "0" : x) + " " + (y.empty() ? "0" : y) + ")";
+    set(group, "transform", attribute(use, "transform") + " " + shift);
+    const bool whole = is(found->second, "symbol") || is(found->second, "svg");
+    if (whole && !attribute(found->second, "viewBox").empty())
+      throw std::runtime_error("<use> of '#" + id +
+                               "', which has a viewBox of its own: expected one without");
+    for (xmlNode* one = whole ? found->second->children : found->second; one != nullptr;
+         one = whole ? one->next : nullptr) {
+      xmlNode* copy = xmlDocCopyNode(one, document_, 1);
+      if (copy == nullptr) continue;
+      if (const std::string own = attribute(use, "id"); !whole && !own.empty()) set(copy, "id", own);
+      xmlAddChild(group, copy);
+    }
+    xmlReplaceNode(use, group);
+    xmlFreeNode(use);
+    expand(group, depth + 1);
+  }
+
+  xmlDoc* document_;
+  std::map<std::string, xmlNode*> named_;
+  std::size_t copied_ = 0;
+};
+
 }  // namespace
 
 std::vector<SvgShape> read_svg_shapes(const std::string& name, std::string_view bytes,
@@ -204,7 +309,14 @@ std::vector<SvgShape> read_svg_shapes(const std::string& name, std::string_view 
                     nullptr, XML_PARSE_NONET | XML_PARSE_NOERROR | XML_PARSE_NOWARNING));
   xmlNode* root = document == nullptr ? nullptr : xmlDocGetRootElement(document.get());
   if (root == nullptr) throw Error(name + ": expected an SVG drawing, got what is no XML");
-  SvgLines collector(unit_of_file(name, unit, unit_of(root), remarks), 16 + bytes.size());
+  const double used = unit_of_file(name, unit, unit_of(root), remarks);
+  UseExpander uses(document.get());
+  try {
+    uses.run(root);
+  } catch (const std::runtime_error& error) {
+    throw Error(name + ": " + error.what());
+  }
+  SvgLines collector(used, 16 + bytes.size() + uses.copied());
   try {
     svgpp::document_traversal<svgpp::processed_elements<Elements>, svgpp::processed_attributes<Attributes>,
                               svgpp::transform_policy<svgpp::policy::transform::matrix>,

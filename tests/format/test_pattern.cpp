@@ -171,6 +171,94 @@ TEST_CASE("several pieces, and files that are no pattern", "[format][pattern]") 
     message_of([&] { parse_dxf_pattern("f.dxf", std::string_view(whole).substr(0, n), {}, nullptr); });
 }
 
+TEST_CASE("a boundary of open lines is joined, whichever way round they are drawn", "[format][pattern]") {
+  // A kite of 120 x 90 whose side is an arc: three polylines and a line, two of them backward, ends 0.1
+  // apart.
+  const double bulge = 0.3;
+  const std::string arc = pair(0, "POLYLINE") + pair(8, "1") + pair(66, "1") + pair(70, "0") +
+                          pair(0, "VERTEX") + pair(8, "1") + at(60, 90) + pair(42, std::to_string(-bulge)) +
+                          pair(0, "VERTEX") + pair(8, "1") + at(120, 45) + pair(0, "SEQEND") + pair(8, "1");
+  const std::string chain = polyline("1", {{0, 45}, {30, 20}, {60, 0}}, false) + arc +
+                            polyline("1", {{0.05, 45.05}, {20, 70}, {60, 90}}, false) +
+                            line("1", {60, 0.1}, {120, 45});
+  const auto joined = [&](const std::string& inside) {
+    auto pieces = parse_dxf_pattern("f.dxf", file(block("KITE", inside)), 1e-3, nullptr);
+    return std::pair(mesh::check(meshed(pieces.at(0), 0.006)).measures.area, pieces[0].remarks);
+  };
+  const auto [area, remarks] = joined(chain);
+  const auto [whole, none] =
+      joined(pair(0, "POLYLINE") + pair(8, "1") + pair(66, "1") + pair(70, "1") + pair(0, "VERTEX") +
+             pair(8, "1") + at(0, 45) + pair(0, "VERTEX") + pair(8, "1") + at(30, 20) + pair(0, "VERTEX") +
+             pair(8, "1") + at(60, 0) + pair(0, "VERTEX") + pair(8, "1") + at(120, 45) +
+             pair(42, std::to_string(bulge)) + pair(0, "VERTEX") + pair(8, "1") + at(60, 90) +
+             pair(0, "VERTEX") + pair(8, "1") + at(20, 70) + pair(0, "SEQEND") + pair(8, "1"));
+  CHECK(area == Approx(whole).epsilon(2e-3));
+  CHECK(none.empty());
+  REQUIRE(remarks.size() == 1);
+  says(remarks[0], "f.dxf: piece 'KITE': the lines of its boundary end up to 0.1 mm apart and are joined");
+  CHECK(refused(file(block("K", polyline("1", {{0, 0}, {10, 0}, {10, 10}}, false) +
+                                    polyline("1", {{0, 0.5}, {0, 10}, {10, 10}}, false))),
+                1) ==
+        "f.dxf: piece 'K': open: 2 lines on layer 1 make no closed boundary: after 2 of them it ends at (0, "
+        "0.5), "
+        "0.5 from its start (0, 0) (in units of the file)");
+  says(refused(file(block("K", polyline("1", {{0, 0}, {10, 0}, {10, 10}}, false) +
+                                   polyline("1", {{10, 12}, {0, 12}, {0, 0}}, false) +
+                                   line("1", {40, 40}, {41, 41}))),
+               1),
+       "make no closed boundary: after 1 of them it ends at (10, 10), 14.1421 from its start (0, 0), and 2 "
+       "from "
+       "the nearest end of another line");
+}
+
+TEST_CASE("sizes of one piece, units that contradict each other, and a bad piece among good ones",
+          "[format][pattern]") {
+  const auto square = [](double a) { return polyline("1", {{0, 0}, {a, 0}, {a, a}, {0, a}}); };
+  const auto named = [](const std::string& name) { return text("Piece Name: " + name); };
+  auto pieces = parse_dxf_pattern(
+      "f.dxf",
+      file(block("B-S", named("BACK") + text("Size: S") + square(200)) +
+               block("B-M", named("BACK") + text("SIZE:  M ") + square(220)) +
+               block("B_L", named("B") + square(90)) + block("BAD", named("CUFF") + square(5) + square(6)),
+           units(4)),
+      {}, nullptr);
+  REQUIRE(pieces.size() == 4);
+  CHECK(pieces[0].size == "S");
+  CHECK(pieces[1].size == "M");
+  CHECK(pieces[2].size == "L");
+  CHECK(pieces[1].block == "B-M");
+  CHECK(pieces[0].trouble.empty());
+  CHECK(pieces[3].trouble == "f.dxf: piece 'CUFF': expected one closed line on layer 1, the boundary, got 2");
+  const std::string one = block("A", square(300));
+  for (const auto& [code, word, words] :
+       {std::tuple{4, "ENGLISH", "$INSUNITS is 4 (millimetres), and a text says 'Units: ENGLISH' (inches)"},
+        std::tuple{6, "english", "$INSUNITS is 6 (metres), and a text says 'Units: ENGLISH' (inches)"},
+        std::tuple{1, "Metric", "$INSUNITS is 1 (inches), and a text says 'Units: METRIC'"}}) {
+    const std::string bytes = file(one, units(code), text(std::string("Units: ") + word));
+    CHECK(refused(bytes) == std::string("f.dxf: its units contradict each other: ") + words +
+                                "; expected unit= (1*mm if one in the file is a millimetre)");
+    CHECK(refused(bytes, 1e-3) == "no error");
+  }
+  CHECK(refused(file(one, units(5), text("Units: METRIC"))) == "no error");
+  CHECK(refused(file(one, units(1), text("Units: ENGLISH"))) == "no error");
+  // Metric units may be centimetres: small patterns are asked about, unless the header or the call says.
+  const auto asked = [&](const std::string& bytes, std::optional<double> unit = {}) {
+    Remarks remarks;
+    parse_dxf_pattern("f.dxf", bytes, unit, &remarks);
+    return remarks;
+  };
+  const std::string metric = text("Units: METRIC");
+  const auto small = asked(file(block("A", square(48)), "", metric));
+  REQUIRE(small.size() == 1);
+  CHECK(small[0] ==
+        "f.dxf: 'Units: METRIC' is taken for millimetres, and its largest piece is then 48 mm long: is it in "
+        "cm? "
+        "unit=1*cm, or unit=1*mm, says");
+  CHECK(asked(file(block("A", square(48)) + block("B", square(480)), "", metric)).empty());
+  CHECK(asked(file(block("A", square(48)), units(4), metric)).empty());
+  CHECK(asked(file(block("A", square(48)), "", metric), 1e-3).empty());
+}
+
 namespace {
 
 std::string svg(const std::string& inside,
@@ -214,6 +302,54 @@ TEST_CASE("an SVG drawing: pieces by id, holes, transforms, grain, notches, unit
   CHECK(mesh::check(meshed(pieces[1], 0.005)).measures.area == Approx(0.01 * 0.07));
   says(pieces[1].remarks.empty() ? pieces[0].remarks.at(0) : pieces[1].remarks[0],
        "notch_far at (0.1, -0.095) m is left out");
+}
+
+TEST_CASE("shapes of an SVG drawing that are defined in one place and used in another", "[format][pattern]") {
+  const std::string root =
+      "width='400mm' height='300mm' viewBox='0 0 400 300' xmlns:xlink='http://www.w3.org/1999/xlink'";
+  const auto read = [&](const std::string& inside) {
+    return parse_svg_pattern("f.svg", svg(inside, root), {}, nullptr);
+  };
+  const std::string cuff =
+      "<defs><g id='pair'><path id='cuff' d='M0 0 h60 v20 h-60 z'/><use href='#tab' x='70'/></g>"
+      "<rect id='tab' width='10' height='15'/></defs>";
+  auto pieces =
+      read(cuff +
+           "<use xlink:href='#cuff' transform='rotate(90)' x='5' y='-30'/><use id='left' "
+           "href='#tab' transform='translate(100 50)'/><g transform='scale(2)'><use href='#pair'/></g>"
+           "<use href='#cuff'/>");
+  REQUIRE(pieces.size() == 5);
+  CHECK(pieces[0].name == "cuff");
+  CHECK(pieces[1].name == "left");
+  CHECK(pieces[2].name == "cuff-2");
+  CHECK(pieces[3].name == "tab");
+  CHECK(pieces[4].name == "cuff-3");
+  const auto low = [](const PatternPiece& piece) {
+    Vec2 x = piece.panel.outline.front().curve.start();
+    for (const auto& side : piece.panel.outline) x = x.cwiseMin(side.curve.start());
+    return x;
+  };
+  // x' = -y, y' = x in the drawing, whose y is downward: (5..65, -30..-10) becomes (10..30, 5..65).
+  CHECK((low(pieces[0]) - Vec2(0.010, -0.065)).norm() < 1e-12);
+  CHECK((low(pieces[1]) - Vec2(0.1, -0.065)).norm() < 1e-12);
+  CHECK((low(pieces[3]) - Vec2(0.14, -0.03)).norm() < 1e-12);
+  CHECK(mesh::check(meshed(pieces[2], 0.01)).measures.area == Approx(0.12 * 0.04));
+  says(message_of([&] { read("<use href='#none'/>"); }),
+       "f.svg: <use> of '#none', and no element has this id");
+  says(message_of([&] { read("<use href='other.svg#a'/>"); }),
+       "expected the id of an element of this drawing");
+  says(message_of([&] { read("<g id='a'><use href='#a'/></g>"); }), "inside of itself");
+  says(message_of([&] {
+         read("<defs><g id='a'><use href='#b'/></g><g id='b'><use href='#a'/></g></defs><use href='#a'/>");
+       }),
+       "uses within uses without end");
+  std::string more = "<defs><rect id='l0' width='9' height='9'/>";
+  for (int i = 1; i < 12; ++i) {
+    more += "<g id='l" + std::to_string(i) + "'>";
+    for (int k = 0; k < 10; ++k) more += "<use href='#l" + std::to_string(i - 1) + "'/>";
+    more += "</g>";
+  }
+  says(message_of([&] { read(more + "</defs><use href='#l11'/>"); }), "uses within uses without end");
 }
 
 TEST_CASE("SVG: curves, arcs as Bezier curves, units, and what is no drawing", "[format][pattern]") {

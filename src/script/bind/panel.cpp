@@ -266,23 +266,81 @@ mesh::Notch read_notch(lua_State* L, const std::string& path) {
   return notch;
 }
 
-// The piece of a file that the call names; the only one if it names none.
-format::PatternPiece choose(const Call& call, std::vector<format::PatternPiece> pieces) {
-  std::vector<std::string> names;
+std::string quoted(const std::string& words) { return "'" + words + "'"; }
+
+std::string listed(const std::vector<std::string>& words) {
   std::string list;
-  for (const auto& piece : pieces) {
-    names.push_back(piece.name);
-    list += (list.empty() ? "'" : ", '") + piece.name + "'";
+  for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
+  return list;
+}
+
+void add_once(std::vector<std::string>& words, const std::string& word) {
+  if (std::find(words.begin(), words.end(), word) == words.end()) words.push_back(word);
+}
+
+// 'FRONT' (sizes '38', '40'), 'BACK': every name once, with what cannot be read.
+std::string names_of(const std::vector<format::PatternPiece>& pieces) {
+  std::vector<std::string> names, words;
+  for (const auto& piece : pieces) add_once(names, piece.name);
+  for (const std::string& name : names) {
+    std::vector<std::string> sizes;
+    std::size_t all = 0, bad = 0;
+    for (const auto& piece : pieces) {
+      if (piece.name != name) continue;
+      ++all;
+      bad += piece.trouble.empty() ? 0 : 1;
+      if (!piece.size.empty()) add_once(sizes, quoted(piece.size));
+    }
+    std::string one = quoted(name);
+    if (sizes.size() > 1) one += " (sizes " + listed(sizes) + ")";
+    if (bad == all) one += " (cannot be read)";
+    words.push_back(one);
   }
-  if (!call.has("piece")) {
-    if (pieces.size() > 1)
-      call.refuse("piece", "the file has " + counted(pieces.size(), "piece") + ": expected one of " + list);
-    return std::move(pieces.front());
+  return listed(words);
+}
+
+// The piece of a file that the call names, by name or block and size; the only one if it names none.
+format::PatternPiece choose(const Call& call, std::vector<format::PatternPiece> pieces) {
+  using Piece = format::PatternPiece;
+  const std::string list = names_of(pieces);
+  std::vector<std::string> names;
+  for (const Piece& piece : pieces) add_once(names, piece.name);
+  if (!call.has("piece") && names.size() > 1)
+    call.refuse("piece", "the file has " + counted(names.size(), "piece") + ": expected one of " + list);
+  const auto keep = [&pieces](const auto& good) {
+    std::vector<Piece> kept;
+    for (Piece& piece : pieces)
+      if (good(piece)) kept.push_back(piece);
+    return kept;
+  };
+  if (call.has("piece")) {
+    const std::string name = call.text("piece");
+    auto kept = keep([&](const Piece& piece) { return piece.name == name; });
+    if (kept.empty()) kept = keep([&](const Piece& piece) { return piece.block == name; });
+    if (kept.empty()) call.refuse("piece", "expected one of " + list + ", got '" + name + "'");
+    pieces = std::move(kept);
   }
-  const auto found = std::find(names.begin(), names.end(), call.text("piece"));
-  if (found == names.end())
-    call.refuse("piece", "expected one of " + list + ", got '" + call.text("piece") + "'");
-  return std::move(pieces[static_cast<std::size_t>(found - names.begin())]);
+  std::vector<std::string> sizes;
+  for (const Piece& piece : pieces) add_once(sizes, piece.size.empty() ? "none" : quoted(piece.size));
+  if (call.has("size_name")) {
+    const std::string size = call.text("size_name");
+    auto kept = keep([&](const Piece& piece) { return piece.size == size; });
+    if (kept.empty())
+      call.refuse("size_name", "piece '" + pieces.front().name + "': expected one of the sizes " +
+                                   listed(sizes) + ", got '" + size + "'");
+    pieces = std::move(kept);
+  } else if (sizes.size() > 1) {
+    call.refuse("size_name", "piece '" + pieces.front().name + "' is there in " +
+                                 counted(sizes.size(), "size") + ": expected one of " + listed(sizes));
+  }
+  if (pieces.size() > 1) {
+    std::vector<std::string> blocks;
+    for (const Piece& piece : pieces) add_once(blocks, quoted(piece.block));
+    call.refuse("piece", std::to_string(pieces.size()) + " pieces are called '" + pieces.front().name +
+                             "': expected the name of a block, one of " + listed(blocks));
+  }
+  if (!pieces.front().trouble.empty()) throw Error(pieces.front().trouble);
+  return std::move(pieces.front());
 }
 
 using Reader = std::vector<format::PatternPiece> (*)(const std::string&, std::optional<double>,
@@ -311,7 +369,7 @@ mesh::Panel read_file(const Call& call) {
 }
 
 mesh::Panel read_outline(const Call& call) {
-  for (const char* field : {"piece", "unit"})
+  for (const char* field : {"piece", "size_name", "unit"})
     if (call.has(field)) call.refuse(field, "expected with file= only");
   if (!call.has("outline")) call.refuse("outline", "expected either an outline or file=, got neither");
   mesh::Panel shape;
@@ -352,7 +410,8 @@ Entry panel_row() {
            .optional(),
        value_("file", text, "in place of an outline: a .dxf of a pattern program (AAMA/ASTM), or a .svg")
            .optional(),
-       value_("piece", text, "of the file, if it has several").optional(),
+       value_("piece", text, "of the file, if it has several: its name or block").optional(),
+       value_("size_name", text, "of the garment, if the file holds the piece in several: '38'").optional(),
        number_("unit", "m", positive, "of the file's lengths (fabric.units.mm), if it does not say")
            .optional(),
        number_("size", "m", positive, "of an element").usually(1e-4, 1, "is it in m? (write 5*mm)"),
