@@ -1845,7 +1845,8 @@ function fabric.mesh.of(fields) end
 ---@class fabric_mesh_panel_fields
 ---@field outline? table { {x, y}, {x, y, name=}, {arc=, name=}, {spline=, name=}, ... }: a start, then pieces, each from where the one before it ends
 ---@field file? string in place of an outline: a .dxf of a pattern program (AAMA/ASTM), or a .svg
----@field piece? string of the file, if it has several
+---@field piece? string of the file, if it has several: its name or block
+---@field size_name? string of the garment, if the file holds the piece in several: '38'
 ---@field unit? number m: of the file's lengths (fabric.units.mm), if it does not say
 ---@field size number m: of an element
 ---@field grain? number degrees: direction of the warp, counter-clockwise from +x, default 0; wins over the grain line of a file
