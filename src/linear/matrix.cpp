@@ -129,6 +129,34 @@ void add_diagonal(const Matrix& K, double m, std::span<const double> D, Matrix& 
   for (Index c = 0; m > 0 && c < K.size(); ++c) A.add(c, c, m * D[c]);
 }
 
+void multiply(const Matrix& A, std::span<const double> x, std::span<double> y) {
+  const Pattern& pattern = *A.pattern;
+  std::fill(y.begin(), y.end(), 0.0);
+  for (Index c = 0; c < A.size(); ++c)
+    for (Index k = pattern.column[c]; k < pattern.column[c + 1]; ++k) {
+      const Index r = pattern.row[k];
+      if (pattern.upper && r > c) break;
+      const double a = A.value[static_cast<std::size_t>(k)];
+      y[r] += a * x[c];
+      if (pattern.upper && r < c) y[c] += a * x[r];
+    }
+}
+
+double symmetric_part(const Matrix& K, std::span<const double> D, Matrix& S) {
+  S = K;
+  const Pattern& pattern = *K.pattern;
+  double most = 0;
+  for (Index c = 0; c < K.size() && !pattern.upper; ++c)
+    for (Index k = pattern.column[c]; k < pattern.column[c + 1] && pattern.row[k] < c; ++k) {
+      const Index r = pattern.row[k];
+      const auto slot = static_cast<std::size_t>(pattern.slot(c, r));
+      const double above = K.value[static_cast<std::size_t>(k)], below = K.value[slot];
+      S.value[static_cast<std::size_t>(k)] = S.value[slot] = (above + below) / 2;
+      most = std::max(most, std::abs(above - below) / std::max(D[r], D[c]));
+    }
+  return most;
+}
+
 void mirror(const Matrix& A, std::uint64_t& of, Matrix& K) {
   const Pattern& upper = *A.pattern;
   if (of != upper.version) K = Matrix(std::make_shared<const Pattern>(both_triangles(upper)));

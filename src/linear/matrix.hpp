@@ -64,6 +64,13 @@ void absolute_sums(const Matrix& A, std::vector<double>& sums);
 // A = K + m D with the diagonal matrix of the numbers D; takes over K's pattern.
 void add_diagonal(const Matrix& K, double m, std::span<const double> D, Matrix& A);
 
+// y = A x, also where A keeps its upper triangle.
+void multiply(const Matrix& A, std::span<const double> x, std::span<double> y);
+
+// S = (K + K^T) / 2 in K's pattern; returns the largest |K_rc - K_cr| over the larger of D_r and D_c. A
+// matrix that keeps its upper triangle is symmetric.
+double symmetric_part(const Matrix& K, std::span<const double> D, Matrix& S);
+
 // The symmetric matrix whose upper triangle A keeps, with both triangles; K follows its pattern, which is
 // made anew if `of`, the version of the pattern of which it was made, is another one.
 void mirror(const Matrix& A, std::uint64_t& of, Matrix& K);

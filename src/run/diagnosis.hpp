@@ -112,6 +112,7 @@ struct Diagnosis {
   Jumps jump = {};       // those loads and motions; none: of a term that a program has added
   bool bends = false;    // cloth with bending of its own, which relaxation takes along the overdamped path
   bool relaxed = false;  // relaxation has been tried
+  bool both = false;     // Newton's method and relaxation have been tried in turn
 
   bool broken() const { return last.status == solver::NewtonStatus::broken; }  // no step is possible
   // Takes an attempt up; step: s. Returns whether it has converged. If not, the failed iterate is compared

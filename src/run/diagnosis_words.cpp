@@ -92,6 +92,12 @@ std::string switch_text(const Diagnosis& f) {
   return text;
 }
 
+// What a static run has not tried: each way leads to the next, and none back.
+std::string next_way(const Diagnosis& f) {
+  if (!f.both && !f.arc) return "method=\"either\"";
+  return f.stabilised || f.arc ? "fabric.dynamic with damping" : "stabilise=true";
+}
+
 void advise_on_mechanism(const Diagnosis& f, std::vector<std::string>& all) {
   const auto& m = f.mechanism;
   if (m.ways > 1) {  // no single support can prevent them all
@@ -123,14 +129,12 @@ void advise_on_tangent(const Diagnosis& f, std::vector<std::string>& all) {
   const std::string pivots = std::to_string(f.last.negative_pivots) + " negative pivots";
   if (ends_singular(f))
     all.push_back("supports that leave no part free to move, fix(\"all\", \"z\") for a flat sheet; or " +
-                  std::string(f.bends && !f.relaxed ? "method=\"relaxation\"" : "stabilise=true") +
-                  " (the tangent is singular" +
+                  next_way(f) + " (the tangent is singular" +
                   (named ? ": the supports leave the sheet free to " + f.mechanism.words : "") + ")");
   if (f.last.negative_pivots > 0 && !f.arc && !f.dynamic)
-    all.push_back(std::string(f.bends && !f.relaxed
-                                  ? "method=\"relaxation\" for folds, wrinkles and snaps"
-                                  : "stabilise=true or fabric.dynamic for wrinkles and snaps") +
-                  ", control=\"arc\" for a limit point (the last tangent has " + pivots + ")");
+    all.push_back(next_way(f) +
+                  " for folds, wrinkles and snaps, control=\"arc\" for a limit point (the last tangent has " +
+                  pivots + ")");
   if (f.site.inverted >= 0)
     all.push_back(std::string(f.moved > 0 ? "less stroke" : "less load") +
                   ", or a finer mesh there (element " + std::to_string(f.site.inverted + 1) +
@@ -156,11 +160,8 @@ void advise_on_iterations(const Diagnosis& f, std::vector<std::string>& all) {
     all.push_back("a smaller step, or more max_cuts (a support moves by " + number(f.moved) +
                   " m in a step, an element is " + number(f.size) + " m)");
   if (f.site.switching > 0 && course == Course::swings)
-    all.push_back(std::string(f.stabilised || f.dynamic ? "a smaller step"
-                              : f.relaxed               ? "stabilise=true"
-                              : f.bends                 ? "method=\"relaxation\""
-                                                        : "stabilise=true, or method=\"either\"") +
-                  " (" + std::to_string(f.site.switching) + " of " + std::to_string(f.site.elements) +
+    all.push_back((f.stabilised || f.dynamic ? "a smaller step" : next_way(f)) + " (" +
+                  std::to_string(f.site.switching) + " of " + std::to_string(f.site.elements) +
                   " elements switch branches, the residual swings)");
   if (last.status == solver::NewtonStatus::law_failed && f.site.reason.empty())
     all.push_back("a smaller step, and a check of the units of loads and motions (a strain is not finite)");
@@ -172,13 +173,13 @@ void advise_on_cloth(const Diagnosis& f, std::vector<std::string>& all) {
                   number(beyond(f)) + " times as far as it was tested)");
   if (f.site.stiffness_ratio > kWideRatio && !f.dynamic)
     all.push_back(std::string("fabric.dynamic with damping") +
-                  (f.relaxed ? "" : ", or method=\"relaxation\"") + " (one direction of element " +
+                  (f.both || f.arc ? "" : ", or " + next_way(f)) + " (one direction of element " +
                   std::to_string(f.site.element + 1) + " is " + number(f.site.stiffness_ratio) +
                   " times as stiff as another)");
   if (2 * f.site.slack > f.site.elements && !f.dynamic)
-    all.push_back(std::string(f.bends && !f.relaxed ? "method=\"relaxation\"" : "stabilise=true") +
-                  ", or fabric.dynamic (" + std::to_string(f.site.slack) + " of " +
-                  std::to_string(f.site.elements) + " elements are slack both ways)");
+    all.push_back(next_way(f) + (f.stabilised ? " (" : ", or fabric.dynamic (") +
+                  std::to_string(f.site.slack) + " of " + std::to_string(f.site.elements) +
+                  " elements are slack both ways)");
 }
 
 // What is at full value at time 0, if anything: "loads", "motion" or "loads and motions".
@@ -231,6 +232,10 @@ std::vector<std::string> Diagnosis::advice() const {
                   " (all of them are there at time 0, and a shorter step has no less of them)");
     if (!free) return all;  // what else was seen is of the jump
   }
+  if (f.last.status == solver::NewtonStatus::unstable)
+    all.push_back(next_way(f) +
+                  ", or a small force or imperfection to the side that is wanted (the shape is a "
+                  "balance that is not stable)");
   if (f.last.status == solver::NewtonStatus::turned_back)
     all.push_back(
         "a history that begins below the lowest load of the path (table{ {0, -1}, {2, 1} }), or a smaller "
@@ -240,10 +245,8 @@ std::vector<std::string> Diagnosis::advice() const {
   advise_on_cloth(f, all);
   if (!f.mechanism.driven && f.mechanism.ways == 1 && !ends_singular(f)) advise_on_mechanism(f, all);
   if (all.empty())
-    all.push_back(f.dynamic   ? "a smaller step, or scheme=\"explicit\""
-                  : f.relaxed ? "a smaller step, or fabric.dynamic with damping"
-                  : f.bends   ? "method=\"relaxation\", a smaller step, or more max_cuts"
-                              : "a smaller step, more max_cuts, stabilise=true, or method=\"either\"");
+    all.push_back(f.dynamic ? "a smaller step, or scheme=\"explicit\""
+                            : next_way(f) + ", a smaller step, or more max_cuts");
   return all;
 }
 

@@ -2,6 +2,7 @@
 // when a run first begins, and where each call ends.
 #include <omp.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <set>
@@ -28,6 +29,13 @@ format::Json steps_json(const Run& run) {
   format::Json json = format::Json::object();
   json.set("count", run.steps().size()).set("iterations", iterations).set("cuts", cuts);
   json.set("largest_final_residual", worst).set("tolerance", run.tolerance());
+  if (run.moves()) return json;
+  const auto of = [&](solver::Stability kind) {
+    return std::count_if(run.steps().begin(), run.steps().end(),
+                         [kind](const StepReport& step) { return step.stability == kind; });
+  };
+  json.set("stable", of(solver::Stability::stable)).set("unstable", of(solver::Stability::unstable));
+  json.set("unchecked", of(solver::Stability::unchecked));
   return json;
 }
 

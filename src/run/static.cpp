@@ -35,7 +35,8 @@ void check_options(const StaticOptions& o) {
   if (!(o.stabilise >= 0) || !(o.stabilise < 1))
     throw Error("static: field 'stabilise': expected true or a fraction of the work from 0 to 1, got " +
                 number(o.stabilise));
-  if (o.control == Control::arc && (o.stabilise > 0 || o.method != Method::newton))
+  if (o.control == Control::arc &&
+      (o.stabilise > 0 || o.method == Method::relaxation || o.method == Method::either))
     throw Error(
         "static: field 'control': \"arc\" works with Newton's method only: leave out 'stabilise' and "
         "'method'");
@@ -68,10 +69,15 @@ constexpr int kNewtonIterations = 50;
 // Cuts after which Newton's method tries a step; the equilibrium that it reaches must be stable, too.
 constexpr int kOtherWay = 3;
 
-// Cuts of a step after which it leaves an unstable equilibrium in whatever direction.
+// Cuts of a step after which it leaves an unstable equilibrium in one direction: near its bifurcation, so
+// that the shape does not depend on the step; and those after which it leaves one in whatever direction.
+constexpr int kNear = 3;
 constexpr int kSeparating = 6;
 
 constexpr int many_descents = 4000;  // linear solves of a step's overdamped motion
+
+// Linear solves after which Newton's method hands over, and turns of both.
+constexpr int kFirstTurn = 50, kTurns = 3;
 
 bool some(const std::vector<double>& v) {
   return std::any_of(v.begin(), v.end(), [](double t) { return t != 0; });
@@ -81,6 +87,16 @@ bool bends_by_itself(const model::Model& model) {
   const auto& regions = model.regions();
   return std::any_of(regions.begin(), regions.end(),
                      [](const auto& r) { return r.card.bending.has_value(); });
+}
+
+// Moments about fixed axes have no energy, and their tangent may yet be symmetric. Where the law has none,
+// but all loads do, the second-order work decides.
+solver::Judge judge_of(const model::Model& model, const mechanics::Assembly& assembly) {
+  if (!model.moments().empty()) return solver::Judge::never;
+  const auto& terms = assembly.terms();  // the cloth is the first
+  const bool loads_have_energy =
+      std::all_of(terms.begin() + 1, terms.end(), [](const auto& t) { return t->symmetric(); });
+  return loads_have_energy ? solver::Judge::work : solver::Judge::energy;
 }
 
 }  // namespace
@@ -107,12 +123,13 @@ Static::Static(std::shared_ptr<model::Model> model, const StaticOptions& options
   if (options_.control == Control::arc)
     arc_ = std::make_unique<solver::ArcLength>(std::move(linear));
   else
-    // Moments about fixed axes have no energy, and pivots say nothing of the stability of what they hold.
     stable_ = std::make_unique<solver::TrustRegion>(std::move(linear), assembly_->terms().symmetric(),
-                                                    model_->moments().empty());
+                                                    judge_of(*model_, *assembly_));
   if (arc_ && tears_ != nullptr) tears_->follow_path();
   if (!arc_) newton_ = std::make_unique<solver::Newton>(make_solver(options_.solver, !takes_unsymmetric()));
-  if (options_.method != Method::newton) {
+  if (options_.method == Method::automatic && !arc_ && has_energy_)
+    helper_ = std::make_unique<solver::Descent>(make_solver(options_.solver, !takes_unsymmetric()));
+  if (options_.method != Method::newton && !arc_) {
     relaxation_ = std::make_unique<solver::Relaxation>();
     if (bends_by_itself(*model_))
       descent_ = std::make_unique<solver::Descent>(make_solver(options_.solver, !takes_unsymmetric()));
@@ -213,6 +230,7 @@ double Static::try_step(double limit, StepReport& report) {
   step_.tries.clear();
   settling_ = false;
   bool tried = false;
+  cutting_ = true;
   for (bool solved = attempt(size, report); !solved; solved = attempt(size, report)) {
     if (settle_jump(size, report)) break;
     if (step_.broken()) give_up(report);
@@ -220,7 +238,8 @@ double Static::try_step(double limit, StepReport& report) {
     const bool short_of_patience =
         !tried && now_.step.current() <= (1 + same_time) * kPatience * now_.step.largest();
     tried = tried || short_of_patience;
-    if ((short_of_patience || !possible) && rescue(whole, report)) {
+    const bool near = helper_ && step_.last.status == solver::NewtonStatus::unstable;
+    if (((short_of_patience && !near) || !possible) && rescue(whole, report)) {
       size = whole;
       if (descent_) now_.step = control;  // it made the whole step, so that the cuts do not limit the next
       break;
@@ -228,6 +247,7 @@ double Static::try_step(double limit, StepReport& report) {
     if (!possible) give_up(report);
     size = plan(limit);
   }
+  cutting_ = false;
   if (stabilisation_ != nullptr && reports_.empty()) calibrate(size, report);
   trace.keep();
   return size;
@@ -264,7 +284,9 @@ bool Static::attempt(double size, StepReport& report) {
   solver::NewtonOptions options{options_.tolerance, options_.max_iterations, options_.line_search};
   if (!has_energy_ && options.max_iterations == StaticOptions{}.max_iterations)
     options.max_iterations = kNewtonIterations;
-  if (report.cuts >= kSeparating) options.most_unstable = problem_->size();
+  options.most_unstable = !cutting_ || report.cuts >= kSeparating ? problem_->size()
+                          : report.cuts >= kNear                  ? 1
+                                                                  : 0;
   if (arc_) {
     const auto arc =
         arc_->solve(*problem_, options, {committed_time(), now_.landing, size, now_.step.largest()});
@@ -274,12 +296,44 @@ bool Static::attempt(double size, StepReport& report) {
   problem_->set_time(size);
   const auto solve = [&] {
     if (!has_energy_) return left_if_unstable(newton_->solve(*problem_, options), options);
-    auto result = stable_->solve(*problem_, options);
+    auto result = helper_ ? arrive(options) : stable_->solve(*problem_, options);
     if (result.status != solver::NewtonStatus::too_many_iterations || report.cuts < kOtherWay) return result;
     const auto other = newton_->solve(*problem_, {options_.tolerance, kNewtonIterations});
     return other.status == solver::NewtonStatus::converged ? complete(other, options) : result;
   };
-  return finish(options_.method == Method::relaxation ? relax(options) : solve(), size, report);
+  relaxing_ = options_.method == Method::relaxation;
+  return finish(relaxing_ ? relax(options) : solve(), size, report);
+}
+
+// A try is not given up for its number of iterations while it loses energy. Where the trust region is slow,
+// as in the flat valleys of limp cloth, the overdamped motion goes on from the least energy so far; it
+// converges as Newton's method in the end, which then checks that the shape is stable.
+solver::NewtonResult Static::arrive(const solver::NewtonOptions& options) {
+  using enum solver::NewtonStatus;
+  const bool bounded = options_.max_iterations != StaticOptions{}.max_iterations;
+  solver::NewtonOptions turn = options;
+  turn.max_iterations = std::min(kFirstTurn, options.max_iterations);
+  solver::NewtonResult result = stable_->solve(*problem_, turn);
+  int left = result.left_unstable;
+  for (int i = 0; i < kTurns; ++i) {
+    const bool slow = result.status == too_many_iterations || result.status == law_failed;
+    const int rest = (bounded ? options.max_iterations : many_descents) - result.iterations;
+    if (!slow || rest <= 0 || !problem_->at_target() || step_.broken()) break;
+    solver::NewtonOptions more = options;
+    more.max_iterations = rest;
+    auto crept = helper_->go_on(*problem_, more);
+    crept.iterations += result.iterations;
+    if (crept.status != converged) {
+      crept.left_unstable = left;
+      return crept;
+    }
+    turn.max_iterations = std::max(kFirstTurn, std::min(options.max_iterations, rest));
+    result = stable_->correct(*problem_, turn);
+    result.iterations += crept.iterations;
+    left += result.left_unstable;
+  }
+  result.left_unstable = left;
+  return result;
 }
 
 // Loads at full value at time 0 are the same in a shorter step, so cutting does not help. An overdamped
@@ -317,10 +371,22 @@ bool Static::settle_jump(double size, StepReport& report) {
 }
 
 bool Static::rescue(double size, StepReport& report) {
-  if (options_.method != Method::either) return false;
+  if (options_.method != Method::either && options_.method != Method::automatic) return false;
+  // What moves freely does so in relaxation, too, without end.
+  if (options_.method == Method::automatic && step_.last.status == solver::NewtonStatus::singular)
+    return false;
+  relaxing_ = true;
   problem_->set_time(size);
-  return finish(relax({options_.tolerance, options_.max_iterations, options_.line_search, problem_->size()}),
-                size, report);
+  const Diagnosis before = step_;
+  if (finish(relax({options_.tolerance, options_.max_iterations, options_.line_search, problem_->size()}),
+             size, report))
+    return true;
+  if (options_.method == Method::either) return false;
+  rollback();  // as if it had not been tried
+  step_ = before;
+  report.residuals = step_.last.residuals;
+  report.negative_pivots = step_.last.negative_pivots;
+  return false;
 }
 
 // Dynamic relaxation gets near at low accuracy, then Newton's method solves accurately; if that fails,
@@ -364,9 +430,22 @@ solver::NewtonResult Static::complete(const solver::NewtonResult& relaxed,
 solver::NewtonResult Static::left_if_unstable(const solver::NewtonResult& found,
                                               const solver::NewtonOptions& options) {
   if (found.status != solver::NewtonStatus::converged) return found;
+  const auto there = std::as_const(*assembly_).state().kinematics();
+  const std::vector<double> kinematics(there.begin(), there.end());
   auto result = stable_->correct(*problem_, options);
   result.iterations += found.iterations;
-  return result;
+  const bool cut_first = options.most_unstable < problem_->size();
+  if (result.status == solver::NewtonStatus::converged || has_energy_ || cut_first) return result;
+  // A law without an energy may have an indefinite tangent in a state that nothing leaves, as at a switch.
+  std::copy(kinematics.begin(), kinematics.end(), assembly_->state().kinematics().begin());
+  assembly_->state().touch();
+  linear::Vector r(static_cast<std::size_t>(problem_->size()));
+  if (problem_->residual(r) != Answer::ok) return result;
+  solver::NewtonResult stays = found;
+  stays.iterations = result.iterations;
+  stays.negative_pivots = result.negative_pivots;
+  stays.stability = solver::Stability::unstable;
+  return stays;
 }
 
 bool Static::turns_inside_out() const {
@@ -382,13 +461,30 @@ void Static::note_shape() {
   now_.turned = shape.turned >= 0;
 }
 
+solver::Stability Static::judge() {
+  if (!check_) {
+    judging_ = make_solver(options_.solver, !takes_unsymmetric());
+    check_ = std::make_unique<solver::StabilityCheck>(*judging_, assembly_->terms().symmetric(),
+                                                      judge_of(*model_, *assembly_));
+  }
+  linear::Matrix K;
+  linear::Vector D;
+  if (problem_->tangent(K) != Answer::ok) return solver::Stability::unchecked;
+  linear::absolute_sums(K, D);
+  return check_->of(K, D);
+}
+
 bool Static::finish(solver::NewtonResult result, double end, StepReport& report) {
+  if (result.status == solver::NewtonStatus::converged && result.stability == solver::Stability::unchecked &&
+      (arc_ || (relaxing_ && !descent_)))
+    result.stability = judge();
   report.iterations += result.iterations;
   report.residuals = result.residuals;
   report.negative_pivots = result.negative_pivots;
+  report.stability = result.stability;
   report.step = end - committed_time();
   report.time = end;
-  if (result.status == solver::NewtonStatus::converged && !arc_ && (descent_ || !relaxation_) &&
+  if (result.status == solver::NewtonStatus::converged && !arc_ && (descent_ || !relaxing_) &&
       turns_inside_out())
     result.status = solver::NewtonStatus::inverted;
   const bool converged = step_.take(result, report.step, *assembly_, model_->mesh());
@@ -422,7 +518,7 @@ void Static::grow(const StepReport& report) {
   if (arc_) return grow_arc(report);
   // By relaxation: its iterations say nothing about the step.
   const bool many = step_.last.iterations > options_.max_iterations;
-  if (relaxation_ && many && !descent_) return;
+  if (relaxing_ && many && !descent_) return;
   // Nor do those of a search for the least energy.
   now_.step.grow(!has_energy_ && !now_.settled ? step_.last.iterations : 1, report.cuts > 0);
 }
@@ -459,6 +555,10 @@ void Static::report_notices(const StepReport& report) {
              "goes on with one to which the energy falls: its mirror image, or another pattern with "
              "other steps, may be as good");
   }
+  if (report.stability == solver::Stability::unstable && !arc_ && !warned("unstable"))
+    warn("unstable", "static: the shape at time " + number(report.time) +
+                         " s is an equilibrium but not stable, and no stable one was found beside it: real "
+                         "cloth leaves it for another; fabric.dynamic with damping shows which");
   const double lost = stabilisation_ == nullptr ? 0 : stabilisation_->lost();
   if (lost > 0.01 * work_.largest() && !now_.reported_damping) {
     now_.reported_damping = true;
@@ -547,7 +647,8 @@ void Static::give_up(const StepReport& report) {
   step_.jumps = now_.jumps && reports_.empty();
   if (step_.jumps) step_.jump = find_jumps(*model_, options_.duration);
   step_.bends = bends_by_itself(*model_);
-  step_.relaxed = relaxation_ != nullptr || settling_;
+  step_.relaxed = relaxation_ != nullptr || helper_ || settling_;
+  step_.both = options_.method == Method::either || options_.method == Method::automatic;
   step_.stabilised = stabilisation_ != nullptr;
   fail(step_, report, now_.step.largest());
 }
@@ -563,6 +664,7 @@ void Static::memory(Archive& archive) {
   if (stable_) stable_->keep(archive);
   if (newton_) newton_->keep(archive);
   if (descent_) descent_->keep(archive);
+  if (helper_) helper_->keep(archive);
   if (arc_) arc_->keep(archive);
 }
 

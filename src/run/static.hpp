@@ -23,8 +23,9 @@ enum class Symmetry { automatic, symmetric, unsymmetric };  // automatic: symmet
 enum class Control { load, arc };
 // relaxation: every step by dynamic relaxation, completed by Newton's method; where cloth has bending of its
 // own, whose low rigidity makes dynamic relaxation converge too slowly, by overdamped implicit steps.
-// either: Newton's method, and relaxation for a step that fails after a few cuts.
-enum class Method { newton, relaxation, either };
+// either: Newton's method, and relaxation for a step that fails after a few cuts. automatic: Newton's method,
+// which hands over to the overdamped motion where it is slow, and back, before a step is cut; then as either.
+enum class Method { newton, relaxation, either, automatic };
 
 struct StaticOptions {
   double duration = 0;              // s, required, positive
@@ -38,7 +39,7 @@ struct StaticOptions {
   double min_step = 0;  // s: smallest size of a step
   Symmetry linear = Symmetry::automatic;
   Control control = Control::load;
-  Method method = Method::newton;
+  Method method = Method::automatic;
   // Viscous forces c m dx/dt on the nodes; c is chosen so that a step dissipates this fraction of its work.
   // 0: none.
   double stabilise = 0;
@@ -88,9 +89,12 @@ class Static final : public Run {
   void grow(const StepReport& report);                // sets the size of the next step
   void grow_arc(const StepReport& report);
   solver::NewtonResult relax(solver::NewtonOptions options);
+  solver::NewtonResult arrive(
+      const solver::NewtonOptions& options);  // Newton's method and the other, in turn
   solver::NewtonResult left_if_unstable(const solver::NewtonResult& found,
                                         const solver::NewtonOptions& options);
   solver::NewtonResult complete(const solver::NewtonResult& relaxed, const solver::NewtonOptions& options);
+  solver::Stability judge();  // of the trial state, where the solver that found it has not asked
   bool finish(solver::NewtonResult result, double end, StepReport& report);
   void report_notices(const StepReport& report);  // gives notices
   void check_balance();                           // stops the run if energy was made from nothing
@@ -110,9 +114,14 @@ class Static final : public Run {
   std::unique_ptr<solver::ArcLength> arc_;
   std::unique_ptr<solver::Relaxation> relaxation_;
   std::unique_ptr<solver::Descent> descent_;  // in its place, where cloth has bending of its own
-  Diagnosis step_;                            // the present one
-  bool settling_ = false;                     // whether settle_jump() has tried to relax the present step
-  struct StaticState {                        // the variables of the run
+  std::unique_ptr<solver::LinearSolver> judging_;
+  std::unique_ptr<solver::StabilityCheck> check_;  // where stable_ has not asked: along an arc, by relaxation
+  std::unique_ptr<solver::Descent> helper_;        // of Newton's method
+  Diagnosis step_;                                 // the present one
+  bool cutting_ = false;   // whether a step that fails is halved, or is as long as asked for
+  bool relaxing_ = false;  // whether the last try at the present step was by relaxation
+  bool settling_ = false;  // whether settle_jump() has tried to relax the present step
+  struct StaticState {     // the variables of the run
     StepControl step;
     double arc_length = 0, tried_length = 0, longest_length = 0, landing = 0;  // along an arc
     bool reported_pivots = false, reported_damping = false, reported_error = false, reported_balance = false;

@@ -9,6 +9,7 @@
 #include "base/archive.hpp"
 #include "geometry/vec.hpp"
 #include "law/law.hpp"
+#include "solver/stable.hpp"
 
 namespace fabricsh::run {
 
@@ -79,7 +80,10 @@ struct StepReport {
   int cuts = 0;                      // halvings of this step
   std::vector<double> residuals;     // relative residual of each iteration; the first is the predictor's
   std::int64_t negative_pivots = 0;  // of the last tangent; 0 on a stable path
-  void keep(Archive& archive) { archive(time, step, iterations, cuts, residuals, negative_pivots); }
+  solver::Stability stability = solver::Stability::unchecked;
+  void keep(Archive& archive) {
+    archive(time, step, iterations, cuts, residuals, negative_pivots, stability);
+  }
 };
 
 }  // namespace fabricsh::run

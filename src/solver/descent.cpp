@@ -24,6 +24,11 @@ class Creep final : public Downhill {
     problem_.accept();
     return answer;
   }
+  Answer begin_at_saved() {
+    problem_.restore_iterate();
+    problem_.accept();
+    return tangent_at_iterate();
+  }
 
  private:
   NewtonStatus make_step() override;
@@ -87,11 +92,22 @@ NewtonStatus Creep::make_step() {
 
 }  // namespace
 
-NewtonResult Descent::solve(Problem& problem, const NewtonOptions& options) {
-  Creep creep(problem, options, *linear_, true);
-  NewtonResult result = creep.run(creep.begin());
+namespace {
+NewtonResult creep_down(Creep& creep, Answer begun) {
+  NewtonResult result = creep.run(begun);
   result.negative_pivots = 0;  // those counted are of K + m D
   return result;
+}
+}  // namespace
+
+NewtonResult Descent::solve(Problem& problem, const NewtonOptions& options) {
+  Creep creep(problem, options, *linear_, true);
+  return creep_down(creep, creep.begin());
+}
+
+NewtonResult Descent::go_on(Problem& problem, const NewtonOptions& options) {
+  Creep creep(problem, options, *linear_, true);
+  return creep_down(creep, creep.begin_at_saved());
 }
 
 }  // namespace fabricsh::solver

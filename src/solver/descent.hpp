@@ -16,6 +16,7 @@ class Descent {
   // From the committed configuration, with the supports moved to their targets first. iterations: linear
   // solves; residuals: relative, of the steps that were taken.
   NewtonResult solve(Problem& problem, const NewtonOptions& options);
+  NewtonResult go_on(Problem& problem, const NewtonOptions& options);  // from the iterate saved last
   void keep(Archive& archive) { keep_doubt(archive, *linear_); }
 
  private:

@@ -11,6 +11,7 @@
 #include "base/archive.hpp"
 #include "linear/linear_solver.hpp"
 #include "linear/vector.hpp"
+#include "solver/stable.hpp"
 
 namespace fabricsh::solver {
 
@@ -91,11 +92,12 @@ Answer checked(Answer answer, std::span<const double> r);
 
 struct NewtonResult {
   NewtonStatus status = NewtonStatus::too_many_iterations;
-  int iterations = 0;             // linear solves
-  std::vector<double> residuals;  // relative, after each solve
-  Index worst = -1;               // unknown with the largest residual
-  Index negative_pivots = 0;      // of the last tangent that was factorised
-  int left_unstable = 0;          // unstable equilibria that were left to the side of less energy
+  int iterations = 0;                          // linear solves
+  std::vector<double> residuals;               // relative, after each solve
+  Index worst = -1;                            // unknown with the largest residual
+  Index negative_pivots = 0;                   // of the last tangent that was factorised
+  Stability stability = Stability::unchecked;  // of the equilibrium
+  int left_unstable = 0;  // unstable equilibria that were left to the side of less energy
 };
 
 inline void keep_doubt(Archive& archive, LinearSolver& linear) {

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+#include <iterator>
 
 #include "solver/downhill.hpp"
 #include "solver/line_search.hpp"
+#include "solver/stability.hpp"
 
 namespace fabricsh::solver {
 
@@ -22,10 +23,15 @@ constexpr double kLeast = 1e-3;      // least ratio of energy taken away to that
 constexpr double kPoor = 0.25, kGood = 0.75, kExact = 0.9;  // such ratios
 constexpr double kLinear = 1e-5;  // rad: a step this small is judged by the forces at its end alone
 constexpr int kTrials = 4;        // steps in a row that may end above the least energy so far
+constexpr int kAgain = 8;         // steps that lower it, after which trials are allowed again
 constexpr int kRenew = 3;         // rejections after which the plain tangent replaces the extrapolated one
-constexpr int kSaddles = 3;       // unstable equilibria that a solve leaves
-constexpr double kNudge = 1e-2, kLeastNudge = 5e-7;  // rad, of the step away from one
-constexpr double kSame = 0.999;  // ratio of two works from which on neither side is preferred
+constexpr double kSame = 0.999;   // ratio of two works from which on neither side is preferred
+
+// rad, turns along the lowest mode from an unstable equilibrium to where the way down begins, one for each
+// that a solve leaves. They are finite: just behind a bifurcation the energy falls by less than its rounding,
+// but beyond the shapes beside it the forces lead back to them.
+
+constexpr double kAway[] = {0.1, 0.3, 0.02, 0.6};
 
 struct TrialStep {
   double turn = 0;   // rad, of the whole of delta
@@ -37,8 +43,8 @@ struct TrialStep {
 // One solve.
 class Walk final : public Downhill {
  public:
-  Walk(Problem& problem, const NewtonOptions& options, LinearSolver& linear, bool symmetric, bool judges)
-      : Downhill(problem, options, linear, symmetric), judges_(judges) {}
+  Walk(Problem& problem, const NewtonOptions& options, LinearSolver& linear, bool symmetric, Judge judge)
+      : Downhill(problem, options, linear, symmetric), check_(linear, symmetric, judge) {}
   // The supports go to their targets, while the cloth follows as it would follow small motions.
   Answer follow_supports();
   Answer begin_at_trial();
@@ -62,9 +68,10 @@ class Walk final : public Downhill {
   NewtonStatus make_step() override;
   bool reject(const TrialStep& step);
   bool return_to_best();
-  bool stable();
+  Stability judge();
   enum class Saddle { left, none, stays };
-  bool find_softest();
+  bool take_mode();
+  bool rises_on_both_sides();
   Saddle leave_saddle();
   double work_to_side(double turn);
 
@@ -74,10 +81,11 @@ class Walk final : public Downhill {
   double level_ = 0, fallen_ = 0;      // J, energy above the least so far; taken away so far
   int trials_ = 0;                     // steps since the configuration of least energy
   bool singular_ = false, began_free_ = false;
-  const bool judges_;    // whether pivots say whether an equilibrium is stable
+  StabilityCheck check_;
+  int lowered_ = 0;      // steps in a row that have lowered the energy
   bool watches_ = true;  // whether steps may raise the energy on trial
-  int rejections_ = 0, saddles_ = 0;
-  bool definite_ = false;  // whether K near the present configuration is known to be positive definite
+  int rejections_ = 0;
+  std::size_t saddles_ = 0;
 };
 
 // With the least regularisation that leaves no pivot negative.
@@ -180,11 +188,12 @@ bool Walk::accepts(const TrialStep& step) const {
 void Walk::adapt(const TrialStep& step) {
   const bool lowest = is_lowest(step);
   trials_ = lowest ? 0 : trials_ + 1;
+  lowered_ = lowest ? lowered_ + 1 : 0;
+  if (lowered_ >= kAgain) watches_ = true;
   level_ = lowest ? 0 : level_ - step.drop;
   fallen_ += step.drop;
   if (step.ratio > kGood) radius_ = std::min(kWidest, 2 * radius_);
   if (step.ratio < kPoor && !watches_) radius_ = std::min(radius_, step.turn) / 2;
-  definite_ = m_ == 0 && step.turn < 1e-3 && result_.negative_pivots == 0;
   if (m_ > 0) next_m_ = m_ / 4;
   m_ = step.ratio > kExact && step.turn < radius_ / 3 ? 0 : m_ * std::clamp(step.turn / radius_, 0.1, 4.0);
 }
@@ -260,16 +269,14 @@ Answer Walk::follow_supports() {
   return answer;
 }
 
-// Whether the tangent at this equilibrium has no negative pivot. Of one that is not symmetric, as with
-// sliding friction, an odd number of them means a negative determinant and so a direction in which the shape
-// leaves its place by itself; an even number may mislead, and then neither side of the softest direction is
-// lower.
-bool Walk::stable() {
-  if (!judges_ || definite_ || K_.size() == 0) return true;
-  if (problem_.tangent(K_) != Answer::ok) return true;
+// Of the plain tangent at this equilibrium.
+Stability Walk::judge() {
+  if (problem_.tangent(K_) != Answer::ok) return Stability::unchecked;
   linear::absolute_sums(K_, D_);
-  factorise(0);
-  return result_.negative_pivots == 0;
+  const Stability answer = check_.of(K_, D_);
+  result_.iterations += check_.factorisations();
+  result_.negative_pivots = answer == Stability::stable ? 0 : check_.negative();
+  return answer;
 }
 
 // J, of the forces at the end of a step along delta_.
@@ -279,55 +286,72 @@ double Walk::work_to_side(double turn) {
   return answer == Answer::ok ? turn * dot(delta_, trial_r_) : 0;
 }
 
-// Sets delta_ to the direction in which the energy falls fastest, with a turn of 1 rad, found by inverse
-// iteration. The first vector has numbers without pattern that are always the same.
-bool Walk::find_softest() {
-  if (!factorise_definite()) return false;
-  std::uint32_t number = 1;
-  for (double& d : delta_) d = ((number = 1664525u * number + 1013904223u) >> 8) / 16777216.0 - 0.5;
-  for (int i = 0; i < 20; ++i) {
-    for (std::size_t k = 0; k < delta_.size(); ++k) trial_r_[k] = D_[k] * delta_[k];
-    if (!solve(trial_r_, delta_)) return false;
-    const double turn = problem_.turn_of(delta_);
-    for (double& d : delta_) d /= turn;
-  }
-  return true;
+// Sets delta_ to the lowest mode, with a turn of 1 rad.
+bool Walk::take_mode() {
+  if (check_.mode().shape.size() != delta_.size()) return false;
+  delta_ = check_.mode().shape;
+  const double turn = problem_.turn_of(delta_);
+  for (double& d : delta_) d /= turn;
+  return turn > 0 && all_finite(delta_);
 }
 
-// From an equilibrium whose tangent has negative pivots a small step to the side to which the energy falls.
-// No step is made where it falls to neither: at a switch of yarns the tangent is that of one side only.
-Walk::Saddle Walk::leave_saddle() {
-  if (result_.negative_pivots > options_.most_unstable || ++saddles_ > kSaddles || !find_softest())
-    return Saddle::stays;
-  for (double nudge = kNudge; nudge > kLeastNudge; nudge /= 10) {
-    const double one = work_to_side(nudge), other = work_to_side(-nudge);
-    if (!(std::max(one, other) > 0)) continue;
-    work_to_side(one >= kSame * other ? nudge : -nudge);
-    r_.swap(trial_r_);
-    radius_ = std::min(kWidest, 10 * nudge);
-    ++result_.left_unstable;
-    return move_on() == Answer::ok ? Saddle::left : Saddle::stays;
+// At a switch of yarns the tangent is that of one side only, and the energy may rise on both sides of its
+// lowest mode: by the square of the way. A stretch, which hides a fall just behind a bifurcation, grows with
+// the fourth power.
+bool Walk::rises_on_both_sides() {
+  double before = 0;
+  for (double turn = 1e-3; turn > 1e-7; turn /= 10) {
+    const double sum = (work_to_side(turn) + work_to_side(-turn)) / (turn * turn);
+    if (sum > 0) return false;
+    if (before < 0 && sum < before / 2 && sum > 2 * before) return true;
+    before = sum;
   }
-  return tangent_at_iterate() == Answer::ok ? Saddle::none : Saddle::stays;
+  return false;
+}
+
+// From an unstable equilibrium by a finite turn along its lowest mode, to the side on which the energy is
+// less.
+Walk::Saddle Walk::leave_saddle() {
+  if (!take_mode()) return Saddle::stays;
+  if (rises_on_both_sides()) return tangent_at_iterate() == Answer::ok ? Saddle::none : Saddle::stays;
+  if (check_.negative() > options_.most_unstable || saddles_ == std::size(kAway)) return Saddle::stays;
+  const double turn = std::min(kAway[saddles_++], problem_.limit(delta_));
+  const double one = work_to_side(turn), other = work_to_side(-turn);
+  work_to_side(one >= kSame * other ? turn : -turn);
+  r_.swap(trial_r_);
+  radius_ = kWidest;
+  next_m_ = kFirst;
+  level_ = fallen_ = m_ = 0;
+  trials_ = 0;
+  watches_ = true;
+  ++result_.left_unstable;
+  return move_on() == Answer::ok ? Saddle::left : Saddle::stays;
 }
 
 std::optional<NewtonStatus> Walk::at_balance() {
-  const bool higher = level_ > 1e-3 * std::abs(fallen_);
-  if (!higher && stable()) return NewtonStatus::converged;
-  const Saddle saddle = higher ? (return_to_best() ? Saddle::left : Saddle::stays) : leave_saddle();
+  if (level_ > 1e-3 * std::abs(fallen_)) {
+    if (return_to_best()) return {};
+    return NewtonStatus::unstable;
+  }
+  result_.stability = judge();
+  if (result_.stability != Stability::unstable) return NewtonStatus::converged;
+  const Saddle saddle = leave_saddle();
   if (saddle == Saddle::left) return {};
-  return saddle == Saddle::none ? NewtonStatus::converged : NewtonStatus::unstable;
+  if (saddle == Saddle::stays) return NewtonStatus::unstable;
+  result_.stability = check_.negative() > 1 ? Stability::unchecked : Stability::stable;
+  result_.negative_pivots = 0;
+  return NewtonStatus::converged;
 }
 
 }  // namespace
 
 NewtonResult TrustRegion::solve(Problem& problem, const NewtonOptions& options) {
-  Walk walk(problem, options, *linear_, symmetric_, judges_);
+  Walk walk(problem, options, *linear_, symmetric_, judge_);
   return walk.run(walk.follow_supports());
 }
 
 NewtonResult TrustRegion::correct(Problem& problem, const NewtonOptions& options) {
-  Walk walk(problem, options, *linear_, symmetric_, judges_);
+  Walk walk(problem, options, *linear_, symmetric_, judge_);
   return walk.run(walk.begin_at_trial());
 }
 

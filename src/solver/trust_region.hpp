@@ -17,15 +17,16 @@
 #include <memory>
 
 #include "solver/newton.hpp"
+#include "solver/stability.hpp"
 
 namespace fabricsh::solver {
 
 class TrustRegion {
  public:
   // symmetric: whether the problem's tangents are. For others the matrix is regularised until the step does
-  // work against the residual. judges: whether negative pivots at an equilibrium mean that it is unstable.
-  TrustRegion(std::unique_ptr<LinearSolver> linear, bool symmetric, bool judges = true)
-      : linear_(std::move(linear)), symmetric_(symmetric), judges_(judges) {}
+  // work against the residual. judge: what its tangents tell about the stability of an equilibrium.
+  TrustRegion(std::unique_ptr<LinearSolver> linear, bool symmetric, Judge judge = Judge::energy)
+      : linear_(std::move(linear)), symmetric_(symmetric), judge_(judge) {}
   // From the committed configuration: a first step moves the supports to their targets, then equilibrium is
   // sought. iterations: factorisations; residuals: relative, of the steps that were taken. Without
   // options.line_search every step within the trust region is accepted.
@@ -35,7 +36,8 @@ class TrustRegion {
 
  private:
   std::unique_ptr<LinearSolver> linear_;
-  bool symmetric_, judges_;
+  bool symmetric_;
+  Judge judge_;
 };
 
 }  // namespace fabricsh::solver

@@ -59,11 +59,11 @@ static: relaxation has taken 5.78883 % of the external work by time 0.75 s, in 3
   { "a:snapshot()", "<snapshot of t = 1 s>" },
   { "#a:field 'S11', a:field 'S11'[1] > 0", "3\ttrue" },
   { "a.steps", [[
-  cuts  iterations  negative_pivots  residuals  step  time
-  0     4           0                {...}      0.25  0.25
-  0     3           0                {...}      0.25  0.5
-  0     3           0                {...}      0.25  0.75
-  0     3           0                {...}      0.25  1]] },
+  cuts  iterations  negative_pivots  residuals  stable  step  time
+  0     5           0                {...}      true    0.25  0.25
+  0     4           0                {...}      true    0.25  0.5
+  0     4           0                {...}      true    0.25  0.75
+  0     4           0                {...}      true    0.25  1]] },
   { "p:state().warp", "virgin" },
   -- tables
   { "{}", "{}" },

@@ -25,7 +25,8 @@ local bow = length * low / elliptic(low)
 local function strip(given)
   local mesh = fabric.mesh.rectangle { width = length, height = 0.02, nx = 16, ny = 1, triangles = given.triangles }
   local m = fabric.model { mesh = mesh, card = given.card, warp = 0 }
-  m:fix("left", "x y z rotation"):fix("right", "y z rotation"):move("right", { x = fabric.ramp(-short, 1) })
+  -- Its lowest mode is a twist, since its shear is soft; without room across it bends.
+  m:fix("all", "y"):fix("left", "x z rotation"):fix("right", "z rotation"):move("right", { x = fabric.ramp(-short, 1) })
   if given.beside then m:contact { between = { given.beside, "all" }, friction = 0.3 } end
   local a = fabric.static { model = m, duration = 1, step = given.step }:solve()
   local most = 0

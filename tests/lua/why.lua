@@ -78,7 +78,7 @@ local function stabilised() return fabric.static { model = (function()
 end)(), duration = 1, stabilise = 1e-8, max_cuts = 2, max_iterations = 1 } end
 text = failing(stabilised())
 has(text, "jump       gravity (z = -9.81 m/s^2) is there in full at time 0")
-has(text, 'try        method="relaxation", or loads that grow from 0, fabric.ramp(load, duration)')
+has(text, 'try        loads that grow from 0, fabric.ramp(load, duration)') -- relaxation has been tried in this run
 assert(not text:find("stabilise=true", 1, true) and not text:find("arc", 1, true), text)
 
 -- ... and where a motion of a support stands beside the load, both are named; relaxation takes loads alone

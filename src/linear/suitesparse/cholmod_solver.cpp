@@ -63,12 +63,20 @@ class Cholmod final : public LinearSolver {
 
   bool factorise_numbers(const Matrix& A) override {
     if (L_ == nullptr) return false;
-    by_general_ = doubtful_ || !cholesky(A);
+    const bool refused = !doubtful_ && !cholesky(A);
+    by_general_ = doubtful_ || refused;
     doubtful_ = false;
     if (!by_general_) return true;
     if (!general_) general_ = make_unsymmetric_solver(ordering_);
     const bool done = general_->factorise(A);
     report_ = general_->report();
+    // The signs of pivots off the diagonal can mislead; that a matrix has no Cholesky factors cannot.
+    if (report_.negative_pivots == 0 && !report_.singular) {
+      const LinearReport general = report_;
+      const bool definite = !refused && cholesky(A);
+      report_ = general;
+      if (!definite) report_.negative_pivots = 1;
+    }
     doubtful_ = report_.negative_pivots != 0;
     return done;
   }
@@ -120,8 +128,8 @@ class Cholmod final : public LinearSolver {
     cholmod_sparse view = upper(A);
     const bool done = cholmod_l_factorize(&view, L_, &common_) && common_.status == CHOLMOD_OK;
     check_memory();
-    report_ = {};
     if (!done) return false;
+    report_ = {};
     report_.reciprocal_condition = cholmod_l_rcond(L_, &common_);
     report_.fill = static_cast<Index>(L_->xsize);
     return true;

@@ -289,6 +289,11 @@ int steps(Call& call) {
     lua_setfield(L, -2, "cuts");
     lua_pushinteger(L, report.negative_pivots);
     lua_setfield(L, -2, "negative_pivots");
+    if (report.stability == solver::Stability::unchecked)
+      lua_pushliteral(L, "unchecked");
+    else
+      lua_pushboolean(L, report.stability == solver::Stability::stable);
+    lua_setfield(L, -2, "stable");
     push_numbers(L, report.residuals);
     lua_setfield(L, -2, "residuals");
     lua_rawseti(L, -2, ++i);
@@ -536,7 +541,7 @@ std::vector<Entry> reading() {
        Style::property,
        {},
        "Of each committed step: time, step, iterations, cuts, residuals, negative_pivots (none on a stable "
-       "path).",
+       "path), stable: true, false, or \"unchecked\" in motion and where loads have no potential.",
        run + "assert(#a:solve().steps == 4)",
        steps},
   };

@@ -18,7 +18,7 @@ Choice chosen(const std::string& word, const std::vector<std::string>& words) {
   return static_cast<Choice>(std::find(words.begin(), words.end(), word) - words.begin());
 }
 const std::vector<std::string> linears{"auto", "symmetric", "unsymmetric"}, controls{"load", "arc"},
-    methods{"newton", "relaxation", "either"};
+    methods{"newton", "relaxation", "either", "auto"};
 
 void read_scheme(Call& call, run::StaticOptions& options) {
   if (call.has("min_step")) options.min_step = call.number("min_step");
@@ -84,11 +84,13 @@ std::vector<Entry> static_entries() {
                "load: steps in time; arc: steps along the path, past limit points, where time may go down")
             .or_else("load")
             .one_of(controls),
-        value_("method", text,
-               "newton; relaxation: every step by dynamic relaxation, of cloth with bending of its own by an "
-               "overdamped motion; either: relaxation for steps in which "
-               "Newton fails")
-            .or_else("newton")
+        value_(
+            "method", text,
+            "auto: Newton's method, and where it is slow an overdamped motion and relaxation, in turn; "
+            "newton: "
+            "that alone; relaxation: every step by dynamic relaxation, of cloth with bending of its own by "
+            "an overdamped motion; either: relaxation for steps in which Newton fails")
+            .or_else("auto")
             .one_of(methods),
         limit_row(),
         {"stabilise", boolean | number, "", Range{0, 1, false, true},
