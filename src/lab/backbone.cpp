@@ -112,19 +112,20 @@ FitScatter scatter_about(const SpecimenFit& fit, const Tension& t) {
   return out;
 }
 
-// Weights 1/v with v = a (1 + ratio D^2), by maximum likelihood: a follows from the ratio, which is searched
-// on a logarithmic scale.
-Weights likeliest_weights(const FitScatter& s) {
-  const auto n = static_cast<double>(s.squares.size());
-  const double largest = *std::max_element(s.tangents.begin(), s.tangents.end());
+}  // namespace
+
+std::vector<double> effective_weights(const std::vector<double>& squares,
+                                      const std::vector<double>& tangents) {
+  const auto n = static_cast<double>(squares.size());
+  const double largest = *std::max_element(tangents.begin(), tangents.end());
   double best = std::numeric_limits<double>::infinity();
-  Weights out(s.squares.size()), trial(out);
+  Weights out(squares.size()), trial(out);
   for (int i = -1; i < 80; ++i) {
     const double ratio = i < 0 ? 0 : std::pow(10.0, -3 + 0.1 * i) / largest;
     double a = std::numeric_limits<double>::min(), logs = 0;
     for (std::size_t k = 0; k < out.size(); ++k) {
-      trial[k] = 1 / (1 + ratio * s.tangents[k]);
-      a += s.squares[k] * trial[k] / n;
+      trial[k] = 1 / (1 + ratio * tangents[k]);
+      a += squares[k] * trial[k] / n;
       logs -= std::log(trial[k]) / n;
     }
     if (std::log(a) + logs >= best) continue;
@@ -134,10 +135,14 @@ Weights likeliest_weights(const FitScatter& s) {
   return out;
 }
 
+namespace {
+
 Weights weights_of(const Tension& t, int degree, bool find_slack) {
   Weights weights(t.E.size(), 1.0);
-  for (int turn = 0; turn < 4; ++turn)
-    weights = likeliest_weights(scatter_about(fit_weighted(t, weights, degree, find_slack), t));
+  for (int turn = 0; turn < 4; ++turn) {
+    const FitScatter s = scatter_about(fit_weighted(t, weights, degree, find_slack), t);
+    weights = effective_weights(s.squares, s.tangents);
+  }
   return weights;
 }
 

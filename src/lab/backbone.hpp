@@ -47,6 +47,11 @@ struct DegreeCandidate {
 std::vector<DegreeCandidate> fit_backbones(const std::vector<Tension>& loading,
                                            const BackboneOptions& options);
 
+// Weights of points, 1/Pa^2, from their squared residuals and squared tangents about a curve: 1/v with v = a
+// (1 + ratio D^2), by maximum likelihood; a follows from the ratio, which is searched on a logarithmic scale.
+std::vector<double> effective_weights(const std::vector<double>& squares,
+                                      const std::vector<double>& tangents);
+
 // The admissible candidate with the smallest criterion.
 std::optional<std::size_t> choose(const std::vector<DegreeCandidate>& candidates);
 

@@ -4,6 +4,7 @@ local define = require "fabric.define"
 local check = require "fabric.lab.check"
 local curve = require "fabric.lab.curve"
 local origin = require "fabric.lab.origin"
+local averaged = require "fabric.lab.averaged_fit"
 local fail = define.fail
 
 -- The first unloading from a load. An unloading before the pull (the grip lowered on slack cloth) is ignored.
@@ -57,118 +58,6 @@ local function polynomial(t, curves, find_slack)
   return chosen, text
 end
 
--- Root mean square of the residuals of all specimens, Pa.
-local function residual_of(chosen)
-  local sum = 0
-  for _, specimen in ipairs(chosen.specimens) do sum = sum + specimen.residual ^ 2 end
-  return math.sqrt(sum / #chosen.specimens)
-end
-
-local function mean_loading(chosen)
-  local out = {}
-  for k = 1, chosen.degree do
-    out[k] = 0
-    for _, specimen in ipairs(chosen.specimens) do out[k] = out[k] + specimen.loading[k] / #chosen.specimens end
-  end
-  return out
-end
-
--- Residuals of a specimen's polynomial along its loading: strain and stress from contact, and measured less fitted stress.
-local function residuals(points, specimen)
-  local out = { E = {}, S = {}, rest = {} }
-  for k, E in ipairs(points.E) do
-    local e, s = curve.from_contact(E, points.S[k], 1 + specimen.slack)
-    if e > 0 then
-      local model = 0
-      for power, d in ipairs(specimen.loading) do model = model + d * e ^ power / power end
-      out.E[#out.E + 1], out.S[#out.S + 1], out.rest[#out.rest + 1] = e, s, s - model
-    end
-  end
-  return out
-end
-
--- Correlation of neighbouring residuals, from 0 (noise) to 1 (a systematic deviation from the polynomial).
-local function likeness(chosen, curves)
-  local together, squares = 0, 0
-  for i, points in ipairs(curves) do
-    local rest = residuals(points, chosen.specimens[i]).rest
-    for k = 2, #rest do together, squares = together + rest[k] * rest[k - 1], squares + rest[k] ^ 2 end
-  end
-  return squares > 0 and together / squares or 0
-end
-
--- Chooses between the fits with and without slack: the one whose residual is smaller by a tenth. If neither is, or if the residuals are not
--- noise, so that the polynomial does not describe the curve anyway, the data do not determine the toe: the coefficients (means) of the other
--- fit are then returned besides.
-local decides, systematic = 0.9, 0.5
-local alike = 0.02 -- of D(0): two answers that are the same
-local function either(t, curves)
-  local with, with_text = polynomial(t, curves, true)
-  local without, text = polynomial(t, curves, false)
-  if not with then return without, text end
-  if not without then return with, with_text .. "\nthere was slack: without it no polynomial has a positive tangent" end
-  local r1, r0 = residual_of(with), residual_of(without)
-  local same = with.degree == without.degree and math.abs(mean_loading(with)[1] - mean_loading(without)[1]) <= alike * mean_loading(without)[1]
-  if same and (r1 >= decides * r0 or #curves == 1) then
-    return r1 < decides * r0 and with or without, text .. ("\nwith slack or without, D(0) is the same within %g %% (residual %.3g kPa)"):format(100 * alike, r0 / 1e3)
-  end
-  local best, other = without, with
-  if r1 < decides * r0 then best, other, text = with, without, with_text end
-  local doubt = math.min(r1, r0) >= decides * math.max(r1, r0) or likeness(best, curves) > systematic
-  local line = ("\nresidual %.3g kPa with slack, %.3g without; D(0) %.4g and %.4g MPa: "):format(r1 / 1e3, r0 / 1e3, mean_loading(with)[1] / 1e6,
-    mean_loading(without)[1] / 1e6)
-  if not doubt then return best, text .. line .. (best == with and "there was slack" or "there was none") end
-  local beside = best.degree == other.degree and mean_loading(other) or nil
-  return best, text .. line .. "the data do not decide which is right" .. (beside and ", the band holds both" or ""), beside
-end
-
--- The misfit of a polynomial in the toe (the first fifth of the strain) as a share of the stress, if it exceeds a seventh and the noise,
--- estimated from neighbouring residuals: the polynomial then does not describe the toe. Otherwise nil.
-local toe, missed = 0.2, 0.15
-local function misses_toe(chosen, curves)
-  local worst = 0
-  for i, points in ipairs(curves) do
-    local specimen = chosen.specimens[i]
-    local seen = residuals(points, specimen)
-    local squares, steps, level, n = 0, 0, 0, 0
-    for k, e in ipairs(seen.E) do
-      if e < toe * specimen.reach then
-        squares, level, n = squares + seen.rest[k] ^ 2, level + seen.S[k], n + 1
-        steps = steps + (k > 1 and (seen.rest[k] - seen.rest[k - 1]) ^ 2 / 2 or 0)
-      end
-    end
-    if n >= 5 and squares > 2 * steps then -- the systematic part exceeds the noise
-      worst = math.max(worst, math.sqrt((squares - steps) / n) * n / math.abs(level))
-    end
-  end
-  return worst > missed and worst or nil
-end
-
--- The polynomial chosen by the criterion, with `find_slack` applied to the toe; nil if a monotone curve is better.
-local function loading_of(t, curves)
-  if t.find_slack ~= "either" then return polynomial(t, curves, t.find_slack) end
-  local chosen, text, other = either(t, curves)
-  local miss = chosen and t.degree == "auto" and misses_toe(chosen, curves)
-  if miss then return nil, text .. ("\nthe polynomial misses the toe by %.0f %% of the stress there: a monotone curve instead"):format(100 * miss) end
-  return chosen, text, other
-end
-
--- A band widened to include a second answer that the data support equally.
-local function widened(band, other)
-  if not other then return end
-  local n = #band.value
-  local delta = {}
-  for i = 1, n do delta[i] = other[i] and other[i] - band.value[i] or 0 end
-  if not band.low then
-    band.low, band.high, band.covariance = table.move(band.value, 1, n, 1, {}), table.move(band.value, 1, n, 1, {}), {}
-    for i = 1, n * n do band.covariance[i] = 0.0 end
-  end
-  for i = 1, n do
-    band.low[i], band.high[i] = math.min(band.low[i], band.low[i] + delta[i]), math.max(band.high[i], band.high[i] + delta[i])
-    for j = 1, n do band.covariance[(i - 1) * n + j] = band.covariance[(i - 1) * n + j] + delta[i] * delta[j] / 2 end
-  end
-end
-
 -- A parameter with a relative uncertainty above this is reported.
 local loose = 0.3
 local function looseness(out)
@@ -191,12 +80,11 @@ local function parameter_lists(chosen, unloading)
   return lists
 end
 
-local function with_polynomial(out, chosen, t, other)
+local function with_polynomial(out, chosen, t)
   local lists = parameter_lists(chosen, out.unloading_of)
   local common = {}
   for i = 1, #lists[1] do common[i] = t.common end
   local band = fabric.lab.band { specimens = lists, level = t.level, seed = t.seed, draws = t.draws, common = common }
-  widened(band, other)
   out.loading = table.move(band.value, 1, chosen.degree, 1, {})
   out.degree, out.band, out.specimens = chosen.degree, band, chosen.specimens
   out.tested = math.huge
@@ -287,9 +175,27 @@ local function remember(out, known, t)
   local how = out.degree and ("polynomial of degree %d"):format(out.degree) or "monotone curve"
   origin.remember(out, {
     loading = ("fitted to %s, %s%s"):format(counted(out.tests), how,
-      out.loose and "; " .. out.loose or "") .. (out.tests == 1 and out.band and out.band.low and "; the band is that of the toe, one specimen does not show how others differ" or ""),
+      out.loose and "; " .. out.loose or "") .. (out.tests == 1 and out.band and out.band.low and "; that specimens differ by 5 % (deviation) is a guess, one does not show it" or "")
+      .. (out.not_in_band and "; " .. out.not_in_band or ""),
     unloading = ("fitted to %s%s, rule '%s'"):format(known < out.tests and known .. " of " or "", counted(out.tests), t.rule),
   })
+end
+
+-- What no record of a pull shows, and the band therefore does not hold: the give of machine and jaws, where none was taken off.
+local give = 1e-7 -- m/N
+local function not_in_band(t)
+  local most, seen = 0, false
+  for i = 1, #t.tests do
+    local test = t.tests[i]
+    local peak, reach = 0, 0
+    for k, F in ipairs(test.force or {}) do peak, reach = math.max(peak, F), math.max(reach, (test.displacement or {})[k] or 0) end
+    if test.force and test.compliance == 0 and test.slip == 0 and reach > 0 then most = math.max(most, give * peak / reach) end
+    for _, sign in ipairs(test.warnings or {}) do seen = seen or sign.code == "slip" end
+  end
+  local lines = {}
+  if most > 0 then lines[1] = ("not in the band: machine and jaws, of which no give was taken off (each %g m/N make the strains at the end %.2g %% too large)"):format(give, 100 * most) end
+  if seen then lines[#lines + 1] = "not in the band: slip in the jaws, which was seen in a record and stays in the curve" end
+  return #lines > 0 and table.concat(lines, "; ") or nil
 end
 
 -- Warns of specimens that the others do not explain. Where a specimen was hardly stretched, nothing can be said.
@@ -306,6 +212,15 @@ local function warn_of_unlike(out, t)
   end
 end
 
+-- The stretch at the first row of a test whose contact was found by a threshold of the force, less one: contact may have begun since then. 0 of others.
+local function earliest_of(tests)
+  local least = 0
+  for i = 1, #tests do
+    if tests[i].contact_found then least = math.min(least, math.sqrt(1 + 2 * math.max(-0.37, tests[i].E[1])) - 1) end
+  end
+  return least
+end
+
 local function fit(t)
   local curves, out = {}, { level = t.level, unloading_of = {} }
   check.tests("fit", t.tests)
@@ -314,9 +229,16 @@ local function fit(t)
     check.test("fit", i, test)
     curves[i] = curve.loading(test, t.upto)
   end
-  local chosen, other
-  if t.degree ~= "monotone" then chosen, out.text, other = loading_of(t, curves) end
-  if not chosen then with_points(out, curves, t) end
+  local earliest = earliest_of(t.tests)
+  local open = t.find_slack ~= false or earliest < 0
+  for _, points in ipairs(curves) do open = open and #points.E >= 6 end
+  local whole, chosen = open and averaged.of(t, curves, earliest) or nil, nil
+  if not whole then
+    if t.degree ~= "monotone" then chosen, out.text = polynomial(t, curves, t.find_slack ~= false) end
+    if not chosen then with_points(out, curves, t) end
+  else
+    out.text, out.degree, out.specimens, out.tested = whole.text, whole.degree, whole.specimens, whole.tested
+  end
   local specimens = chosen and chosen.specimens or out.specimens or {}
   for i, test in ipairs(t.tests) do
     out.unloading_of[i] = unloading_of(test, specimens[i] and specimens[i].slack or 0, t)
@@ -330,8 +252,11 @@ local function fit(t)
       out.unloading_band = fabric.lab.band { specimens = known, level = t.level, seed = t.seed, draws = t.draws, common = { t.common } }
     end
   end
-  if chosen then with_polynomial(out, chosen, t, other) end
+  if chosen then with_polynomial(out, chosen, t) end
+  if whole then out.loading, out.band = whole.complete(out.unloading_of) end
+  out.not_in_band = not_in_band(t)
   looseness(out)
+  if out.not_in_band then out.text = (out.text and out.text .. "\n" or "") .. out.not_in_band end
   check_unloading(out)
   remember(out, #known, t)
   warn_of_unlike(out, t)
@@ -345,7 +270,7 @@ define {
     { name = "degree", kind = "integer|text", low = 1, high = 8, choices = { "auto", "monotone" }, default = "auto",
       sentence = "of the stress polynomial; auto: 2 or 4 by the criterion; monotone: points of a rising curve" },
     { name = "find_slack", kind = "boolean|text", choices = { "either" }, default = false,
-      sentence = "first contact is fitted with the curve; either: only if that fits better by a tenth; if undecided, the band covers both, and a polynomial (auto) that misses the toe is replaced by a monotone curve" },
+      sentence = "first contact is uncertain: curve and band are averaged over where it may be and over laws; true: there was slack; either: slack or none. The loading (auto) is the polynomial of degree 2, 4 or 6 that describes the average, else points" },
     { name = "upto", kind = "text", choices = { "failure", "yield" }, default = "failure", sentence = "rows used" },
     { name = "rule", kind = "text", choices = { "first", "robust" }, default = "first", sentence = "of the unloading modulus" },
     { name = "count", kind = "integer", low = 2, default = 3, sentence = "first points of the unloading" },

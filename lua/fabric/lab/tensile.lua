@@ -169,6 +169,7 @@ local function test_of(record, t, from_jaw)
     slack = type(t.slack) == "number" and t.slack or nil,
     contact = t.slack == "contact" and (t.contact or 0.01 * record.force[top]) or nil,
   }
+  test.contact_found, test.compliance, test.slip = t.slack == "contact" or nil, t.compliance, t.slip
   test.force, test.time, test.file, test.specimen = record.force, record.time, record.file, record.specimen
   test.extensometer, test.beyond = ends, record.beyond
   local reach = record.displacement[largest(record.displacement)]

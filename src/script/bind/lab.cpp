@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "base/number.hpp"
+#include "lab/averaged.hpp"
 #include "lab/backbone.hpp"
 #include "lab/markers.hpp"
 #include "lab/pull.hpp"
@@ -170,6 +171,52 @@ int backbone(Call& call) {
     lua_pushinteger(L, static_cast<lua_Integer>(*best + 1));
     lua_setfield(L, -2, "chosen");
   }
+  return 1;
+}
+
+void push_averaged_specimen(lua_State* L, const lab::AveragedSpecimen& s) {
+  lua_newtable(L);
+  set_numbers(L, "S", s.S);
+  set_number(L, "slack", s.slack);
+  set_number(L, "slack_low", s.slack_low);
+  set_number(L, "slack_high", s.slack_high);
+  set_number(L, "none", s.none);
+  set_number(L, "reach", s.reach);
+  set_number(L, "residual", s.residual);
+}
+
+int averaged(Call& call) {
+  lua_State* L = call.L();
+  lab::AveragingOptions options;
+  if (call.has("degrees")) options.degrees = degrees(call);
+  options.probability_none = call.number("none");
+  options.earliest = call.number("earliest");
+  options.strains = call.count("strains");
+  const auto loading = tensions(call);
+  for (const lab::Tension& t : loading)
+    if (t.E.size() < 6) call.refuse("curves", "expected at least 6 points of every specimen");
+  const lab::AveragedCurves c = lab::average_curves(loading, options);
+  lua_newtable(L);
+  set_numbers(L, "E", c.E);
+  set_numbers(L, "within", c.within);
+  set_numbers(L, "common", c.common);
+  set_number(L, "correlation", c.correlation);
+  lua_newtable(L);
+  lua_Integer place = 0;
+  for (const lab::AveragedSpecimen& s : c.specimens) {
+    push_averaged_specimen(L, s);
+    lua_rawseti(L, -2, ++place);
+  }
+  lua_setfield(L, -2, "specimens");
+  lua_newtable(L);
+  place = 0;
+  for (const lab::AveragedLaw& law : c.laws) {
+    lua_newtable(L);
+    set_text(L, "name", law.name);
+    set_number(L, "weight", law.weight);
+    lua_rawseti(L, -2, ++place);
+  }
+  lua_setfield(L, -2, "laws");
   return 1;
 }
 
@@ -370,6 +417,25 @@ std::vector<Entry> fit_entries() {
        "local f = require 'fabric'.lab.backbone{ curves={ {E=E, S=S} }, degrees={2} }\n"
        "assert(math.abs(f[f.chosen].specimens[1].loading[2] - 6e6) < 1)",
        backbone},
+      {"fabric.lab.averaged",
+       Style::fields,
+       {curves_row(),
+        list("degrees", "", "of the stress polynomials; default 2 to 6, and cubic splines with 2 to 12 knots")
+            .optional(),
+        number_("none", "", Range{0, 1}, "probability beforehand that contact begins at zero strain")
+            .or_else(0.1),
+        number_("earliest", "", Range{-0.5, 0}, "least stretch of contact less one").or_else(0.0),
+        integer_("strains", Range{5, 1000}, "of the answer, evenly up to the least reach").or_else(40.0)},
+       "Loading curves averaged over laws and over where contact may have begun: E, specimens={ {S (at E), "
+       "slack, "
+       "slack_low, slack_high (95 %), none (probability), reach, residual}, ... }, within (covariance of one "
+       "specimen's curve), common (the part alike in all), laws={ {name, weight}, ... }, correlation (of "
+       "neighbouring residuals). E is empty if no law rises.",
+       "local E, S = {}, {}\nfor i = 1, 60 do E[i] = i/500; S[i] = 8e6*E[i] + 4e8*E[i]^2 + 2e3*math.sin(7*i) "
+       "end\n"
+       "local a = require 'fabric'.lab.averaged{ curves={ {E=E, S=S} }, none=0.5 }\n"
+       "assert(math.abs(a.specimens[1].S[40] / (8e6*a.E[40] + 4e8*a.E[40]^2) - 1) < 0.01)",
+       averaged},
       {"fabric.lab.monotone",
        Style::fields,
        {curves_row(), integer_("bins", Range{2, 1000}, "of strain, equally wide").or_else(20.0)},

@@ -1,4 +1,20 @@
 -- Wrong calls and their messages: lab fit. Read by tests/lua/errors.lua.
+-- fabric.lab.averaged
+wrong("fabric.lab.averaged", "fabric.lab.averaged{ curvse={} }",
+  "deck.lua:1: averaged: unknown field 'curvse', did you mean 'curves'?")
+wrong("fabric.lab.averaged", "fabric.lab.averaged{ curves=curves_ }",
+  "deck.lua:1: averaged: field 'curves': expected a table { {E=, S=}, ... }, got nil (missing, or a misspelt variable)")
+wrong("fabric.lab.averaged", "fabric.lab.averaged{ curves=5 }",
+  "deck.lua:1: averaged: field 'curves': expected a table { {E=, S=}, ... }, got 5")
+wrong("fabric.lab.averaged", "fabric.lab.averaged{ curves={}, degrees={1, 'two'} }",
+  "deck.lua:1: averaged: field 'degrees': expected a table of numbers, got 'two' at place 2")
+wrong("fabric.lab.averaged", "fabric.lab.averaged{ curves={}, earliest='0' }",
+  "deck.lua:1: averaged: field 'earliest': expected a number from -0.5 to 0, got '0'")
+wrong("fabric.lab.averaged", "fabric.lab.averaged{ curves={}, none=1.5 }",
+  "deck.lua:1: averaged: field 'none': expected a number from 0 to 1, got 1.5")
+wrong("fabric.lab.averaged", "fabric.lab.averaged{ curves={}, strains=2.5 }",
+  "deck.lua:1: averaged: field 'strains': expected an integer from 5 to 1000, got 2.5")
+
 -- fabric.lab.backbone
 wrong("fabric.lab.backbone", "fabric.lab.backbone{ curvse={} }",
   "deck.lua:1: backbone: unknown field 'curvse', did you mean 'curves'?")
