@@ -464,6 +464,18 @@ function fabric.history(points) end
 ---@return any
 function fabric.import.card(fields) end
 
+---@class fabric_lab_averaged_fields
+---@field curves table { {E=, S=}, ... }, one per specimen
+---@field degrees? number[] of the stress polynomials; default 2 to 6, and cubic splines with 2 to 12 knots
+---@field none? number probability beforehand that contact begins at zero strain (default 0.1)
+---@field earliest? number least stretch of contact less one (default 0)
+---@field strains? integer of the answer, evenly up to the least reach (default 40)
+
+---Loading curves averaged over laws and over where contact may have begun: E, specimens={ {S (at E), slack, slack_low, slack_high (95 %), none (probability), reach, residual}, ... }, within (covariance of one specimen's curve), common (the part alike in all), laws={ {name, weight}, ... }, correlation (of neighbouring residuals). E is empty if no law rises.
+---@param fields fabric_lab_averaged_fields
+---@return table<string, any>
+function fabric.lab.averaged(fields) end
+
 ---@class fabric_lab_backbone_fields
 ---@field curves table { {E=, S=}, ... }, one per specimen
 ---@field degrees? number[] of the stress polynomials to try; default {2, 4}
@@ -897,7 +909,7 @@ function fabric.lab.fast_card(fields) end
 ---@class fabric_lab_fit_fields
 ---@field tests table replicates: results of fabric.lab.tensile or shear_from_bias
 ---@field degree? integer|"auto"|"monotone" of the stress polynomial; auto: 2 or 4 by the criterion; monotone: points of a rising curve (default "auto")
----@field find_slack? "either"|boolean first contact is fitted with the curve; either: only if that fits better by a tenth; if undecided, the band covers both, and a polynomial (auto) that misses the toe is replaced by a monotone curve (default false)
+---@field find_slack? "either"|boolean first contact is uncertain: curve and band are averaged over where it may be and over laws; true: there was slack; either: slack or none. The loading (auto) is the polynomial of degree 2, 4 or 6 that describes the average, else points (default false)
 ---@field upto? "failure"|"yield" rows used (default "failure")
 ---@field rule? "first"|"robust" of the unloading modulus (default "first")
 ---@field count? integer first points of the unloading (default 3)
