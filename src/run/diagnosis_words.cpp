@@ -125,7 +125,7 @@ bool ends_singular(const Diagnosis& f) {
 }
 
 void advise_on_tangent(const Diagnosis& f, std::vector<std::string>& all) {
-  const bool named = f.mechanism.ways == 1 && !f.mechanism.driven;  // otherwise it has advice of its own
+  const bool named = f.mechanism.ways > 0 && !f.mechanism.driven;  // otherwise it has advice of its own
   const std::string pivots = std::to_string(f.last.negative_pivots) + " negative pivots";
   if (ends_singular(f))
     all.push_back("supports that leave no part free to move, fix(\"all\", \"z\") for a flat sheet; or " +

@@ -396,6 +396,25 @@ void look_at_loads(const RigidMotions& motions, const mechanics::Assembly& assem
 
 }  // namespace
 
+namespace {
+
+// Of several free motions those along and about the axes, if not all are free: " (along z, about x)".
+std::string axes_of(const std::vector<Mode>& free) {
+  constexpr double kIn = 1e-6;  // what is left of a motion that lies among them
+  std::string along, about;
+  for (int i = 0; i < 6 && free.size() < 6; ++i) {
+    double inside = 0;
+    for (const Mode& mode : free) inside += mode[i] * mode[i];
+    if (inside < 1 - kIn) continue;
+    std::string& list = i < 3 ? along : about;
+    list += (list.empty() ? (i < 3 ? "along " : "about ") : " and ") + std::string(1, "xyz"[i % 3]);
+  }
+  if (along.empty() && about.empty()) return {};
+  return " (" + along + (along.empty() || about.empty() ? "" : ", ") + about + ")";
+}
+
+}  // namespace
+
 Mechanism find_mechanism(const model::Model& model, const mechanics::Assembly& assembly,
                          const std::vector<double>& times) {
   RigidMotions motions(assembly);
@@ -406,7 +425,8 @@ Mechanism find_mechanism(const model::Model& model, const mechanics::Assembly& a
     for (const double time : times) look_at_loads(motions, assembly, mode, time, found);
   if (free.size() == 1) found.words = motions.words(free.front());
   found.ways = static_cast<int>(free.size());
-  if (free.size() > 1) found.words = "move as a whole in " + std::to_string(free.size()) + " ways";
+  if (free.size() > 1)
+    found.words = "move as a whole in " + std::to_string(free.size()) + " ways" + axes_of(free);
   return found;
 }
 

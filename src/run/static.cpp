@@ -89,6 +89,15 @@ bool bends_by_itself(const model::Model& model) {
                      [](const auto& r) { return r.card.bending.has_value(); });
 }
 
+// Whether a model has neither loads nor motions, nor anything to touch.
+bool loads_nothing(const model::Model& m, const mechanics::Assembly& assembly) {
+  const auto& g = m.gravity();
+  const bool weighs = std::any_of(g.begin(), g.end(), [](const auto& history) { return bool(history); });
+  return !weighs && m.motions().empty() && m.forces().empty() && m.tractions().empty() &&
+         m.pressures().empty() && m.moments().empty() &&
+         assembly.terms().find<mechanics::Contacts>() == nullptr;
+}
+
 // Moments about fixed axes have no energy, and their tangent may yet be symmetric. Where the law has none,
 // but all loads do, the second-order work decides.
 solver::Judge judge_of(const model::Model& model, const mechanics::Assembly& assembly) {
@@ -297,6 +306,10 @@ bool Static::attempt(double size, StepReport& report) {
   const auto solve = [&] {
     if (!has_energy_) return left_if_unstable(newton_->solve(*problem_, options), options);
     auto result = helper_ ? arrive(options) : stable_->solve(*problem_, options);
+    if (result.status == solver::NewtonStatus::singular && model_->membrane()) {
+      auto other = lifted(options);
+      if (other.status == solver::NewtonStatus::converged) return other;
+    }
     if (result.status != solver::NewtonStatus::too_many_iterations || report.cuts < kOtherWay) return result;
     const auto other = newton_->solve(*problem_, {options_.tolerance, kNewtonIterations});
     return other.status == solver::NewtonStatus::converged ? complete(other, options) : result;
@@ -334,6 +347,21 @@ solver::NewtonResult Static::arrive(const solver::NewtonOptions& options) {
   }
   result.left_unstable = left;
   return result;
+}
+
+// A flat membrane has no stiffness across its plane, so that no step can be found; bent a little as the loads
+// push it, it is taut.
+solver::NewtonResult Static::lifted(const solver::NewtonOptions& options) {
+  constexpr double kLift = 0.02;  // rad
+  solver::NewtonResult result;
+  linear::Matrix K;
+  linear::Vector r(static_cast<std::size_t>(problem_->size())), lead(r.size());
+  if (problem_->predict(K, r, lead) != Answer::ok) return result;
+  const double turn = problem_->turn_of(r);
+  if (!(turn > 0)) return result;
+  problem_->apply_increment(r, kLift / turn);
+  if (problem_->residual(lead) != Answer::ok) return result;
+  return stable_->correct(*problem_, options);
 }
 
 // Loads at full value at time 0 are the same in a shorter step, so cutting does not help. An overdamped
@@ -400,6 +428,7 @@ solver::NewtonResult Static::relax(solver::NewtonOptions options) {
   }
   solver::RelaxationOptions coarse;
   coarse.tolerance = std::max(options_.tolerance, 1e-3);
+  if (model_->membrane()) coarse.least_mass = 0.1;
   options.max_iterations = kStaticIterations.many;
   result = relaxation_->solve(*problem_, coarse);
   while (result.status == solver::NewtonStatus::converged && coarse.tolerance > options_.tolerance) {
@@ -626,6 +655,11 @@ void Static::check() {
   check_balance();
   if (now_.jumps && reports_.size() == 1) now_.jumped = now_.relaxed;
   const bool end = stopped() || std::abs(time() - duration_) <= same_time * duration_;
+  if (end && work_.largest() == 0 && energy().internal() == 0 && loads_nothing(*model_, *assembly_) &&
+      !warned("idle"))
+    warn("idle",
+         "warning: static: nothing loads or moves the cloth in this run: it has done nothing. Expected a "
+         "force, pressure, gravity or a motion, m:move(set, { x=fabric.ramp(way, duration) })");
   const double lost = now_.relaxed - now_.jumped, scale = std::max(work_.largest(), energy_of_rest());
   if (!end || now_.reported_error || !(scale > 0) || lost <= kLedger * scale) return;
   if (energy().dissipated <= kDissipated * scale || scale <= energy_of_rounding(*assembly_)) return;

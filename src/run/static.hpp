@@ -93,6 +93,7 @@ class Static final : public Run {
       const solver::NewtonOptions& options);  // Newton's method and the other, in turn
   solver::NewtonResult left_if_unstable(const solver::NewtonResult& found,
                                         const solver::NewtonOptions& options);
+  solver::NewtonResult lifted(const solver::NewtonOptions& options);  // begins beside a flat membrane
   solver::NewtonResult complete(const solver::NewtonResult& relaxed, const solver::NewtonOptions& options);
   solver::Stability judge();  // of the trial state, where the solver that found it has not asked
   bool finish(solver::NewtonResult result, double end, StepReport& report);

@@ -26,7 +26,7 @@ constexpr WarningKind kinds[] = {
     {"held",
      "the cloth pulls on yarns beyond their strength where a support holds them, and none breaks there"},
     {"dropped", "an initial velocity is dropped along supports"},
-    {"idle", "supports take up the whole of a load"},
+    {"idle", "supports take up the whole of a load, or nothing loads or moves the cloth at all"},
     {"bending", "the bending rigidity of the card is far from that of cloth"},
     {"card", "the check of the card has a warning"},
     {"units", "a value of the deck is far outside the usual"},

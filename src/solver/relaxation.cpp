@@ -17,10 +17,11 @@ void Relaxation::resize(Index size) {
 
 // With a time step of 1 the motion is stable below omega_max = 2; Gershgorin: omega^2 <=
 // max_i sum_j |K_ij| / m_i. A margin of a tenth allows for stiffening between two renewals.
-Answer Relaxation::masses(Problem& problem) {
+Answer Relaxation::masses(Problem& problem, double least) {
   if (const Answer answer = problem.tangent(K_); answer != Answer::ok) return answer;
   linear::absolute_sums(K_, mass_);
-  for (double& m : mass_) m = 1.1 * m / 4;
+  const double most = mass_.empty() ? 0 : *std::max_element(mass_.begin(), mass_.end());
+  for (double& m : mass_) m = 1.1 * std::max(m, least * most) / 4;
   return !mass_.empty() && mass_.front() > 0 ? Answer::ok : Answer::cut;
 }
 
@@ -46,7 +47,8 @@ NewtonResult Relaxation::go_on(Problem& problem, const RelaxationOptions& option
   std::fill(velocity_.begin(), velocity_.end(), 0.0);
   problem.accept();
   if (problem.size() > 0)
-    if (const Answer answer = masses(problem); answer != Answer::ok) return stop(status_of(answer));
+    if (const Answer answer = masses(problem, options.least_mass); answer != Answer::ok)
+      return stop(status_of(answer));
   // Without loads the residual is rounding alone. Taken where the step begins: a sheet that flies apart later
   // would raise it without bound.
   const double rounding = problem.size() > 0 ? problem.rounding_floor(K_) : 0;
@@ -79,7 +81,8 @@ NewtonResult Relaxation::go_on(Problem& problem, const RelaxationOptions& option
     if (starts || since >= kRefresh) {
       since = 0;
       renewed = size;
-      if (const Answer answer = masses(problem); answer != Answer::ok) return stop(status_of(answer));
+      if (const Answer answer = masses(problem, options.least_mass); answer != Answer::ok)
+        return stop(status_of(answer));
     }
     if (starts) continue;
     const double fraction = problem.limit(velocity_);

@@ -10,6 +10,9 @@ namespace fabricsh::solver {
 struct RelaxationOptions {
   double tolerance = 1e-4;
   int max_iterations = 20000;
+  // Part of the largest mass below which none is. Of a membrane, which has no stiffness out of its plane
+  // until it is taut, but then much.
+  double least_mass = 0;
 };
 
 class Relaxation {
@@ -20,7 +23,7 @@ class Relaxation {
   NewtonResult go_on(Problem& problem, const RelaxationOptions& options);
 
  private:
-  Answer masses(Problem& problem);
+  Answer masses(Problem& problem, double least);
   void resize(Index size);
   Matrix K_;
   linear::Vector r_, mass_, velocity_;
