@@ -26,7 +26,7 @@ return function(m, material, target, u)
     curve = curve + 1
     add("*DEFINE_CURVE", units.line(10, { curve }))
     for _, c in ipairs(type(value) == "table" and value or { { 0, value }, { m.duration, value } }) do
-      out[#out + 1] = units.fixed(c[1] * u.time, 20) .. units.fixed(c[2] * scale, 20)
+      out[#out + 1] = units.fitting(c[1] * u.time, 20) .. units.fitting(c[2] * scale, 20)
     end
     return curve
   end
@@ -41,7 +41,7 @@ return function(m, material, target, u)
   end
   for axis, letter in ipairs { "X", "Y", "Z" } do -- gravity as an upward acceleration of the base
     if m.gravity[axis] ~= 0 then
-      local id = history(-m.gravity[axis], u.acceleration)
+      local id = history(m.gravity[axis], -u.acceleration)
       add("*LOAD_BODY_" .. letter, units.line(10, { id, 1.0 }))
     end
   end

@@ -42,7 +42,9 @@ return function(m, material, target, u)
   local function history(value, scale)
     curve = curve + 1
     add(("/FUNCT/%d"):format(curve), "history")
-    for _, c in ipairs(type(value) == "table" and value or { { 0, value }, { m.duration, value } }) do out[#out + 1] = reals(c[1] * u.time, c[2] * scale) end
+    for _, c in ipairs(type(value) == "table" and value or { { 0, value }, { m.duration, value } }) do
+      out[#out + 1] = units.fitting(c[1] * u.time, 20) .. units.fitting(c[2] * scale, 20)
+    end
     return curve
   end
   for k, one in ipairs(m.moved) do

@@ -1,44 +1,43 @@
 -- Collects the data of a model for another solver's deck: nodes, elements, sets, supports, motions and loads, all in SI units.
 local define = require "fabric.define"
+local tabulate = require "fabric.export.tabulate"
 local fail = define.fail
 local gather = {}
 
 local axes = { x = 1, y = 2, z = 3 }
 
--- The numbers of the translations (1 to 3) and rotations (4 to 6) in words like "x y z rotation".
-local function freedoms(words)
-  local held = {}
-  for word in words:gmatch "%S+" do
-    if axes[word] then held[axes[word]] = true
-    elseif word == "rotation" then held[4], held[5], held[6] = true, true, true
-    else held[3 + axes[word:sub(2)]] = true end
+-- The numbers of the translations (1 to 3) and rotations (4 to 6) in a list of freedoms.
+local function freedoms(held)
+  local all, out = {}, {}
+  for _, name in ipairs(held) do
+    if axes[name] then all[axes[name]] = true
+    elseif name == "rotation" then all[4], all[5], all[6] = true, true, true
+    else all[3 + axes[name:sub(2)]] = true end
   end
-  local out = {}
   for i = 1, 6 do
-    if held[i] then out[#out + 1] = i end
+    if all[i] then out[#out + 1] = i end
   end
   return out
 end
 
--- The corners {t, v} for each axis in words like "x 0 to 0.1 m at 1 s, y 0.2 m" (numbers, or a ramp as shown by m:list()).
-local function components(row, unit, histories, notes)
+local function along_own_axes(row) fail(("model: the %s of '%s' is along axes of its own, which cannot be exported"):format(row.kind, row.set)) end
+
+-- The value of each axis that a declaration gives: a number, or points {t, v} from 0 s to the end of the run at least.
+local function components(t, row, unit, duration, notes)
+  if row.frame then along_own_axes(row) end
   local out = {}
-  local words = row.what
-  if words:find " along {" then fail(("model: the %s of '%s' is along axes of its own, which cannot be exported"):format(row.kind, row.set)) end
-  for axis, rest in (words .. ", "):gmatch "([xyz]) (.-), " do
-    local given = histories and histories[row.set .. "." .. axis]
-    local a, b, t = rest:match "^(%S+) to (%S+) .- at (%S+) s$"
-    if given then
-      out[axes[axis]] = given
-    elseif a then
-      out[axes[axis]] = { { 0, tonumber(a) }, { tonumber(t), tonumber(b) } }
-      notes[#notes + 1] = ("%s of %s along %s: written straight from %s at 0 s to %s %s at %s s; histories={ ['%s.%s']={{t, v}, ...} } gives points between")
-        :format(row.kind, row.set, axis, a, b, unit, t, row.set, axis)
-    elseif rest:find "function of time" then
-      fail(("model: the %s of '%s' along %s is a function; expected histories={ ['%s.%s']={{t, v}, ...} } with its points"):format(row.kind, row.set, axis,
-        row.set, axis))
-    else
-      out[axes[axis]] = tonumber(rest:match "^%S+")
+  for axis, number in pairs(axes) do
+    local history, name = row[axis], row.set .. "." .. axis
+    local given, points = t.histories and t.histories[name], history and history:points()
+    if history and given then
+      out[number] = tabulate.check(given, "histories." .. name)
+    elseif history and not points then
+      local made, error = tabulate.of_function(function(time) return history:value(time) end, duration, t.error)
+      out[number] = made
+      notes[#notes + 1] = ("%s of %s along %s: a function of time, written as %d points from 0 to %.6g s, which differs from it by at most %.3g %s where it was compared; beyond, the solver goes on in its own way")
+        :format(row.kind, row.set, axis, #made, duration, error, unit)
+    elseif history then
+      out[number] = #points == 1 and points[1][2] or tabulate.of_points(history, points, duration)
     end
   end
   return out
@@ -91,40 +90,80 @@ function gather.unit(given, field)
   return { given[1] / l, given[2] / l, given[3] / l }
 end
 
+-- A direction whose components of rounding are none.
+local function rounded(v)
+  local out = {}
+  for i, x in ipairs(v) do out[i] = math.abs(x) < 1e-15 and 0.0 or x end
+  return out
+end
+
 -- Direction of the warp, from an angle in degrees to x or from {x, y, z}.
 local function direction(warp)
   if type(warp) == "number" then
     local angle = math.rad(warp)
-    local function round(v) return math.abs(v) < 1e-15 and 0.0 or v end
-    return { round(math.cos(angle)), round(math.sin(angle)), 0.0 }
+    return rounded { math.cos(angle), math.sin(angle), 0.0 }
   end
   return gather.unit(#warp == 2 and { warp[1], warp[2], 0 } or warp, "model: field 'warp'")
 end
 
+-- What is written holds for one sheet of one card: an error for what is another, a note for what is lost.
+local function check_sheet(row, out)
+  if row.plies > 0 then fail(("model: field 'model': '%s' has plies, which cannot be exported; expected one sheet of one card"):format(row.set)) end
+  if row.offset ~= 0 then out.notes[#out.notes + 1] = ("the sheet's reference surface lies at %.6g of half its thickness: written as its middle surface"):format(row.offset) end
+  local given = out.warp
+  if not given then
+    if not row.warp then fail "model: field 'warp': expected the direction of the warp, which differs from place to place in this model, got nil" end
+    out.warp = rounded(row.warp)
+    return
+  end
+  local along = row.warp and math.abs(given[1] * row.warp[1] + given[2] * row.warp[2] + given[3] * row.warp[3]) or 1
+  if along < 1 - 1e-4 then
+    fail(("model: field 'warp': expected the model's own direction {%.6g, %.6g, %.6g}, got {%.6g, %.6g, %.6g}"):format(row.warp[1], row.warp[2], row.warp[3], given[1], given[2], given[3]))
+  end
+end
+
+-- The last time at which anything that is given by points changes; at least 1 s.
+local function last_corner(t, rows)
+  local last = 1
+  local function look(points)
+    if points and #points > 1 then last = math.max(last, points[#points][1]) end
+  end
+  for _, row in ipairs(rows) do
+    for axis in pairs(axes) do
+      local history = row[axis]
+      if type(history) == "userdata" then look(history:points()) end
+      if history then look(t.histories and t.histories[row.set .. "." .. axis]) end
+    end
+  end
+  return last
+end
+
 -- t: fields of fabric.export.model. Returns mesh, sets {name, nodes}, fixed {set, freedoms}, moved and forces {set, axis, value or
--- corners, share}, gravity {x, y, z}, pressures, warp, thickness, notes.
+-- points, share}, gravity {x, y, z: value or points}, warp, thickness, duration, notes.
 function gather.model(t)
-  local model, mesh = t.model, t.model.mesh
-  local out = { mesh = mesh, card = model.card, thickness = model.thickness, warp = direction(t.warp), sets = {}, fixed = {},
-    moved = {}, forces = {}, gravity = { 0, 0, 0 }, pressures = {}, notes = {}, duration = t.duration }
+  local model, mesh, rows = t.model, t.model.mesh, t.model:declared()
+  local out = { mesh = mesh, card = model.card, thickness = model.thickness, warp = t.warp and direction(t.warp), sets = {}, fixed = {},
+    moved = {}, forces = {}, gravity = { 0, 0, 0 }, notes = {}, duration = t.duration or last_corner(t, rows) }
   for _, name in ipairs(mesh.sets) do out.sets[#out.sets + 1] = { name = name, nodes = mesh:set(name) } end
-  for _, row in ipairs(model:list()) do
-    if row.kind == "fix" then
-      if row.what:find " along {" then fail(("model: the fix of '%s' is along axes of its own, which cannot be exported"):format(row.set)) end
-      out.fixed[#out.fixed + 1] = { set = row.set, freedoms = freedoms(row.what) }
-    elseif row.kind == "move" then
-      for axis, value in pairs(components(row, "m", t.histories, out.notes)) do
+  local sheets = 0
+  for _, row in ipairs(rows) do
+    if row.kind == "sheet" then
+      sheets = sheets + 1
+      if sheets > 1 then fail(("model: field 'model': it has several sheets or cards ('%s'), which cannot be exported; expected one sheet of one card"):format(row.set)) end
+      check_sheet(row, out)
+    elseif row.kind == "fix" then
+      if row.frame then along_own_axes(row) end
+      out.fixed[#out.fixed + 1] = { set = row.set, freedoms = freedoms(row.held) }
+    elseif row.kind == "move" and not row.body then
+      for axis, value in pairs(components(t, row, "m", out.duration, out.notes)) do
         out.moved[#out.moved + 1] = { set = row.set, axis = axis, value = value }
       end
     elseif row.kind == "force" then
-      for axis, value in pairs(components(row, "N", t.histories, out.notes)) do
+      for axis, value in pairs(components(t, row, "N", out.duration, out.notes)) do
         out.forces[#out.forces + 1] = { set = row.set, axis = axis, value = value, share = shares(mesh, mesh:set(row.set)) }
       end
     elseif row.kind == "gravity" then
-      for axis, value in pairs(components(row, "m/s^2", t.histories, out.notes)) do
-        if type(value) ~= "number" then fail "model: gravity that changes with time cannot be exported" end
-        out.gravity[axis] = value
-      end
+      for axis, value in pairs(components(t, row, "m/s^2", out.duration, out.notes)) do out.gravity[axis] = value end
     else
       fail(("model: field 'model': a %s ('%s') cannot be exported; expected fix, move, force and gravity of one sheet"):format(row.kind, row.set))
     end
@@ -132,14 +171,7 @@ function gather.model(t)
   local function by(a, b) return a.set .. a.axis < b.set .. b.axis end
   table.sort(out.moved, by)
   table.sort(out.forces, by)
-  if not out.duration then
-    out.duration = 1
-    for _, list in ipairs { out.moved, out.forces } do
-      for _, one in ipairs(list) do
-        if type(one.value) == "table" then out.duration = math.max(out.duration, one.value[#one.value][1]) end
-      end
-    end
-  end
+  table.sort(out.notes)
   return out
 end
 

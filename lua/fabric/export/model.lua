@@ -33,23 +33,24 @@ define {
   name = "fabric.export.model",
   arguments = {
     { name = "model", of = "model", sentence = "one sheet of one card, with fix, move, force and gravity" },
-    { name = "warp", kind = "number|numbers", unit = "degrees", sentence = "the model's warp: its angle from x, or its direction {x, y, z}; a model does not give it back" },
+    { name = "warp", kind = "number|numbers", unit = "degrees", optional = true, sentence = "the model's warp: its angle from x, or its direction {x, y, z}; needed only where it differs from place to place in the model" },
     { name = "file", kind = "text", optional = true, sentence = "that ends in .inp, .k or .rad (name it NAME_0000.rad for the starter); default: the text is only returned" },
     { name = "to", kind = "text", choices = targets.solvers, optional = true, sentence = "the solver; default: by the file's name" },
     { name = "material", kind = "text", optional = true, sentence = "as for fabric.export.card" },
     card.arguments[1],
     { name = "element", kind = "number", unit = "m", above = 0, optional = true, sentence = "as for fabric.export.card" },
-    { name = "histories", kind = "table", optional = true, sentence = "{ ['top.y']={{t, v}, ...} }: points {t, v}, in s and SI, of the motion or force of a set along an axis, where it is more than a ramp" },
+    { name = "histories", kind = "table", optional = true, sentence = "{ ['top.y']={{t, v}, ...} }: points {t, v}, in s and SI, to be written for a motion or force of a set along an axis, in place of the model's own" },
+    { name = "error", kind = "number", above = 0, high = 0.1, default = 1e-4, sentence = "of functions of time, which are written as points: largest difference over their range" },
     { name = "duration", kind = "number", unit = "s", above = 0, optional = true, sentence = "of the run; default: the last corner of a history, at least 1 s" },
   },
   sentence = "A model as a deck of another solver: nodes, elements, sets, supports, loads, section and material. Returns text, material, card (what "
-    .. "fabric.export.card returns, with the losses), and notes on what the deck states differently. Abaqus and CalculiX: shells S4 and *STATIC with NLGEOM for "
+    .. "fabric.export.card returns, with the losses), and notes on what the deck states differently (functions of time, with the difference). Histories are written with all their points and digits (LS-DYNA, OpenRadioss: those that 20 columns hold). Abaqus and CalculiX: shells S4 and *STATIC with NLGEOM for "
     .. "*ELASTIC, membranes and *DYNAMIC, EXPLICIT for *FABRIC.",
   example = "local fabric = require 'fabric'\n"
     .. "local mesh = fabric.mesh.rectangle{ width=0.0254, height=0.0762, nx=3, ny=9 }\n"
     .. "local m = fabric.model{ mesh=mesh, card=fabric.card 'blend', warp=90 }\n"
     .. "m:fix('bottom', 'x y z rotation'):move('top', { y=fabric.ramp(0.01, 1) })\n"
     .. "local r = fabric.export.model{ model=m, warp=90, to='ls-dyna' }\n"
-    .. "assert(r.text:find '*BOUNDARY_PRESCRIBED_MOTION_SET' and #r.notes == 1)",
+    .. "assert(r.text:find '*BOUNDARY_PRESCRIBED_MOTION_SET' and #r.notes == 0)",
   run = run,
 }

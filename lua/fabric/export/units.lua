@@ -67,6 +67,24 @@ function units.fixed(x, width)
   error(("a number that %d columns can't hold: %s"):format(width, x))
 end
 
+-- The shortest text that reads back as the same number.
+function units.exact(x)
+  for digits = 10, 17 do
+    local text = ("%." .. digits .. "g"):format(x)
+    if tonumber(text) == x then return text end
+  end
+end
+
+-- The same in `width` characters, with a blank before it; where it is longer, with as many digits as fit.
+function units.fitting(x, width)
+  local text = units.exact(x)
+  for digits = 17, 1, -1 do
+    if #text < width then return (" "):rep(width - #text) .. text end
+    text = ("%." .. digits .. "g"):format(x)
+  end
+  return units.fixed(x, width)
+end
+
 -- A line of fields of equal width.
 function units.line(width, values)
   local out = {}

@@ -63,11 +63,39 @@ int value(Call& call) {
   return 1;
 }
 
+bool is_function(const History& h) { return !h.is_constant() && h.kinks().empty(); }
+
+void push_point(lua_State* L, double time, double value, lua_Integer place) {
+  lua_createtable(L, 2, 0);
+  lua_pushnumber(L, time);
+  lua_rawseti(L, -2, 1);
+  lua_pushnumber(L, value);
+  lua_rawseti(L, -2, 2);
+  lua_rawseti(L, -2, place);
+}
+
+// At its kinks a history has the values that it was given.
+int points(Call& call) {
+  lua_State* L = call.L();
+  const auto h = call.self<History>();
+  if (is_function(*h)) {
+    lua_pushnil(L);
+    return 1;
+  }
+  lua_createtable(L, static_cast<int>(h->kinks().size()), 0);
+  if (h->is_constant()) push_point(L, 0, h->value(0), 1);
+  lua_Integer place = 0;
+  for (const double time : h->kinks()) push_point(L, time, h->value(time), ++place);
+  return 1;
+}
+
 // For example "<history of 3 points to 2 s, 0 to 0.018>".
 int history_text(lua_State* L) {
   const History& h = *to_object<History>(L, 1);
   std::string words = "<history";
-  if (h.is_constant()) {
+  if (is_function(h)) {
+    words += ", a function of time";
+  } else if (h.is_constant()) {
     words += ", always " + exact_number(h.value(0));
   } else {
     double low = h.value(h.kinks().front()), high = low;
@@ -103,6 +131,13 @@ std::vector<Entry> history_entries() {
        "The history's value at a time.",
        "assert(require 'fabric'.ramp(3, 2):value(2) == 3)",
        value},
+      {"history:points",
+       Style::positional,
+       {},
+       "Its points { {t, v}, ... }; of a constant one; nil of a function of time, as model:declared may have "
+       "it.",
+       "local points = require 'fabric'.ramp(3, 2):points(); assert(points[2][1] == 2 and points[2][2] == 3)",
+       points},
   };
 }
 

@@ -228,6 +228,7 @@ void bind_loads(Session& session) {
   bind_seams(session);
   bind_contact(session);
   bind_declared(session);
+  bind_declarations(session);
 }
 
 }  // namespace fabricsh::script

@@ -19,6 +19,7 @@ void keep_model(const Call& call);
 int return_self(const Call& call);  // so that methods of a model can be chained
 void bind_loads(Session& session);
 void bind_declared(Session& session);
+void bind_declarations(Session& session);
 void bind_ties(Session& session);
 void bind_seams(Session& session);
 void bind_contact(Session& session);

@@ -90,3 +90,7 @@ wrong("fabric.import.card", "fabric.import.card{ file='x', poisson={1, 'two'} }"
   "deck.lua:1: card: field 'poisson': expected a table of numbers of at least 0, got 'two' at place 2")
 wrong("fabric.import.card", "fabric.import.card{ file='x', tested=5 }",
   "deck.lua:1: card: field 'tested': expected a table {warp, weft, shear}, got 5")
+wrong("fabric.export.model", "fabric.export.model{ model=model, error='fine' }",
+  "deck.lua:1: model: field 'error': expected a number above 0 to 0.1, got 'fine'")
+wrong("fabric.export.model", "fabric.export.model{ model=model, error=0 }",
+  "deck.lua:1: model: field 'error': expected a number above 0 to 0.1, got 0")
