@@ -4,7 +4,8 @@
 --   sum f^m ln f / sum f^m - 1/m = mean of ln f,
 -- with a band from the variance of ln m, 0.608 / n for n strips [thoman1969]. It is that of strips, hundreds of yarns side by side and in a row,
 -- and so no part of the card, whose scatter is that of the places of a mesh.
--- Energy is twice the mean force of a trouser or tongue tear [rivlin1953]: what the grips do on the way 2 a breaks the yarns of the length a.
+-- Energy is twice the mean force of a trouser or tongue tear [rivlin1953]: what the grips do on the way 2 a breaks the yarns of the length a. Legs that
+-- stretch and dissipate take their part of that work: how much, a virtual tear of the card with twice the force says, and the energy is less in that ratio.
 local fabric = require "fabric"
 local define = require "fabric.define"
 local check = require "fabric.lab.check"
@@ -138,6 +139,40 @@ local function energy(part, name)
   return 2 * mean(forces), mean(forces), ("energy twice the mean force of %d tear%s"):format(#forces, #forces == 1 and "" or "s"), band(forces)
 end
 
+local specimen = { h = 2.5 * mm, width = 30 * mm, leg = 25 * mm, tear = 30 * mm }
+local elements = 4 -- over which yarns are breaking at least, so that the strength is lowered here and not with a warning for each call
+
+-- The energy, J/m, at which a trouser tear of the card has this mean force (N): the virtual tear with twice the force for it has another one, in nearly the
+-- same ratio. Returns also what the legs did; nil where the card cannot be torn.
+local function of_legs(card, name, found)
+  local guess = 2 * found.tear
+  local given = { strength = math.min(found.strength, guess / (elements * specimen.h)), energy = guess }
+  local ok, test = pcall(fabric.lab.tear, { card = card:with { rupture = { [name] = given } }, along = name == "warp" and "weft" or "warp", h = specimen.h,
+    width = specimen.width, leg = specimen.leg, tear = specimen.tear })
+  local b = ok and test.balance
+  if not b then
+    fabric.warn(("rupture: the card '%s' with what was found for its %s cannot be torn (%s): its energy is twice the mean force, with what legs dissipate"):format(card.name or "", name,
+      ok and "no yarn broke" or tostring(test)))
+    return
+  end
+  local force = (guess + b.hysteresis + b.stored) / b.way -- without motion and damping, which are the test's
+  return guess * found.tear / force, { hysteresis = b.hysteresis / guess, way = b.way, force = force / found.tear, band = test.band and (test.band[2] - test.band[1]) / 2 / test.mean or 0 }
+end
+
+-- Takes out of a found energy what legs of this card dissipate.
+local function take_out_legs(t, name, found)
+  if not found.tear or not t.legs or t.card.kind ~= "woven" then return "" end
+  local energy, legs = of_legs(t.card, name, found)
+  if not energy then return "" end
+  found.energy, found.legs = energy, legs
+  local band = found.bands.energy
+  if band then
+    local half = math.sqrt(((band[2] - band[1]) / 2 / (2 * found.tear)) ^ 2 + legs.band ^ 2) * energy
+    found.bands.energy = { energy - half, energy + half }
+  end
+  return (" over %.3f, since legs of this card dissipate %.1f %% of it and stretch"):format(legs.force, 100 * legs.hysteresis)
+end
+
 local function run(t)
   if not t.warp and not t.weft then fail "rupture: field 'warp': expected warp, weft or both, got neither" end
   local result, given = {}, {}
@@ -148,6 +183,7 @@ local function run(t)
       local how, tears
       found.energy, found.tear, how, tears = energy(part, name)
       found.bands.energy = tears and { 2 * tears[1], 2 * tears[2] }
+      how = how .. take_out_legs(t, name, found)
       found.words = ("%s%d strip%s of %g mm, %s%s"):format(how:find "^assumed" and "assumed: strength of " or "fitted to ", #found.strengths, #found.strengths == 1 and "" or "s",
         part.width / mm, how:gsub("^assumed: ", ""), t.source ~= "" and " (" .. t.source .. ")" or "")
       result[name] = found
@@ -179,12 +215,15 @@ define {
     { name = "warp", kind = "fields", optional = true, rows = part_rows(), sentence = "what was measured on the warp" },
     { name = "weft", kind = "fields", optional = true, rows = part_rows(), sentence = "the same of the weft" },
     { name = "source", kind = "text", default = "", sentence = "who measured, when" },
+    { name = "legs", kind = "boolean", default = true,
+      sentence = "of woven cards: a virtual trouser tear (some seconds for each family) says what legs take of the work, which is taken out of the energy; false: the energy is twice the mean force" },
   },
   sentence = "From strips pulled to break and tears to a card that breaks. Returns card (with rupture, and its origin in card.provenance), and warp and weft: strength (N/m) and "
-    .. "energy (J/m, twice the mean force of the tears after their first quarter), strengths (of the strips that count), left_out (places of breaks at the jaws), tear (N, mean force), modulus (Weibull's, of strips: no part of "
+    .. "energy (J/m, twice the mean force of the tears after their first quarter, less what legs of a woven card take of it), legs (of that: hysteresis over twice the force, way of the grips per metre of tear, "
+    .. "force of a virtual tear with twice the force as energy, over the force, and the band of that, relative), strengths (of the strips that count), left_out (places of breaks at the jaws), tear (N, mean force), modulus (Weibull's, of strips: no part of "
     .. "the card), bands of 95 % for strength, modulus and energy.",
   example = "local fabric = require 'fabric'\n"
-    .. "local r = fabric.lab.rupture{ card=fabric.card 'blend', weft={ strips={ 520, 561, 498, 540, 533 }, width=0.05, tears={ 11.2, 10.6 } } }\n"
+    .. "local r = fabric.lab.rupture{ card=fabric.card 'blend', weft={ strips={ 520, 561, 498, 540, 533 }, width=0.05, tears={ 11.2, 10.6 } }, legs=false }\n"
     .. "assert(math.abs(r.card.rupture.weft.energy - 21.8) < 1e-9 and r.weft.modulus > 10)",
   run = run,
 }

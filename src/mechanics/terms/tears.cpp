@@ -34,6 +34,19 @@ Vec3 sum(const std::vector<Index>& nodes, std::span<const double> x) {
   return all;
 }
 
+Vec3 mean(const std::vector<Index>& nodes, std::span<const double> x) {
+  return sum(nodes, x) / static_cast<double>(nodes.size());
+}
+
+// The part of a force that crossing yarns carry: along them, and across the sheet. A yarn that is pulled out
+// of the sheet turns there within less than an element, so that all of that force is along it; what acts
+// along the line shears the crossings and pulls no yarn.
+double carried(const Vec3& force, const Vec3& yarn, const Vec3& line) {
+  const Vec3 along = yarn.normalized(), normal = along.cross(line);
+  const double size = normal.norm(), out = size > 0 ? force.dot(normal) / size : 0;
+  return std::hypot(std::max(0.0, force.dot(along)), out);
+}
+
 }  // namespace
 
 // --- one string
@@ -94,10 +107,10 @@ Outcome Tears::add_forces(const law::Step&, const Trial& trial, Forces& forces) 
 void Tears::measure(const Line& line, std::span<const double> x, std::span<const double> on_x) const {
   const Vec3 force = (line.mass[1] * sum(line.nodes[0], on_x) - line.mass[0] * sum(line.nodes[1], on_x)) /
                      (line.mass[0] + line.mass[1]);
-  const Vec3 yarn = sum(line.far[1], x) / static_cast<double>(line.far[1].size()) -
-                    sum(line.far[0], x) / static_cast<double>(line.far[0].size());
+  const Vec3 yarn = mean(line.far[1], x) - mean(line.far[0], x);
+  const Vec3 way = mean(line.ends[0], x) - mean(line.ends[1].empty() ? line.nodes[0] : line.ends[1], x);
   line.force = force;
-  line.share = std::max(0.0, force.dot(yarn.normalized())) /
+  line.share = carried(force, yarn, way) /
                (line.length * sites_[line.site].strength[static_cast<std::size_t>(line.family)]);
 }
 

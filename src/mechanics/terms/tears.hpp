@@ -103,6 +103,7 @@ class Tears final : public Term {
     std::size_t site;
     int family;                                    // that breaks
     std::array<std::vector<Index>, 2> nodes, far;  // of the sides: at the place, along the yarn
+    std::array<std::vector<Index>, 2> ends;        // of the line, both ways; the second may be empty
     std::array<double, 2> mass{};                  // kg
     struct Spoke {
       Index place, a, b;  // the other end; the corners on both sides

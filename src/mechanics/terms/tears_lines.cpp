@@ -254,6 +254,8 @@ void Tears::add_line(std::size_t s, int family, const std::vector<const Corner*>
     const std::size_t side = part[i] == *parts.begin() ? 0 : 1;
     auto& nodes = line.nodes[side];
     line.far[side].push_back(joint[i]->far[over]);
+    const std::size_t end = joint[i]->other[along] == line.spokes.front().place ? 0 : 1;
+    line.ends[end].push_back(joint[i]->far[along]);
     if (std::find(nodes.begin(), nodes.end(), joint[i]->node) != nodes.end()) continue;
     nodes.push_back(joint[i]->node);
     line.mass[side] += cloth_.mass()[std::size_t(joint[i]->node)];

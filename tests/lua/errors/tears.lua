@@ -143,3 +143,5 @@ wrong("fabric.lab.rupture", "fabric.lab.rupture{ card=card, warp={ strips={1}, w
   "deck.lua:1: rupture: field 'warp.tears[1]': expected a positive force in N, got 0")
 wrong("fabric.lab.rupture", "fabric.lab.rupture{ card=card, warp={ strips={1}, width=0.05, energy=1 }, source=7 }",
   "deck.lua:1: rupture: field 'source': expected a string, got 7")
+wrong("fabric.lab.rupture", "fabric.lab.rupture{ card=card, warp={ strips={1}, width=0.05, energy=1 }, legs='no' }",
+  "deck.lua:1: rupture: field 'legs': expected true or false, got 'no'")
