@@ -59,11 +59,22 @@ void Job::add(std::shared_ptr<Output> output, double every,
   }
   locks_.push_back(std::move(lock));
   paths_.insert(output->file);
-  const auto frame = [output](Run& a) { output->series->frame(a); };
+  const auto frame = [output, this](Run&) { this->frame(*output->series, false); };
   constexpr auto repeat = Run::AfterError::repeat;
   output->hook = every > 0 ? run_->every(every, frame, repeat) : run_->every_step(frame, repeat);
   outputs_.push_back(output);
   listen(output);
+}
+
+void Job::frame(Series& series, bool extra) {
+  const std::function<void()> take_back = untraced ? untraced() : nullptr;
+  try {
+    extra ? series.extra_frame(*run_) : series.frame(*run_);
+  } catch (...) {
+    if (take_back) take_back();
+    throw;
+  }
+  if (extra && take_back) take_back();
 }
 
 void Job::listen(const std::shared_ptr<Listener>& listener) {

@@ -118,6 +118,11 @@ class Job {
   Checkpoint now();
   // Returns the data that the driving program stores in the checkpoints.
   std::function<std::string()> caller = {};
+  // Called before rows and frames that may have to be made again: one that fails, or that of a run which an
+  // error or a signal has ended. Returns what takes back their traces in data that checkpoints keep.
+  std::function<std::function<void()>()> untraced = {};
+  // Makes it, and takes back its traces if it failed or is an extra one.
+  void frame(Series& series, bool extra);
 
  private:
   void add(std::shared_ptr<Output> output, double every,

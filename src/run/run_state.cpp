@@ -7,6 +7,12 @@
 
 namespace fabricsh::run {
 
+namespace {
+
+constexpr int kDue = 10;  // added to the side of an event, which is -1, 0 or 1, whose hook is still to run
+
+}  // namespace
+
 struct Run::Snapshot {
   const Run* owner;
   std::string bytes;
@@ -60,8 +66,11 @@ void Run::keep_hooks(Archive& archive) {
   if (!archive.reading()) {
     kept_timed_.clear();
     kept_events_.clear();
-    for (const auto& timed : timed_) kept_timed_.push_back({timed.count, timed.repeats()});
-    for (const auto& event : events_) kept_events_.push_back({event.last, event.largest, event.side});
+    // Hooks that an error has kept from running, in a call that has ended, are still to run.
+    for (const auto& timed : timed_)
+      kept_timed_.push_back({timed.count, timed.repeats() || (timed.pending && !busy_)});
+    for (const auto& event : events_)
+      kept_events_.push_back({event.last, event.largest, event.side + (event.pending && !busy_ ? kDue : 0)});
   }
   archive(kept_timed_, kept_events_);
   if (!archive.reading()) return;
@@ -86,7 +95,8 @@ void Run::take_up(Event& event, std::size_t i) {
   if (i < kept_events_.size()) {
     event.last = kept_events_[i].last;
     event.largest = kept_events_[i].largest;
-    event.side = kept_events_[i].side;
+    event.pending = kept_events_[i].side > kDue - 2;
+    event.side = kept_events_[i].side - (event.pending ? kDue : 0);
   } else if (started_) {
     event.side = 0;
     measure(event);

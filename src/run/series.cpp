@@ -42,7 +42,7 @@ void Series::keep(Archive& archive) {
 
 void Output::end(Job& job, const Ending& ending) {
   if (!ending.ended) return;
-  ending.broken ? series->extra_frame(job.run()) : series->frame(job.run());
+  job.frame(*series, ending.broken);
 }
 
 void Output::forget(Job& job) { series->forget(job.run().steps().size()); }

@@ -106,6 +106,7 @@ int event(Call& call) {
   const Hook value(call, "value", run.get());
   run::Run::Hook act;
   if (call.has("action")) act = [hook = Hook(call, "action", run.get())](run::Run&) { run_hook(hook); };
+  run->has_events = true;
   run->analysis->event([value](run::Run&) { return event_value(value); }, call.number("tolerance"), act);
   return chain(call);
 }
@@ -123,6 +124,7 @@ int reach(Call& call) {
     value = [field, set](const run::Run& a) { return a.mean(field, set); };
   }
   if (call.session().options().check) return chain(call);
+  run->has_events = true;
   // After the target has been reached, or could not be, the event never occurs again.
   const auto sought = std::make_shared<bool>(true);
   run->analysis->event([=](run::Run& a) { return *sought ? value(a) - target : 1.0; },

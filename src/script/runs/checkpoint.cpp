@@ -90,6 +90,18 @@ void begin_finished(DeckRun& run, std::shared_ptr<const run::Checkpoint> checkpo
   begin_from(run, std::move(checkpoint));
 }
 
+namespace {
+
+// A run that was stopped, or is at its end, has nothing to go on with by itself.
+std::string where_it_stands(const run::Run& run) {
+  if (run.stopped())
+    return ", where the run was stopped (" + run.stop_reason() +
+           "): that call is over, and only a further solve() of the deck makes steps";
+  return run.time() >= run.duration() * (1 - 1e-12) ? ", its end: no step is left" : "";
+}
+
+}  // namespace
+
 void take_up(DeckRun& run) {
   if (!run.job.from() || run.job.taken_up()) return;
   const run::Checkpoint& c = *run.job.from();
@@ -104,7 +116,7 @@ void take_up(DeckRun& run) {
   const bool finished = begun != nullptr && begun->number != c.number;
   run.session.notices().say(
       "restart: " + (finished ? "analysis " + std::to_string(c.number) + " is finished, " : "") + "from '" +
-      c.path + "' at time " + exact_number(c.time) + " s");
+      c.path + "' at time " + exact_number(c.time) + " s" + where_it_stands(*run.analysis));
 }
 
 void restart(DeckRun& run, std::shared_ptr<const run::Checkpoint> checkpoint) {

@@ -175,6 +175,7 @@ void drive(DeckRun& run, const Drive& call) {
   try {
     if (!over) Collector::with_room(run.session.active(), [&run] { work(run); });
   } catch (const Interrupted&) {
+    release_tables(run);
     leave(run, {"interrupted", true, true});
     throw;
   } catch (const std::exception& error) {

@@ -163,7 +163,7 @@ bool changes(const Entry& entry, int given) {
       "analysis:vtk",      "analysis:checkpoint", "analysis:restart", "analysis:restore",
       "analysis:snapshot", "analysis:set",        "analysis:cut",     "analysis:join"};
   if (entry.name == "mesh:set") return given > 2;
-  return (entry.name.starts_with("model:") && entry.name != "model:list") ||
+  return (entry.name.starts_with("model:") && entry.name != "model:list" && entry.name != "model:declared") ||
          std::any_of(std::begin(names), std::end(names),
                      [&](const char* name) { return entry.name == name; });
 }
@@ -263,6 +263,33 @@ void keep_table(DeckRun& run, const Hook& table, std::string restored) {
 void begin_tables(DeckRun& run) {
   for (KeptTable& kept : run.kept_tables)
     kept.at_begin = run.calls.tables.full() ? std::string() : content(kept.table);
+}
+
+void hold_tables(DeckRun& run) {
+  if (!run.has_events) return;
+  for (KeptTable& kept : run.kept_tables) kept.at_step = content(kept.table);
+}
+
+// A table that has not changed stays as it is, with whatever the deck holds of it.
+namespace {
+
+void give_back(const Hook& table, const std::string& bytes) {
+  if (!bytes.empty() && bytes != unpackable && content(table) != bytes) fill(table, bytes);
+}
+
+}  // namespace
+
+void release_tables(DeckRun& run) {
+  for (KeptTable& kept : run.kept_tables) give_back(kept.table, kept.at_step);
+}
+
+std::function<void()> untraced_tables(DeckRun& run) {
+  if (run.kept_tables.empty()) return {};
+  std::vector<std::string> before;
+  for (const KeptTable& kept : run.kept_tables) before.push_back(content(kept.table));
+  return [&run, before = std::move(before)] {
+    for (std::size_t i = 0; i < before.size(); ++i) give_back(run.kept_tables[i].table, before[i]);
+  };
 }
 
 void note_tables(DeckRun& run) {

@@ -33,7 +33,11 @@ bool repeats_change(DeckRun& run);
 // call that is passed over with what it was then, and in the call in which the checkpoint was written with
 // what the checkpoint has.
 void keep_table(DeckRun& run, const Hook& table, std::string restored);
-void begin_tables(DeckRun& run);          // before a call that is executed
+void begin_tables(DeckRun& run);    // before a call that is executed
+void hold_tables(DeckRun& run);     // at the end of a step
+void release_tables(DeckRun& run);  // where a step was taken back: as they were then
+// What gives them the present content again.
+std::function<void()> untraced_tables(DeckRun& run);
 void note_tables(DeckRun& run);           // after it
 void repeat_tables(DeckRun& run);         // instead of a call that is passed over
 void restore_tables(const DeckRun& run);  // in the call in which the checkpoint was written

@@ -2,6 +2,7 @@
 #include "script/runs/run.hpp"
 
 #include "script/runs/checkpoint.hpp"
+#include "script/runs/replay.hpp"
 #include "script/runs/watch.hpp"
 #include "script/session/warning_log.hpp"
 
@@ -46,6 +47,7 @@ DeckRun::DeckRun(Session& s, std::shared_ptr<run::Run> a)
     archive(calls);
     return archive.bytes();
   };
+  job.untraced = [this] { return untraced_tables(*this); };
   // or if it belongs to the part of the run that a restarted deck skips
   job.replaceable = [this](const run::Output& output) { return output.series->failed() || passes_over(); };
 }

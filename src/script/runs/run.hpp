@@ -35,6 +35,7 @@ struct KeptTable {
   Hook table;
   std::string restored;    // its content in the checkpoint of a restarted deck; empty: not there
   std::string at_begin{};  // its content when the present call began
+  std::string at_step{};   // at the end of the last step, where events are asked for their values
 };
 
 // An analysis as seen from Lua: the run, its outputs, the functions that it calls.
@@ -53,7 +54,8 @@ struct DeckRun {
   bool passes_over() const { return calls.count < passing; }
   std::vector<std::shared_ptr<const run::Run::Snapshot>> passed_snapshots;
   std::vector<KeptTable> kept_tables;
-  std::string lost;  // why a restarted deck cannot go on with this run; empty: it can
+  bool has_events = false;  // whose values the deck computes, also in steps that are taken back
+  std::string lost;         // why a restarted deck cannot go on with this run; empty: it can
 };
 
 template <>

@@ -3,6 +3,7 @@
 #include <csignal>
 
 #include "base/number.hpp"
+#include "script/runs/replay.hpp"
 
 namespace fabricsh::script {
 
@@ -33,10 +34,12 @@ void Watch::begin(run::Job& job) {
   next_ = 0;
   clock_ = {};
   job.run().poll([this] { stop_if_interrupted(); });
+  hold_tables(run_);
 }
 
 void Watch::step(run::Job& job) {
   report(job);
+  hold_tables(run_);
   stop_if_interrupted();
 }
 
