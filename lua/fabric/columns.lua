@@ -1,5 +1,6 @@
 -- fabric.columns: rows of a test, or lists of equal length, as columns for calculations; fabric.show: prints such rows as a table.
 local define = require "fabric.define"
+local windowed = require "fabric.window"
 local fail = define.fail
 
 local Column, Curve = {}, {}  -- methods
@@ -166,6 +167,18 @@ function Curve:interpolate(y, x, value)
   return nil, ("%s is nowhere %.6g, it goes from %.6g to %.6g"):format(x, value, xs:min(), (xs:max()))
 end
 
+-- The means of a column over the seconds about each row, by the column `time` (of a table read from a record: 'time').
+function Curve:window(name, seconds)
+  if type(seconds) ~= "number" or not (seconds > 0) then
+    fail(("curve:window: expected a name and a time in s above 0, as in curve:window('force', 0.01), got %s"):format(tostring(seconds)))
+  end
+  local t = named(self, "time")
+  for i = 2, #t do
+    if not (t[i] > t[i - 1]) then fail(("curve:window: expected times that increase, got %.6g s after %.6g s in row %d"):format(t[i], t[i - 1], i)) end
+  end
+  return column(windowed(t, named(self, name), seconds))
+end
+
 function Curve:max(name)
   local value, place = named(self, name):max()
   return value, self[place]
@@ -239,7 +252,7 @@ define {
   arguments = { { name = "rows", kind = "table", sentence = "of a test, a record, or a fabric.table; or lists of equal length with names" } },
   sentence = "Rows as columns that can be calculated with, as the curves of virtual tests are: curve.S / MPa, curve.S:max(), :min(), :mean(), :sum(), "
     .. ":map(f), of which all but map skip gaps (nan); curve:max('S') gives the row too, curve:interpolate('S', 'E', 0.1) is S where E first passes 0.1 (nil and the reason where it never does), "
-    .. "curve:map(f) a column of f(row).",
+    .. "curve:map(f) a column of f(row), curve:window('S', 0.01) the means of S over the 0.01 s about each row, by the column time: for what chatters from step to step.",
   example = "local c = require 'fabric'.columns{ E={0, 0.1, 0.2}, S={0, 1e6, 3e6} }\n"
     .. "assert((c.S / 1e6):max() == 3 and math.abs(c:interpolate('S', 'E', 0.15) - 2e6) < 1)",
   run = columns_of,
@@ -344,6 +357,7 @@ local function about(value)
       "  c:max('S'), c:min('S')       the value and its row",
       "  c:interpolate('S', 'E', 0.1) S where E first passes 0.1; nil and the reason where it never does",
       "  c:map(f)                     the column of f(row)",
+      "  c:window('S', 0.01)          the column of the means of S over 0.01 s of its column time",
       "  fabric.show(c)               prints it as a table",
     }
   elseif kind == "fabric.column" then

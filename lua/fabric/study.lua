@@ -116,6 +116,16 @@ local function claim(folder, deck)
   fabric.write(path, deck)
 end
 
+-- A folder is computed by one program at a time; tasks of an array job and single cases share it by their numbers.
+local function alone(t)
+  if t.only or os.getenv "SLURM_ARRAY_TASK_ID" then return nil end
+  local held, why = define.lock(t.folder .. "/study.csv")
+  if not held then
+    fail(("study: the folder '%s' is being computed by another program (%s): wait for it, give another folder, or share the cases by an array job or --case"):format(t.folder, why))
+  end
+  return held
+end
+
 local function identity(run)
   local f = arg and arg[0] and io.open(arg[0], "rb")
   local text = f and f:read "a" or ""
@@ -173,11 +183,15 @@ local function checked_values(values, taken, case)
   return values
 end
 
+local no_memory = "not enough memory" -- raised by Lua itself
+
 local function work(t, case)
-  local place = define.log_end()
+  local place, before = define.log_end(), define.refusals()
   local good, values = pcall(function() return checked_values(t.run(case), t.taken, case) end)
   collectgarbage()  -- closes files that a run has left open
   local trouble = not good and words_of(values) or nil
+  -- What ended for want of disk or memory is no result: nothing is kept, and the case runs again next time.
+  if trouble and (define.refusals() > before or values == no_memory) then error(trouble, 0) end
   case_file.save(t.folder, case, good and values or nil, trouble, define.warnings(place))
   if trouble then error(trouble, 0) end
   return { 1 }  -- the values are in the file
@@ -270,6 +284,7 @@ local function run(t)
     return { folder = t.folder, missing = #cases, failed = 0, complete = false, parameters = {}, results = {} }
   end
   claim(t.folder, identity(t.run))
+  local held <close> = alone(t)
   local study = collect(t, cases, compute(t, cases))
   if study.complete then fabric.write(study.file, csv(study)) end
   return study

@@ -18,6 +18,13 @@ local from = arg[1] or place .. "share/data/synthetic-blend"
 local out = arg[2] or "out/characterise"
 if fabric.checking() then return end
 
+local usage = "usage: fabricsh scripts/lab/characterise.lua FOLDER [OUT]"
+if not arg[1] then print(("no folder given: this is the sample data in %s; yours: %s"):format(from, usage)) end
+if not pcall(fabric.folder, from) then
+  io.stderr:write(("%s\nthere is no folder '%s': expected one with laboratory.lua and records of tests, warp-1.csv, weft-1.csv, bias-1.csv (share/doc/howto/own-csv.md)\n"):format(usage, from))
+  os.exit(2)
+end
+
 local result = folder.reduce(from)
 local figures, rows = report.write(result, out)
 for _, text in ipairs(report.contradictions(figures)) do print(text) end
@@ -43,4 +50,5 @@ for _, target in ipairs { { "ls-dyna", "k" }, { "openradioss", "rad" }, { "abaqu
     math.max(e.lost.warp.worst, e.lost.weft.worst), most.path, most.worst))
 end
 print("written: " .. out .. "/report.html, " .. out .. "/card.lua")
+print(("next: open %s/report.html; in a deck: local card = fabric.card '%s/card.lua'"):format(out, out))
 fabric.expect(expected)

@@ -46,6 +46,8 @@ const std::vector<std::pair<std::string, Setter>>& setters() {
       {"height", [](P& p, const std::string& v) { p.height = std::stoi(v); }},
       {"edges", [](P& p, const std::string& v) { p.edges = v == "1"; }},
       {"axes", [](P& p, const std::string& v) { p.axes = v == "1"; }},
+      {"bodies", [](P& p, const std::string& v) { p.bodies = std::stod(v); }},
+      {"fit", [](P& p, const std::string& v) { p.fit = v == "1"; }},
       {"smooth", [](P& p, const std::string& v) { p.smooth = v == "1"; }},
       {"dpi", [](P& p, const std::string& v) { p.dpi = std::stod(v); }},
       {"font_size", [](P& p, const std::string& v) { p.font_size = std::stod(v); }},
@@ -66,7 +68,8 @@ std::string picture_text(const Picture& p) {
   return text + line("smooth", p.smooth ? "1" : "0") + line("dpi", full_number(p.dpi)) +
          line("font_size", full_number(p.font_size)) + line("width", std::to_string(p.width)) +
          line("height", std::to_string(p.height)) + line("edges", p.edges ? "1" : "0") +
-         line("axes", p.axes ? "1" : "0");
+         line("axes", p.axes ? "1" : "0") + line("bodies", full_number(p.bodies)) +
+         line("fit", p.fit ? "1" : "0");
 }
 
 Picture read_picture(std::istream& text) {

@@ -28,6 +28,8 @@ struct Picture {
   bool edges = true, axes = true;  // of the elements; axes with tick labels
   bool smooth = false;             // interpolates field and shading between nodes
   double dpi = 0;                  // resolution on paper; 0: a picture for the screen
+  bool fit = false;                // no wider than the things in its panels need
+  double bodies = 1;               // opacity of rigid bodies
   double font_size = 7;            // points on paper; on a screen it depends on the size of the picture
 };
 

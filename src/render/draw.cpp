@@ -138,6 +138,7 @@ void add_bodies(const DrawnScene& scene, const ClothSurface& sheet, vtkRenderer*
   look->SetAmbient(0.45);
   look->SetDiffuse(0.55);
   look->SetSpecular(0);
+  look->SetOpacity(scene.picture.bodies);
   renderer->AddActor(faces);
   edges->GetProperty()->SetColor(0.25, 0.25, 0.25);
   edges->GetProperty()->SetLighting(false);
@@ -274,6 +275,24 @@ void add_panel(DrawnScene& scene, std::size_t i, const Bounds& bounds) {
                 size[0] - letter);
 }
 
+// The width in pixels that one panel needs at the height that it has: that of the thing, and room for the
+// axes and the bar. Several panels share the width that was asked for.
+int fitting_width(const DrawnScene& scene) {
+  const Picture& p = scene.picture;
+  if (!p.fit || scene.sheets.size() != 1) return p.width;
+  const Bounds b = common(scene.sheets);
+  const View view = view_of(p.panels[0]);
+  double across = 0, up = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    across += std::abs(view.right[k]) * (b[2 * k + 1] - b[2 * k]);
+    up += std::abs(view.up[k]) * (b[2 * k + 1] - b[2 * k]);
+  }
+  if (!(up > 0)) return p.width;
+  const double letters = (p.axes ? 16 : 4) + (p.array.empty() ? 0 : 12);
+  const double wanted = 0.85 * p.height * across / up + letters * font_size(p);
+  return std::clamp(static_cast<int>(wanted), std::min(p.width, p.height / 3), p.width);
+}
+
 // All panels have the same scale, so that they can be compared.
 void add_panels(DrawnScene& scene) {
   Bounds bounds = common(scene.sheets);
@@ -325,13 +344,15 @@ void save(DrawnScene& scene) {
 
 }  // namespace
 
-std::vector<std::string> draw(const Picture& picture) {
-  if (picture.panels.empty()) throw Error("render: expected at least one file");
+std::vector<std::string> draw(const Picture& asked) {
+  if (asked.panels.empty()) throw Error("render: expected at least one file");
+  Picture picture = asked;
   DrawnScene scene{picture};
   for (const plot::PicturePanel& panel : picture.panels) {
     scene.sheets.push_back(read_sheet(panel.vtu, picture));
     if (picture.smooth) make_smooth(scene.sheets.back());
   }
+  picture.width = fitting_width(scene);
   make_table(scene);
   vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();  // edges of bodies lie on their faces
   scene.window->SetOffScreenRendering(1);

@@ -6,6 +6,7 @@
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "run/job.hpp"
+#include "system/atomic.hpp"
 
 namespace fabricsh::run {
 
@@ -44,8 +45,10 @@ void Keeper::write(Job& job) {
     c.finished = job.journal().list_for(std::filesystem::path(file).parent_path().string(), job.number());
     write_checkpoint(path_, c);
   } catch (const Error& error) {
-    throw Error("checkpoint: " + std::string(error.what()) + " (the run is kept at " +
-                exact_number(run.time()) + " s; solve() continues it)");
+    const std::string words = "checkpoint: " + std::string(error.what()) + " (the run is kept at " +
+                              exact_number(run.time()) + " s; solve() continues it)";
+    if (dynamic_cast<const system::CannotWrite*>(&error) != nullptr) throw system::CannotWrite(words);
+    throw Error(words);
   }
   written_ = step;
   forced_ = false;

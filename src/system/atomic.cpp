@@ -86,7 +86,7 @@ pid_t writer_of(const std::string& name) {
 }  // namespace
 
 void cannot_write(const std::string& path, int reason) {
-  throw Error("cannot write '" + path + "': " + cause_text(reason));
+  throw CannotWrite("cannot write '" + path + "': " + cause_text(reason));
 }
 
 Descriptor::~Descriptor() {

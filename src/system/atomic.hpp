@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/error.hpp"
 #include "system/gate.hpp"
 
 namespace fabricsh::system {
@@ -48,7 +49,12 @@ void sync_file(const std::string& path);
 // Removes temporary files left by killed programs, of files whose path begins with path_begin.
 void remove_leftovers(const std::string& path_begin);
 
-// Error: "cannot write 'out/x.csv': No space left on device".
+// A file that the system did not let be written, whatever the deck says: a full disk, a missing right.
+class CannotWrite : public Error {
+ public:
+  using Error::Error;
+};
+// CannotWrite: "cannot write 'out/x.csv': No space left on device".
 [[noreturn]] void cannot_write(const std::string& path, int reason);
 
 }  // namespace fabricsh::system

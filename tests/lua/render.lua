@@ -96,3 +96,27 @@ assert(drawn_with { smooth = true } ~= first)
 
 -- Words that have no room are cut off, which is told.
 fabric.render { file = folder .. "/cut.png", vtu = frames[3], width = 120, height = 200, title = ("a long title "):rep(20) }
+
+-- Bodies are shown, clear or left out; then the picture is as large as the cloth. A tall thing needs no wide picture.
+do
+  local ball = fabric.rigid.sphere { radius = 0.02, centre = { 0.03, 0.03, -0.035 } }
+  local m = fabric.model { mesh = fabric.mesh.rectangle { width = 0.06, height = 0.06, nx = 3, ny = 3 }, card = fabric.card "blend", warp = 0 }
+  m:contact { between = { "all", ball } }
+  local a = fabric.dynamic { model = m, duration = 1e-4 }
+  a:step()
+  local drawn = {}
+  for i, bodies in ipairs { "shown", "clear", "none" } do
+    local file = ("%s/body%d.png"):format(folder, i)
+    fabric.render { file = file, run = a, bodies = bodies, view = "oblique", width = 300, height = 200 }
+    drawn[i] = content(file)
+  end
+  assert(drawn[1] ~= drawn[2] and drawn[2] ~= drawn[3] and drawn[1] ~= drawn[3])
+  refused({ file = "a.png", run = a, bodies = "some" }, "field 'bodies'")
+  local tall = fabric.model { mesh = fabric.mesh.rectangle { width = 0.02, height = 0.2, nx = 1, ny = 8 }, card = fabric.card "blend", warp = 0 }:fix("bottom", "x y z rotation")
+  local strip = fabric.static { model = tall, duration = 1, step = 1 }:solve()
+  for i, fit in ipairs { true, false } do
+    fabric.render { file = folder .. "/tall.png", run = strip, fit = fit, width = 1000, height = 600 }
+    local across, up = size_of(folder .. "/tall.png")
+    assert(up == 600 and (i == 1 and across < 500 or i == 2 and across == 1000), across)
+  end
+end

@@ -4,6 +4,7 @@ local define = require "fabric.define"
 local check = require "fabric.lab.check"
 local curve = require "fabric.lab.curve"
 local peaks = require "fabric.lab.peaks"
+local windowed = require "fabric.window"
 local fail = define.fail
 
 local labels = { E = "Green-Lagrange strain E", E12 = "shear strain E12", E12_centre = "shear strain E12", displacement = "displacement", S = "second Piola-Kirchhoff stress",
@@ -30,6 +31,18 @@ local function measured_lists(t, xname, yname)
   return out_x, out_y
 end
 
+-- Times of the rows of a test's curve, which increase.
+local function times_of(rows)
+  local times = {}
+  for i, row in ipairs(rows) do
+    times[i] = tonumber(row.time)
+    if not times[i] or (i > 1 and not (times[i] > times[i - 1])) then
+      fail(("compare: field 'window': expected a test whose curve has times that increase, row %d has %s"):format(i, tostring(row.time)))
+    end
+  end
+  return times
+end
+
 -- The lists of a test: from the rows of its curve, or given as lists like the measured ones.
 local function test_lists(t, xname, yname)
   local rows = t.test.curve or t.test
@@ -43,8 +56,9 @@ local function test_lists(t, xname, yname)
     end
     check.numbers("compare", "test." .. xname, x)
     check.numbers("compare", "test." .. yname, y)
-    return x, y
+    return x, t.window and windowed(times_of(rows), y, t.window) or y
   end
+  if t.window then fail "compare: field 'window': expected a result of a test, whose curve has times, got lists" end
   local x, y = type(rows) == "table" and rows[xname], type(rows) == "table" and rows[yname]
   if type(x) ~= "table" or type(y) ~= "table" or #x ~= #y then
     fail(("compare: field 'test': expected a result of a test with a curve, or lists %s and %s of one length"):format(xname, yname))
@@ -205,6 +219,8 @@ define {
       { name = "file", kind = "text", optional = true, sentence = "of the figure with both curves: .svg, .pdf, .eps or .png" },
       { name = "label", kind = "text", optional = true, sentence = "of what was measured, in the key; default: the name of its file" },
       { name = "title", kind = "text", optional = true, sentence = "of the figure" },
+      { name = "window", kind = "number", unit = "s", above = 0, optional = true,
+        sentence = "each point of the test is the mean over so long a time about it: where friction or contact chatters from step to step" },
     } },
   },
   sentence = "A measured curve beside a test's: x, measured, simulated (between the test's points in virgin loading), residual = measured less "

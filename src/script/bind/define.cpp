@@ -11,8 +11,12 @@
 // card_of, nearest and show of bind/registry.cpp. run receives one table with all defaults filled in; with
 // positional=true, the values in order.
 #include <cmath>
+#include <memory>
+#include <new>
 
+#include "run/job.hpp"
 #include "script/bind/rooms.hpp"
+#include "script/call/refusals.hpp"
 #include "script/call/words.hpp"
 #include "script/session/warning_log.hpp"
 #include "script/show/show.hpp"
@@ -272,6 +276,42 @@ int keep_caller(lua_State* L) {
   return 1;
 }
 
+// refusals(): how often the machine has refused a file or memory to a call of this session.
+int refusals(lua_State* L) {
+  lua_getfield(L, LUA_REGISTRYINDEX, refusals_key);
+  lua_pushinteger(L, lua_tointeger(L, -1));
+  return 1;
+}
+
+int let_lock_go(lua_State* L) {
+  auto* const held = static_cast<std::shared_ptr<const void>*>(lua_touserdata(L, 1));
+  held->reset();
+  return 0;
+}
+
+// lock(path): a value that holds the file against other programs until it is closed; nil and the reason if
+// one has it already.
+int lock(lua_State* L) {
+  constexpr const char* name = "fabricsh.lock";
+  std::shared_ptr<const void> lock;
+  try {
+    lock = Session::of(L).journal()->locks.take(luaL_checkstring(L, 1));
+  } catch (const Error& error) {
+    lua_pushnil(L);
+    lua_pushstring(L, error.what());
+    return 2;
+  }
+  void* const place = lua_newuserdatauv(L, sizeof(std::shared_ptr<const void>), 0);
+  new (place) std::shared_ptr<const void>(std::move(lock));
+  if (luaL_newmetatable(L, name) != 0)
+    for (const char* event : {"__gc", "__close"}) {
+      lua_pushcfunction(L, let_lock_go);
+      lua_setfield(L, -2, event);
+    }
+  lua_setmetatable(L, -2);
+  return 1;
+}
+
 // log_end(): where the log of warnings ends; warnings(place): what was added from there on.
 int log_end(lua_State* L) {
   const WarningLog::LogPosition place = Session::of(L).log().end();
@@ -307,6 +347,10 @@ int open_define(lua_State* L) {
   lua_setfield(L, -2, "fail");
   lua_pushcfunction(L, keep_caller);
   lua_setfield(L, -2, "keep_caller");
+  lua_pushcfunction(L, lock);
+  lua_setfield(L, -2, "lock");
+  lua_pushcfunction(L, refusals);
+  lua_setfield(L, -2, "refusals");
   lua_pushcfunction(L, log_end);
   lua_setfield(L, -2, "log_end");
   lua_pushcfunction(L, warnings);

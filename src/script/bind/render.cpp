@@ -6,6 +6,7 @@
 #include <deque>
 #include <filesystem>
 #include <limits>
+#include <optional>
 #include <system_error>
 
 #include "base/number.hpp"
@@ -178,6 +179,8 @@ plot::Picture read_picture(const Call& call) {
   p.width = call.count("width");
   p.height = call.count("height");
   read_size(call, p);
+  p.fit = call.flag("fit");
+  if (call.text("bodies") == "clear") p.bodies = 0.25;
   p.edges = call.flag("edges"), p.axes = call.flag("axes"), p.smooth = call.flag("smooth");
   return p;
 }
@@ -226,16 +229,17 @@ format::Array add_bodies(const run::Run& run, std::vector<Vec3>& points,
 // A file with the state of a run, removed with the object.
 class StateFile {
  public:
-  StateFile(const DeckRun& run, const std::string& shown) {
+  StateFile(const DeckRun& run, const std::string& shown, bool with_bodies) {
     const auto& a = *run.analysis;
     const auto& mesh = a.model().mesh();
     std::vector<Vec3> points;
     for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
       points.push_back(a.node(static_cast<mesh::Index>(i)).x);
     auto cells = mesh.elements;
-    format::Array bodies = add_bodies(a, points, cells);
+    std::optional<format::Array> bodies;
+    if (with_bodies) bodies = add_bodies(a, points, cells);
     format::VtuGrid grid{points, cells};
-    grid.cell_data.push_back(std::move(bodies));
+    if (bodies) grid.cell_data.push_back(std::move(*bodies));
     run::FieldPart part{nullptr, -1};
     if (shown != "none") part = run::find_field(a, shown);
     for (const auto& field : run::result_fields()) {
@@ -315,7 +319,7 @@ int render(Call& call) {
   if (call.session().options().check) return 0;
   if (system::Gate::of_process().closed()) return no_picture(call);
   std::deque<StateFile> frames;
-  for (const auto& run : runs) frames.emplace_back(*run, call.text("field"));
+  for (const auto& run : runs) frames.emplace_back(*run, call.text("field"), call.text("bodies") != "none");
   for (std::size_t i = 0; i < picture.panels.size() && !frames.empty(); ++i)
     picture.panels[i].vtu = frames[i * frames.size() / picture.panels.size()].path();
   system::make_folder_for(picture.png);
@@ -367,6 +371,13 @@ std::vector<Argument> arguments() {
              "colours and shading that change evenly between the nodes; else each element has its own")
           .or_else(false),
       value_("edges", boolean, "of the elements").or_else(true),
+      value_("fit", boolean, "the picture is no wider than its one panel needs: for tall things")
+          .or_else(false),
+      value_("bodies", text,
+             "rigid bodies of a run: clear lets the cloth behind them be seen, none leaves them out, and the "
+             "picture is as large as the cloth")
+          .or_else("shown")
+          .one_of({"shown", "clear", "none"}),
       value_("axes", boolean, "with a scale, in mm (m from 1.5 m on)").or_else(true),
   };
 }

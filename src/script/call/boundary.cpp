@@ -11,7 +11,9 @@
 #include "script/call/call.hpp"
 #include "script/call/chain.hpp"
 #include "script/call/push.hpp"
+#include "script/call/refusals.hpp"
 #include "script/call/words.hpp"
+#include "system/atomic.hpp"
 #include "system/paths.hpp"
 #include "system/stack.hpp"
 
@@ -95,6 +97,15 @@ std::string system_words(const std::filesystem::filesystem_error& trouble) {
   return (path.empty() ? "the current folder" : "'" + path + "'") + ": " + trouble.code().message();
 }
 
+// Counts what the machine refused, a file or memory, which another run of the same deck may get.
+void count_refusal(lua_State* L) {
+  lua_getfield(L, LUA_REGISTRYINDEX, refusals_key);
+  const lua_Integer before = lua_tointeger(L, -1);
+  lua_pop(L, 1);
+  lua_pushinteger(L, before + 1);
+  lua_setfield(L, LUA_REGISTRYINDEX, refusals_key);
+}
+
 // After Ctrl-C a drawing program is ended too; its message is then not the reason for the failure.
 bool interrupted_by_now(lua_State* L) {
   Session& session = Session::of(L);
@@ -118,10 +129,13 @@ int enter(lua_State* L) {
   } catch (const NumericalFailure& failure) {
     push_failure(L, call, failure);
   } catch (const Error& error) {
+    if (dynamic_cast<const system::CannotWrite*>(&error) != nullptr) count_refusal(L);
     push_error(L, call, interrupted_by_now(L) ? "interrupted" : error.what());
   } catch (const std::bad_alloc&) {
+    count_refusal(L);
     push_error(L, call, no_memory_text(Session::of(L).limits() != nullptr));
   } catch (const std::filesystem::filesystem_error& trouble) {
+    count_refusal(L);
     push_error(L, call, system_words(trouble));
   } catch (const std::exception& bug) {
     push_error(L, call, std::string("internal error: ") + bug.what());

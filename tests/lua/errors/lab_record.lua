@@ -311,3 +311,7 @@ wrong("fabric.lab.speckles", "fabric.lab.speckles{ file='x.png', width=10, heigh
   "deck.lua:1: speckles: field 'noise': expected a number from 0 to 1, got '1'")
 wrong("fabric.lab.speckles", "fabric.lab.speckles{ file='x.png', width=10, height=10, shift={1, 'two'} }",
   "deck.lua:1: speckles: field 'shift': expected a table of numbers in pixels, got 'two' at place 2")
+wrong("fabric.lab.compare", "fabric.lab.compare({}, {}, { window='wide' })",
+  "deck.lua:1: compare: field 'options.window': expected a positive number in s, got 'wide'")
+wrong("fabric.lab.compare", "fabric.lab.compare({}, {}, { window=0 })",
+  "deck.lua:1: compare: field 'options.window': expected a positive number in s, got 0")
