@@ -2,6 +2,7 @@
 local fabric = require "fabric"
 local define = require "fabric.define"
 local card_bands = require "fabric.lab.card_bands"
+local discrepancy = require "fabric.lab.discrepancy"
 local store, check, text_of = require "fabric.lab.identify_store", require "fabric.lab.identify_check", require "fabric.lab.identify_text"
 local fail = define.fail
 
@@ -227,12 +228,30 @@ local function on_bound(t, found, scale)
   return out
 end
 
--- Deviations: scatter above the stated noise increases them; they never exceed those that follow from the bounds alone.
-local function widen(t, out, scale)
+-- Deviations that hold scatter above the stated noise and smooth differences of the model from the data; a deviation is half a 95 % band over 1.96. They never exceed those that follow
+-- from the bounds alone.
+local function widen(t, out, found, scale)
+  local n, C, counts = #t.parameters, {}, {}
+  out.of_noise = { deviation = table.move(out.deviation, 1, n, 1, {}), correlation = table.move(out.correlation, 1, n * n, 1, {}) }
+  for i = 1, n do
+    C[i] = {}
+    for j = 1, n do C[i][j] = out.deviation[i] * out.deviation[j] * out.correlation[(i - 1) * n + j] end
+  end
+  if not t.whiten then -- fabric.lab.pool learns what the model misses from several specimens
+    for i, test in ipairs(t.tests) do counts[i] = #test.measured end
+    local missed = discrepancy.of(found.residuals, counts, found.jacobian, C)
+    if missed.deviation > 0 then
+      out.discrepancy = { deviation = missed.deviation, ratio = missed.ratio, told = missed.told }
+      for i = 1, n do
+        out.deviation[i] = math.sqrt(missed.covariance[i][i]) * fabric.lab.student(0.975, missed.freedom[i]) / fabric.lab.student(0.975, 1e6)
+        for j = 1, n do out.correlation[(i - 1) * n + j] = missed.covariance[i][j] / math.sqrt(missed.covariance[i][i] * missed.covariance[j][j]) end
+      end
+    end
+  end
   out.known = {}
   for i, d in ipairs(out.deviation) do
     local name = t.parameters[i].name
-    out.deviation[i] = out.on_bound[name] and 0 / 0 or math.min(scale[i], d * math.sqrt(math.max(1, out.chi2)))
+    out.deviation[i] = out.on_bound[name] and 0 / 0 or math.min(scale[i], d * (out.discrepancy and 1 or math.sqrt(math.max(1, out.chi2))))
     out.known[name] = out.deviation[i] < 0.25 * scale[i]
   end
   out.weakest_deviation = math.min(1, out.weakest_deviation)
@@ -264,7 +283,7 @@ local function identify(t)
   local squares = 0
   for _, r in ipairs(found.residuals) do squares = squares + r * r end
   out.chi2, out.on_bound = squares / math.max(1, #found.residuals - #t.parameters), on_bound(t, found, scale)
-  widen(t, out, scale)
+  widen(t, out, found, scale)
   out.x, out.iterations, out.reason, out.converged, out.simulations = found.x, found.iterations, found.reason, found.converged, #cache.points
   out.parameters, out.misses = named(t, found.x), misses(t, found.residuals)
   out.further = rank_further(t, found, scale)
@@ -294,7 +313,7 @@ define {
   },
   sentence = "Card parameters by bounded least squares through simulation. Returns parameters (by name), deviation (nan on a bound), "
     .. "on_bound (the bound, by name), known (by name), correlation, weakest, misses (per test: rms and worst over the largest measured value, "
-    .. "deviations), chi2 (per degree of freedom), further (ranked), simulations, text, card(self, function(p) return card end): the "
+    .. "deviations), chi2 (per degree of freedom), discrepancy (nil, or what the model may miss smoothly: deviation over the noise, ratio of likelihoods, told), of_noise (deviation and correlation by the stated noise alone), further (ranked), simulations, text, card(self, function(p) return card end): the "
     .. "card with the parameters' 95 % bands propagated to its numbers, for card:sample.",
   example = "local fabric = require 'fabric'\n"
     .. "local function S(p) return { fabric.point(fabric.card 'blend':with{ shear={ unloading=p.Gu } }):path{ {0, 0, 0.2}, {0, 0, 0.19} }[2].S12 } end\n"

@@ -41,7 +41,11 @@ end
 
 return function(t, out)
   local lines = {}
-  if out.chi2 > 4 then
+  local missed = out.discrepancy
+  if missed and missed.told then
+    lines[1] = ("The data contradict the model: they differ by more than the noise, smoothly, by about %.2g times as much (by chance in fewer than one case of a hundred); the error bars hold such differences"):format(
+      missed.deviation)
+  elseif out.chi2 > 4 then
     lines[1] = ("The data contradict the model: they differ by more than the noise; the error bars are widened by %.3g, and may mean little"):format(
       math.sqrt(out.chi2))
   end

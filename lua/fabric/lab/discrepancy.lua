@@ -1,0 +1,165 @@
+-- What a model misses beside the noise: a smooth difference along each test, estimated from the residuals of a fit, and what it does to the fitted parameters.
+--
+-- Residuals over their noise after the fit, r = M (d + e): e is independent with variance v, at least 1; d = sum_j c_j phi_j, cosines along the points of each test, var(c_j) = s^2 / (1 + j^2/4).
+-- M takes away what the parameters explain. v and s^2 follow from the restricted likelihood [patterson1971]. Where the parameters would have followed d, nothing of it is in the residuals; that
+-- part has the same s^2, averaged over its likelihood (prior of s: half of it below half the noise, since what the residuals do not show may be there), and so the parameters' covariance is C J^T (v I + s^2 Phi W Phi^T) J C with C = (J^T J)^-1 [kennedy2001].
+local fabric = require "fabric"
+local discrepancy = {}
+
+local modes, fewest = 6, 8 -- of a test; points of a test of which smooth differences can be told from noise
+local sure = 6.6           -- twice the logarithm of the ratio of likelihoods that is as unlikely as one in a hundred
+
+-- Eigenvalues and eigenvectors (columns of V) of a small symmetric matrix, by Jacobi's rotations.
+local function eigen(A)
+  local n, V = #A, {}
+  for i = 1, n do
+    V[i] = {}
+    for j = 1, n do V[i][j] = i == j and 1 or 0 end
+  end
+  for _ = 1, 30 do
+    local off = 0
+    for p = 1, n - 1 do
+      for q = p + 1, n do
+        off = off + A[p][q] ^ 2
+        if A[p][q] ~= 0 then
+          local theta = (A[q][q] - A[p][p]) / (2 * A[p][q])
+          local t = (theta >= 0 and 1 or -1) / (math.abs(theta) + math.sqrt(theta * theta + 1))
+          local c = 1 / math.sqrt(t * t + 1)
+          local s = t * c
+          for k = 1, n do A[k][p], A[k][q] = c * A[k][p] - s * A[k][q], s * A[k][p] + c * A[k][q] end
+          for k = 1, n do A[p][k], A[q][k] = c * A[p][k] - s * A[q][k], s * A[p][k] + c * A[q][k] end
+          for k = 1, n do V[k][p], V[k][q] = c * V[k][p] - s * V[k][q], s * V[k][p] + c * V[k][q] end
+        end
+      end
+    end
+    if off < 1e-24 then break end
+  end
+  local values = {}
+  for i = 1, n do values[i] = A[i][i] end
+  return values, V
+end
+
+-- The weighted cosines of all tests, each a list { first, values } over the points of its test.
+local function functions_of(counts)
+  local out, first = {}, 0
+  for _, n in ipairs(counts) do
+    if n >= fewest then
+      for j = 0, math.min(modes, n // 3) - 1 do
+        local values, weight = {}, math.sqrt((j == 0 and 1 or 2) / (1 + j * j / 4))
+        for k = 1, n do values[k] = weight * math.cos(math.pi * j * (k - 0.5) / n) end
+        out[#out + 1] = { first = first, values = values }
+      end
+    end
+    first = first + n
+  end
+  return out
+end
+
+-- Log likelihood of v and s2, where u has the variances v + s2 g, and the other `count` components v and the sum of squares `rest`.
+local function likelihood(v, s2, u, g, rest, count)
+  local sum = -count * math.log(v) - rest / v
+  for i, x in ipairs(u) do
+    local variance = v + s2 * g[i]
+    sum = sum - math.log(variance) - x * x / variance
+  end
+  return sum / 2
+end
+
+-- The likeliest v >= 1 for an s2, by golden section in its logarithm.
+local function best_noise(s2, u, g, rest, count, most)
+  local low, high, golden = 0, math.log(math.max(1.0001, most)), (math.sqrt(5) - 1) / 2
+  for _ = 1, 40 do
+    local a, b = high - golden * (high - low), low + golden * (high - low)
+    if likelihood(math.exp(a), s2, u, g, rest, count) > likelihood(math.exp(b), s2, u, g, rest, count) then high = b else low = a end
+  end
+  local v = math.exp((low + high) / 2)
+  if likelihood(1, s2, u, g, rest, count) >= likelihood(v, s2, u, g, rest, count) then v = 1 end
+  return v, likelihood(v, s2, u, g, rest, count)
+end
+
+-- residuals: predicted less measured over the noise, all tests one after the other, `counts` points each; jacobian: their derivatives by the n parameters, row by row; C: (J^T J)^-1, a
+-- list of rows. Returns { noise (v), deviation (rms of d over the noise), ratio (twice the logarithm of the likelihoods'), told, covariance, freedom (of each parameter's variance) }.
+function discrepancy.of(residuals, counts, jacobian, C)
+  local m, n, phi = #residuals, #C, functions_of(counts)
+  local out, squares = { noise = 1, deviation = 0, ratio = 0, told = false, covariance = {}, freedom = {} }, 0
+  for _, r in ipairs(residuals) do squares = squares + r * r end
+  -- J^T phi, and phi without what the parameters explain
+  local with_J, explained = {}, {}
+  for q, f in ipairs(phi) do
+    with_J[q], explained[q] = {}, {}
+    for i = 1, n do
+      local sum = 0
+      for k, x in ipairs(f.values) do sum = sum + x * jacobian[(f.first + k - 1) * n + i] end
+      with_J[q][i] = sum
+    end
+    for i = 1, n do
+      local sum = 0
+      for l = 1, n do sum = sum + C[i][l] * with_J[q][l] end
+      explained[q][i] = sum
+    end
+  end
+  local G, b = {}, {}
+  for q, f in ipairs(phi) do
+    G[q], b[q] = {}, 0
+    for k, x in ipairs(f.values) do b[q] = b[q] + x * residuals[f.first + k] end
+    for p, h in ipairs(phi) do
+      local sum = 0
+      if f.first == h.first then
+        for k, x in ipairs(f.values) do sum = sum + x * h.values[k] end
+      end
+      for i = 1, n do sum = sum - with_J[q][i] * explained[p][i] end
+      G[q][p] = sum
+    end
+  end
+  local u, g, rest = {}, {}, squares
+  if #phi > 0 then
+    local largest, values, V = 0, nil, nil
+    values, V = eigen(G)
+    for _, x in ipairs(values) do largest = math.max(largest, x) end
+    for i, x in ipairs(values) do
+      if x > 1e-6 * largest then
+        local along = 0
+        for q = 1, #phi do along = along + V[q][i] * b[q] end
+        u[#u + 1], g[#g + 1] = along / math.sqrt(x), x
+        rest = rest - along * along / x
+      end
+    end
+  end
+  local count = math.max(0, m - n - #u)
+  rest = math.max(rest, 0)
+  local most = 4 * math.max(1, squares / math.max(1, m - n))
+  local v, none = best_noise(0, u, g, rest, count, most)
+  -- s2, averaged
+  local s2, top, sum = 0, none, 1e-300
+  if #u > 0 and count > 2 then
+    local whole = 0
+    for k = -20, 30 do
+      local size = 10 ^ (k / 10)
+      local noise, value = best_noise(size * size, u, g, rest, count, most)
+      if value > top then v, top = noise, value end
+      local weight = math.exp(math.min(500, value - none)) * size / (1 + (size / 0.5) ^ 2)
+      sum, whole = sum + weight, whole + weight * size * size
+    end
+    s2 = whole / sum
+  end
+  local effective, weights = 0, 0
+  for j = 0, modes - 1 do weights = weights + 1 / (1 + j * j / 4) end
+  for _, x in ipairs(g) do effective = effective + s2 * x / (v + s2 * x) end
+  out.noise, out.deviation, out.ratio, out.told = v, math.sqrt(s2 * weights), 2 * (top - none), 2 * (top - none) > sure
+  for i = 1, n do
+    out.covariance[i] = {}
+    local smooth
+    for l = 1, n do
+      smooth = 0
+      for q = 1, #phi do smooth = smooth + explained[q][i] * explained[q][l] end
+      out.covariance[i][l] = v * C[i][l] + s2 * smooth
+      if i == l then
+        local a, c = v * C[i][i], s2 * smooth
+        out.freedom[i] = a + c > 0 and (a + c) ^ 2 / (a * a / math.max(1, m - n) + c * c / math.max(1, effective)) or 1
+      end
+    end
+  end
+  return out
+end
+
+return discrepancy

@@ -1,0 +1,38 @@
+-- fabric.lab.identify with a model that is a little wrong: its error bars hold the truth, and it says that the data contradict the model.
+local fabric = require "fabric"
+local lab = fabric.lab
+local draw = require "fabric.lab.random"(31)
+
+local n, noise = 50, 0.02
+local function model(p)
+  local y = {}
+  for k = 1, n do
+    local x = k / n
+    y[k] = p.a * x + p.b * x ^ 3
+  end
+  return y
+end
+local truth = { a = 1.3, b = 0.8 }
+
+-- Fits records that differ from the model by `size` times the noise, smoothly; the parts of the truth within 1.96 deviations, of records that are said to contradict, and the mean deviation of a.
+local function fitted(size, sets)
+  local inside, told, width = 0, 0, 0
+  for _ = 1, sets do
+    local y, phase, waves = model(truth), 2 * math.pi * draw.uniform(), 0.5 + draw.uniform()
+    for k = 1, n do y[k] = y[k] + noise * (size * math.sqrt(2) * math.cos(2 * math.pi * waves * k / n + phase) + draw.normal()) end
+    local f = lab.identify { parameters = { { name = "a", start = 1, low = -5, high = 5 }, { name = "b", start = 1, low = -5, high = 5 } },
+      tests = { { name = "curve", measured = y, noise = noise, predict = model } }, processes = 1 }
+    for i, name in ipairs { "a", "b" } do inside = inside + (math.abs(f.parameters[name] - truth[name]) <= 1.96 * f.deviation[i] and 0.5 or 0) / sets end
+    told, width = told + (f.text:find("The data contradict the model: they differ by more than the noise", 1, true) and 1 or 0) / sets, width + f.deviation[1] / sets
+  end
+  return inside, told, width
+end
+
+local inside, told, plain = fitted(0, 40)
+assert(inside >= 0.9 and told <= 0.1, ("%g %g"):format(inside, told))
+local width
+inside, told, width = fitted(1, 40)
+assert(inside >= 0.85 and told >= 0.4, ("%g %g"):format(inside, told)) -- long waves are taken up by the parameters: nothing shows them
+assert(width < 4 * plain, width / plain)
+inside, told = fitted(3, 20)
+assert(inside >= 0.85 and told >= 0.9, ("%g %g"):format(inside, told))
