@@ -10,6 +10,7 @@
 #include "law/laws.hpp"
 #include "law/potential.hpp"
 #include "law/text.hpp"
+#include "law/transverse.hpp"
 
 namespace fabricsh::law {
 
@@ -290,7 +291,8 @@ void drop_transverse_shear(Law& law) {
 
 }  // namespace
 
-std::shared_ptr<const Law> compile(const card::Card& card, bool transverse_shear) {
+namespace {
+std::shared_ptr<Law> compile_all(const card::Card& card) {
   card::require(card);
   require_compression(card);
   auto law = std::make_shared<Law>();
@@ -299,8 +301,29 @@ std::shared_ptr<const Law> compile(const card::Card& card, bool transverse_shear
     compile_woven(card, *woven, *law);
   else
     compile_elastic(card, *law);
+  return law;
+}
+}  // namespace
+
+std::shared_ptr<const Law> compile(const card::Card& card, bool transverse_shear) {
+  const auto law = compile_all(card);
   if (!transverse_shear) drop_transverse_shear(*law);
   return law;
+}
+
+std::shared_ptr<const Law> compile_stiffer(const card::Card& card, const TransverseModuli& least) {
+  const auto law = compile_all(card);
+  const auto raise = [](double& modulus, double to) { return to > modulus ? (modulus = to, true) : false; };
+  if (law->kind == CompiledKind::potential) {
+    if (!raise(law->woven.transverse, std::max(least.warp, least.weft))) return nullptr;
+    law->plain.transverse = law->woven.transverse;
+    return law;
+  }
+  if (law->kind != CompiledKind::elastic) return nullptr;
+  const auto* const svk = std::get_if<card::Svk>(&card.law);
+  const bool warp = !(svk != nullptr && svk->g13) && raise(law->elastic.G13, least.warp),
+             weft = !(svk != nullptr && svk->g23) && raise(law->elastic.G23, least.weft);
+  return warp || weft ? law : nullptr;
 }
 
 }  // namespace fabricsh::law

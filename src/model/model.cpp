@@ -10,6 +10,7 @@
 #include "base/number.hpp"
 #include "mesh/check.hpp"
 #include "mesh/corners.hpp"
+#include "section/transverse.hpp"
 
 namespace fabricsh::model {
 
@@ -34,11 +35,23 @@ void take_word(FixedFreedoms& f, const std::string& word, const std::string& cal
 
 bool none_given(const Components& c) { return !c[0] && !c[1] && !c[2]; }
 
-section::Section make_section(const card::Card& card, const Options& options) {
+// m, the mean length of the sides of elements.
+double mean_side(const mesh::Mesh& mesh) {
+  double sum = 0, count = 0;
+  for (const auto& e : mesh.elements) {
+    const int n = (e[3] < 0 ? 3 : 4);
+    for (int a = 0; a < n; ++a, ++count) sum += (mesh.nodes[e[(a + 1) % n]] - mesh.nodes[e[a]]).norm();
+  }
+  return count > 0 ? sum / count : 0;
+}
+
+section::Section make_section(const card::Card& card, const Options& options, const mesh::Mesh& mesh) {
   if (!options.plies.empty()) return section::stacked(options.plies, options.points, options.offset);
   const double thickness = options.thickness.value_or(card.thickness);
-  return options.membrane ? section::membrane(card, thickness)
-                          : section::integrated(card, thickness, options.points, options.offset);
+  if (options.membrane) return section::membrane(card, thickness);
+  section::Section out = section::integrated(card, thickness, options.points, options.offset);
+  section::hide_transverse_shear(out, card, mean_side(mesh));
+  return out;
 }
 
 }  // namespace
@@ -104,7 +117,7 @@ void Model::add_body(Index which) {
         "not a flat generated one, so the warp has no default");
   const auto add = [&](const std::string& name, const card::Card& card, const Options& options) {
     regions_.push_back({name, card, options, which});
-    sections_.push_back(make_section(card, options));
+    sections_.push_back(make_section(card, options, *body.mesh));
     return static_cast<Index>(regions_.size()) - 1;
   };
   const Index own = add(body.name, body.card, body.options);
