@@ -109,9 +109,10 @@ local function ranged(argument) return argument.low > -math.huge or argument.hig
 local function covered(row)
   local seen = {}
   for _, message in ipairs(messages[row.name] or {}) do
-    local path = message:match "field '([%w_.]+)': expected" or message:match "argument '([%w_.]+)': expected"
+    -- Where the nearest of many names is known, what came is told first.
+    local path = message:match "field '([%w_.]+)': [eg][xo]" or message:match "argument '([%w_.]+)': [eg][xo]"
     local argument = path and find(row.arguments, path)
-    local got = message:match ", got (.+)$"
+    local got = message:match ", got (.+)$" or message:match "': got (.+)$"
     if argument and got then
       if got:find "^nil" then seen.missing = true else seen[signature(argument)] = true end
       if ranged(argument) and tonumber((got:match "^%S+")) then seen.range = true end

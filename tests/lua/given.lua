@@ -102,3 +102,17 @@ assert(a.time == 1 and #a.steps > 1 and math.abs(a:node(1).x + 0.03) < 1e-9)
 -- However small a strain, it is a number; a large one is asked about.
 assert(talk("small", "fabric.point(card):strain{ E11=0.02, E12=3e-17 }\nfabric.point(card):strain{ E22=-2e-300 }") == "")
 assert(talk("large", "fabric.point(card):strain{ E12=12 }"):find("field 'E12': 12 is far from what cloth is: strains are numbers, not per cent", 1, true))
+
+-- An angle in radians, several numbers with one wrong unit, a card without tested strains, and a name out of a long list: one line each.
+do
+  local sheet = "local mesh = fabric.mesh.rectangle{ width=0.08, height=0.06, nx=4, ny=3 }\nlocal m = fabric.model{ mesh=mesh, card=card, points=1, warp=%s }\n"
+  assert(talk("radians", sheet:format "math.rad(45)"):find("radians.lua:5: field 'warp': 0.7853981633974483 degrees are the radians of 45 degrees: is it an angle in degrees?", 1, true))
+  for _, angle in ipairs { "1.5", "0", "45", "0.3", "math.rad(31.7)", "-90" } do assert(talk("degrees", sheet:format(angle)) == "") end
+  local own = "fabric.woven{ name='own', density=%s, thickness=%s, warp={ loading={2e8}, unloading=%s, poisson=0 }, weft={ loading={5e7}, unloading=5e7, poisson=0 }, shear={ loading={2e6}, unloading=2e6 } }\n"
+  local words = talk("unit", "local c = " .. own:format("0.6", "0.4", "2e8"))
+  assert(select(2, words:gsub("\n", "\n")) == 1 and words:find("field 'density': 0.6 kg/m^3 is far from what cloth is", 1, true) and words:find("so are field 'thickness', 0.4 m", 1, true), words)
+  words = talk("guards", "local mesh = fabric.mesh.rectangle{ width=0.08, height=0.06, nx=4, ny=3 }\nfabric.model{ mesh=mesh, warp=0, card=" .. own:format("600", "4e-4", "2e8"):gsub("\n", "") .. " }")
+  assert(select(2, words:gsub("\n", "\n")) == 1 and words:find("guard.warp: range guard from E11 = 0.3 on", 1, true) and words:find("; likewise guard.weft, guard.shear", 1, true), words)
+  words = talk("name", sheet:format "0" .. "m:fix('all', 'z rotation'):fix('left', 'x y'):move('right', { x=fabric.ramp(1e-4, 1) })\nlocal a = fabric.static{ model=m, duration=1, step=1 }:solve()\na:field 'S_11'")
+  assert(words:find("field: argument 'name': got 'S_11', did you mean 'S11'? Expected one of", 1, true), words)
+end

@@ -2,7 +2,9 @@
 #include "script/bind/body_rows.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
+#include <numbers>
 #include <vector>
 
 #include "base/number.hpp"
@@ -37,6 +39,19 @@ model::WarpField warp_function(const Function& f) {
   };
 }
 
+// An angle in degrees that is a usual one if it is taken for radians, as 1.5708 is of 90 degrees.
+void question_radians(lua_State* L, const std::string& where, double angle) {
+  constexpr double usual = 5, near = 1e-3, digit = 1e-9;  // degrees; of a number with one decimal
+  const double degrees = angle * 180 / std::numbers::pi;
+  const bool rounds = std::abs(degrees - usual * std::round(degrees / usual)) < near,
+             plain = std::abs(10 * angle - std::round(10 * angle)) < digit;
+  if (angle == 0 || plain || !rounds || std::abs(degrees) > 360 + near) return;
+  Session::of(L).warn("units", position(L) + where + ": " + exact_number(angle) +
+                                   " degrees are the radians of " +
+                                   fabricsh::number(usual * std::round(degrees / usual)) +
+                                   " degrees: is it an angle in degrees?");
+}
+
 void read_warp(const Fields& given, model::Options& options) {
   if (!given.has("warp")) return;
   if (const Function f = given.function("warp")) {
@@ -47,6 +62,7 @@ void read_warp(const Fields& given, model::Options& options) {
   given.push("warp");
   lua_State* L = given.L();
   const model::Direction direction = read_direction(L, "field 'warp'");
+  if (lua_type(L, -1) == LUA_TNUMBER) question_radians(L, "field 'warp'", lua_tonumber(L, -1));
   options.warp_text = lua_isnumber(L, -1) ? exact_number(lua_tonumber(L, -1)) + " degrees" : "vector";
   lua_pop(L, 1);
   options.warp = [direction](const Vec3&) { return direction; };
@@ -105,16 +121,25 @@ void read_layers(const Fields& given, model::Options& options) {
   if (options.plies.empty()) given.refuse("layers", "expected at least one layer, got an empty table");
 }
 
-// Refuses a card that fails its check; shows each of its warnings once. The warning about bending is given by
-// the run, in which it is known whether the sheet can leave its plane.
+// Refuses a card that fails its check; shows each kind of warning once, of the first of what it is of. The
+// warning about bending is given by the run, in which it is known whether the sheet can leave its plane.
 void check_card(Session& session, const card::Card& card) {
   const auto report = law::check(card);
+  const auto kind = [](const std::string& key) { return key.substr(0, key.find('.')); };
+  std::vector<std::pair<std::string, std::string>> said;  // kind, words
   for (const auto& item : report.items) {
     const std::string words = "card '" + card.name + "': " + item.key + ": " + item.text;
     if (item.severity == Severity::error) throw Error(words);
-    const bool is_bending = item.key.starts_with("bending.");
-    if (item.severity == Severity::warning && !is_bending) session.warn("card", words);
+    if (item.severity != Severity::warning || item.key.starts_with("bending.")) continue;
+    const auto same =
+        std::find_if(said.begin(), said.end(), [&](const auto& one) { return one.first == kind(item.key); });
+    if (same == said.end())
+      said.emplace_back(kind(item.key), words);
+    else
+      same->second +=
+          (same->second.find("; likewise ") == std::string::npos ? "; likewise " : ", ") + item.key;
   }
+  for (const auto& one : said) session.warn("card", one.second);
 }
 
 // Card or plies, thickness, warp and points of a body or region.

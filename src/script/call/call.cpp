@@ -45,8 +45,14 @@ std::string shape_words(const std::string& sentence) {
   return "";
 }
 
+// A list of more names than this is shown by its size alone.
+constexpr std::size_t kListed = 20;
+
 std::string choice_words(const Argument& row) {
   if (row.choices.empty()) return "a string";
+  if (row.choices.size() > kListed)
+    return "one of " + std::to_string(row.choices.size()) + " names, '" + row.choices.front() + "' to '" +
+           row.choices.back() + "' (help, or reference.md, lists them)";
   std::string words;
   for (const std::string& choice : row.choices) words += (words.empty() ? "'" : " or '") + choice + "'";
   return words;
@@ -134,15 +140,37 @@ std::string came(lua_State* L, int index, const Argument& row) {
   return describe(L, index);
 }
 
-void warn_unusual(lua_State* L, int index, const Argument& row, const std::string& path, bool positional) {
+// A number far outside the usual range of its row.
+struct Unusual {
+  std::string value, where, hint;  // "0.6 kg/m^3"; its label
+};
+using UnusualValues = std::vector<Unusual>;
+
+void note_unusual(lua_State* L, int index, const Argument& row, const std::string& path, bool positional,
+                  UnusualValues& found) {
   if (lua_type(L, index) != LUA_TNUMBER || row.hint.empty()) return;
   const double x = lua_tonumber(L, index);
   if (x == 0 || row.usual.holds(std::abs(x))) return;
-  const std::string what = position(L) + label(path, row.name, positional) + ": " + exact_number(x) +
-                           (row.unit.empty() ? "" : " " + row.unit) +
-                           " is far from what cloth is: " + row.hint;
-  Session::of(L).warn("units", what);
+  found.push_back({exact_number(x) + (row.unit.empty() ? "" : " " + row.unit),
+                   label(path, row.name, positional), row.hint});
 }
+
+// Those of one call in one line: one unit that is wrong makes many of them.
+void warn_unusual(lua_State* L, const UnusualValues& found) {
+  if (found.empty()) return;
+  const Unusual& first = found.front();
+  std::string words =
+      position(L) + first.where + ": " + first.value + " is far from what cloth is: " + first.hint;
+  for (std::size_t i = 1; i < found.size(); ++i)
+    words += (i == 1                  ? "; so are "
+              : i + 1 == found.size() ? " and "
+                                      : ", ") +
+             found[i].where + ", " + found[i].value;
+  Session::of(L).warn("units", words);
+}
+
+void check_value(lua_State* L, int index, const Argument& row, const std::string& path, bool positional,
+                 UnusualValues& unusual);
 
 }  // namespace
 
@@ -166,15 +194,9 @@ std::string expected(const Argument& row) {
 }
 
 void check_value(lua_State* L, int index, const Argument& row, const std::string& path, bool positional) {
-  index = lua_absindex(L, index);
-  if (lua_isnoneornil(L, index) && !row.required) return;
-  if (lua_isnoneornil(L, index) || !accepts(L, index, row))
-    throw Error(label(path, row.name, positional) + ": expected " + expected(row) + ", got " +
-                came(L, index, row));
-  warn_unusual(L, index, row, path, positional);
-  if (lua_istable(L, index) && (row.kinds & fields) != 0 && (row.kinds & table) == 0 &&
-      !((row.kinds & numbers) != 0 && lua_rawlen(L, index) > 0))
-    Fields(L, index, row.rows, path + row.name + ".");
+  UnusualValues unusual;
+  check_value(L, index, row, path, positional, unusual);
+  warn_unusual(L, unusual);
 }
 
 namespace {
@@ -204,21 +226,20 @@ void make_plain(lua_State* L, int index, const std::vector<Argument>& rows) {
   lua_replace(L, index);
 }
 
-}  // namespace
-
-Fields::Fields(lua_State* L, int index, const std::vector<Argument>& rows, std::string path, bool positional)
-    : L_(L), index_(lua_absindex(L, index)), rows_(&rows), path_(std::move(path)), positional_(positional) {
+// Checks the table at index, which becomes a plain one.
+void check_rows(lua_State* L, int index, const std::vector<Argument>& rows, const std::string& path,
+                bool positional, UnusualValues& unusual) {
   luaL_checkstack(L, 10, "fields");
-  make_plain(L, index_, rows);
+  make_plain(L, index, rows);
   // The first in the alphabet: Lua's own order differs from one start to the next.
   std::optional<std::string> wrong;
   lua_pushnil(L);
-  while (lua_next(L, index_) != 0) {
+  while (lua_next(L, index) != 0) {
     lua_pop(L, 1);
     if (lua_type(L, -1) != LUA_TSTRING)
-      throw Error(path_.empty()
+      throw Error(path.empty()
                       ? "expected named fields, got an entry without a name at " + describe(L, -1)
-                      : "field '" + path_.substr(0, path_.size() - 1) +
+                      : "field '" + path.substr(0, path.size() - 1) +
                             "': expected named fields, got an entry without a name at " + describe(L, -1));
     const std::string name = lua_tostring(L, -1);
     bool found = false;
@@ -227,15 +248,45 @@ Fields::Fields(lua_State* L, int index, const std::vector<Argument>& rows, std::
   }
   if (wrong) {
     auto names = names_of(rows);
-    for (auto& known : names) known = path_ + known;
-    throw Error(unknown("field", path_ + *wrong, names));
+    for (auto& known : names) known = path + known;
+    throw Error(unknown("field", path + *wrong, names));
   }
   for (const Argument& row : rows) {
-    lua_getfield(L, index_, row.name.c_str());
+    lua_getfield(L, index, row.name.c_str());
     fabricsh::script::make_plain(L);
-    check_value(L, -1, row, path_, positional);
+    check_value(L, -1, row, path, positional, unusual);
     lua_pop(L, 1);
   }
+}
+
+// The nearest of many names comes first, then how to see them all.
+[[noreturn]] void refuse_value(lua_State* L, int index, const Argument& row, const std::string& where) {
+  const bool many = row.choices.size() > kListed && lua_type(L, index) == LUA_TSTRING;
+  const std::string guess = many ? did_you_mean(lua_tostring(L, index), row.choices) : "";
+  if (!guess.empty())
+    throw Error(where + ": got " + describe(L, index) + guess + " Expected " + expected(row));
+  throw Error(where + ": expected " + expected(row) + ", got " + came(L, index, row));
+}
+
+void check_value(lua_State* L, int index, const Argument& row, const std::string& path, bool positional,
+                 UnusualValues& unusual) {
+  index = lua_absindex(L, index);
+  if (lua_isnoneornil(L, index) && !row.required) return;
+  if (lua_isnoneornil(L, index) || !accepts(L, index, row))
+    refuse_value(L, index, row, label(path, row.name, positional));
+  note_unusual(L, index, row, path, positional, unusual);
+  if (lua_istable(L, index) && (row.kinds & fields) != 0 && (row.kinds & table) == 0 &&
+      !((row.kinds & numbers) != 0 && lua_rawlen(L, index) > 0))
+    check_rows(L, index, row.rows, path + row.name + ".", false, unusual);
+}
+
+}  // namespace
+
+Fields::Fields(lua_State* L, int index, const std::vector<Argument>& rows, std::string path, bool positional)
+    : L_(L), index_(lua_absindex(L, index)), rows_(&rows), path_(std::move(path)), positional_(positional) {
+  UnusualValues unusual;
+  check_rows(L, index_, rows, path_, positional, unusual);
+  if (path_.empty()) warn_unusual(L, unusual);  // those of a table within it have been found before
 }
 
 const Argument& Fields::row(std::string_view name) const {

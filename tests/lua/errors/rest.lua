@@ -105,7 +105,7 @@ wrong("fabric.render", "fabric.render{ file='x.png', run={} }",
 wrong("fabric.render", "fabric.render{ file='x.png', run={ 5 } }",
   "deck.lua:1: render: field 'run': expected an analysis at place 1, got 5")
 wrong("fabric.render", "fabric.render{ file='x', field='noen' }",
-  "deck.lua:1: render: field 'field': expected 'none' or 'displacement' or 'ux' or 'uy' or 'uz' or 'velocity' or 'vx' or 'vy' or 'vz' or 'nx' or 'ny' or 'nz' or 'position' or 'x' or 'y' or 'z' or 'reference' or 'X' or 'Y' or 'Z' or 'reaction' or 'reaction_x' or 'reaction_y' or 'reaction_z' or 'gap' or 'contact_pressure' or 'joint_open' or 'rupture_warp' or 'rupture_weft' or 'E11' or 'E22' or 'E23' or 'E13' or 'E12' or 'S11' or 'S22' or 'S23' or 'S13' or 'S12' or 'residual1' or 'residual2' or 'slack1' or 'slack2' or 'stored' or 'dissipated' or 'dissipated_warp' or 'dissipated_weft' or 'dissipated_shear' or 'dissipated_damage' or 'shear_angle' or 'tension_warp' or 'tension_weft' or 'nominal_strain_warp' or 'nominal_strain_weft' or 'nominal_stress_warp' or 'nominal_stress_weft' or 'cauchy_11' or 'cauchy_22' or 'cauchy_12' or 'beyond' or 'region', got 'noen', did you mean 'none'?")
+  "deck.lua:1: render: field 'field': got 'noen', did you mean 'none'? Expected one of 61 names, 'none' to 'region' (help, or reference.md, lists them)")
 wrong("fabric.render", "fabric.render{ file='x', factor='1' }",
   "deck.lua:1: render: field 'factor': expected a number, got '1'")
 wrong("fabric.render", "fabric.render{ file='x', range={1, 'two'} }",
@@ -177,7 +177,7 @@ wrong("fabric.plot", "fabric.plot{ file='x.doc', curves={ {x={1, 2}, y={1, 2}} }
 wrong("fabric.render", "fabric.render{ file='x.png' }",
   "deck.lua:1: render: field 'vtu': expected either vtu or run, got neither")
 wrong("fabric.render", "fabric.render{ file='x.png', vtu='none.vtu', field='S1' }",
-  "deck.lua:1: render: field 'field': expected 'none' or 'displacement' or 'ux' or 'uy' or 'uz' or 'velocity' or 'vx' or 'vy' or 'vz' or 'nx' or 'ny' or 'nz' or 'position' or 'x' or 'y' or 'z' or 'reference' or 'X' or 'Y' or 'Z' or 'reaction' or 'reaction_x' or 'reaction_y' or 'reaction_z' or 'gap' or 'contact_pressure' or 'joint_open' or 'rupture_warp' or 'rupture_weft' or 'E11' or 'E22' or 'E23' or 'E13' or 'E12' or 'S11' or 'S22' or 'S23' or 'S13' or 'S12' or 'residual1' or 'residual2' or 'slack1' or 'slack2' or 'stored' or 'dissipated' or 'dissipated_warp' or 'dissipated_weft' or 'dissipated_shear' or 'dissipated_damage' or 'shear_angle' or 'tension_warp' or 'tension_weft' or 'nominal_strain_warp' or 'nominal_strain_weft' or 'nominal_stress_warp' or 'nominal_stress_weft' or 'cauchy_11' or 'cauchy_22' or 'cauchy_12' or 'beyond' or 'region', got 'S1', did you mean 'S11'?")
+  "deck.lua:1: render: field 'field': got 'S1', did you mean 'S11'? Expected one of 61 names, 'none' to 'region' (help, or reference.md, lists them)")
 wrong("lua", "error()",
   "nil")
 wrong("lua", "error 'a text'",
