@@ -67,6 +67,13 @@ class Contact {
   // the last commit.
   void commit();
   void rollback() { tried_.reset(); }
+  // What friction does to the pairs that hold a slip in the committed state.
+  struct Rubbing {
+    std::size_t pairs = 0, sliding = 0;
+    double force = 0, of_sliding = 0;                  // N, sum of the sizes of their forces
+    std::array<std::int32_t, 4> most{-1, -1, -1, -1};  // points of the sliding pair with the largest force
+  };
+  Rubbing held_friction() const;
   void keep(Archive& archive);  // the committed slips
 
   // Visits the points of each pair that touches or soon may. Returns a number that changes
@@ -199,6 +206,9 @@ class Contact {
     std::vector<Held> held;
   };
   static void join(std::span<Held> of_one_point);
+  // How many of the committed slips act at each point. Their resistances add up there.
+  std::vector<std::uint16_t> rubbing_at_;
+  void count_rubbing(bool come);
   std::vector<Held> held_;
   std::optional<Tried> tried_;
   std::vector<std::int32_t> known_;  // by slot: which of held_ its slip is, or one of the following

@@ -16,6 +16,10 @@ namespace {
 // carries both.
 constexpr double tangential = 2.0 / 7;
 
+// The resistances of so many pairs at one point, 0.2 m / dt each, do not yet reverse its motion within an
+// explicit step; those of more share what these have.
+constexpr double resisting_pairs = 4;
+
 // The vector with the components in the frame of u and v that `slip` has in the frame of u0 and v0.
 Vec3 carried(const Vec3& slip, const Vec3& u0, const Vec3& v0, const Vec3& u, const Vec3& v) {
   const double a = u0.dot(u0), b = u0.dot(v0), c = v0.dot(v0), det = a * c - b * b;
@@ -112,7 +116,11 @@ Slip Contact::slip_of(std::size_t i, std::span<const Vec3> x, const Way& way) {
   slip.step = way.dt;
   const double images = this->images(c, way.planes);
   for (std::size_t k = 0; k < 4; ++k)
-    if (const auto p = c.point[k]; p >= 0) slip.inverse_mass[k] = images * way.inverse_mass[std::size_t(p)];
+    if (const auto p = c.point[k]; p >= 0) {
+      const double count = rubbing_at_.empty() ? 0 : rubbing_at_[std::size_t(p)];
+      slip.inverse_mass[k] =
+          images * way.inverse_mass[std::size_t(p)] * std::max(1.0, count / resisting_pairs);
+    }
   return slip;
 }
 
@@ -168,9 +176,39 @@ void Contact::note_slips(std::span<const Vec3> x, const Way& way) {
   }
 }
 
+void Contact::count_rubbing(bool come) {
+  rubbing_at_.resize(scene_->reference().size());
+  for (const Held& h : held_)
+    for (const std::int32_t p : h.point)
+      if (p >= 0) {
+        auto& count = rubbing_at_[std::size_t(p)];
+        count = come ? std::uint16_t(std::min(int(count) + 1, 0xffff)) : std::uint16_t(0);
+      }
+}
+
+Contact::Rubbing Contact::held_friction() const {
+  Rubbing all;
+  double largest = 0;
+  for (const Held& h : held_) {
+    const double force = h.pull.norm();
+    ++all.pairs;
+    all.force += force;
+    if (!h.slides) continue;
+    ++all.sliding;
+    all.of_sliding += force;
+    if (force > largest) {
+      largest = force;
+      all.most = h.point;
+    }
+  }
+  return all;
+}
+
 void Contact::commit() {
   if (!tried_) return;
+  count_rubbing(false);
   std::swap(held_, tried_->held);
+  count_rubbing(true);
   std::fill(known_.begin(), known_.end(), unknown);
   if (tried_->version == version_)
     for (std::size_t i = 0; i < held_.size(); ++i) known_[held_[i].slot] = std::int32_t(i);
@@ -180,6 +218,8 @@ void Contact::commit() {
 void Contact::keep(Archive& archive) {
   archive(held_);
   if (!archive.reading()) return;
+  rubbing_at_.clear();
+  count_rubbing(true);
   tried_.reset();
   std::fill(known_.begin(), known_.end(), unknown);
 }

@@ -3,11 +3,13 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "base/number.hpp"
 #include "geometry/node_view.hpp"
 #include "mechanics/terms/cloth.hpp"
+#include "mechanics/terms/contact.hpp"
 #include "mechanics/terms/directors.hpp"
 
 namespace fabricsh::run {
@@ -168,6 +170,17 @@ double farthest_move(const mechanics::Assembly& assembly, double from, double to
   return farthest;
 }
 
+double aspect_of(const std::array<mesh::Index, 4>& e, const std::vector<Vec3>& X) {
+  double shortest = std::numeric_limits<double>::infinity(), longest = 0;
+  const int n = e[3] < 0 ? 3 : 4;
+  for (int a = 0; a < n; ++a) {
+    const double side = (X[e[(a + 1) % n]] - X[e[a]]).norm();
+    shortest = std::min(shortest, side);
+    longest = std::max(longest, side);
+  }
+  return n == 4 ? longest / shortest : 1;
+}
+
 }  // namespace
 
 bool Diagnosis::take(const solver::NewtonResult& result, double step, mechanics::Assembly& assembly,
@@ -184,6 +197,15 @@ void Diagnosis::complete(const model::Model& model, const mechanics::Assembly& a
   moved = farthest_move(assembly, time, time + (tries.empty() ? 0 : tries.front().step));
   size = assembly.cloth().smallest_size();
   if (const auto* woven = std::get_if<card::Woven>(&model.card_of(site.element).law)) tested = woven->tested;
+  if (const auto* contact = assembly.terms().find<mechanics::Contacts>()) {
+    const auto rubs = contact->held_friction();
+    constexpr double most = 0.8;  // of all friction
+    if (rubs.sliding > 0 && rubs.of_sliding >= most * rubs.force) {
+      sliding = rubs.of_sliding;
+      slides = contact->words(rubs.most);
+    }
+  }
+  if (site.element >= 0) aspect = aspect_of(model.mesh().elements[site.element], assembly.dofs().reference());
 }
 
 }  // namespace fabricsh::run

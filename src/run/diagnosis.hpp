@@ -110,6 +110,9 @@ struct Diagnosis {
   bool dynamic = false, arc = false, stabilised = false;
   bool jumps = false;    // a static run whose loads or motions are there in full at time 0, in its first step
   Jumps jump = {};       // those loads and motions; none: of a term that a program has added
+  double sliding = 0;    // N, friction of the pairs that slide, if these have most of it; 0: they have not
+  std::string slides;    // the pair of them with the largest force, in words
+  double aspect = 0;     // of the element with the residual: its longest side over its shortest
   bool bends = false;    // cloth with bending of its own, which relaxation takes along the overdamped path
   bool relaxed = false;  // relaxation has been tried
   bool both = false;     // Newton's method and relaxation have been tried in turn

@@ -167,6 +167,29 @@ void advise_on_iterations(const Diagnosis& f, std::vector<std::string>& all) {
     all.push_back("a smaller step, and a check of the units of loads and motions (a strain is not finite)");
 }
 
+// What friction alone holds has no equilibrium beyond its limit, whatever solver looks for one.
+void advise_on_sliding(const Diagnosis& f, std::vector<std::string>& all) {
+  if (!(f.sliding > 0) || f.dynamic) return;
+  all.push_back(
+      "motion, fabric.dynamic with damping, a support that holds what slides, or more friction "
+      "(friction is at its limit: pairs with " +
+      number(f.sliding) + " N of it slide, most of all " + f.slides +
+      ", and cloth that friction alone holds slides on)");
+}
+
+// Bending along stiff yarns couples the splay of the directors with the bending of an element in its plane.
+// Quadrilaterals that are long across these yarns resist that by weft and twist alone.
+void advise_on_shape(const Diagnosis& f, std::vector<std::string>& all) {
+  constexpr double elongated = 4, anisotropic = 1e3;
+  if (f.aspect < elongated || f.site.stiffness_ratio < anisotropic || f.dynamic) return;
+  all.push_back(
+      "elements that are less elongated, or triangles (element " + std::to_string(f.site.element + 1) +
+      " is " + number(f.aspect, 2) + " times as long as wide, and one direction of it " +
+      number(f.site.stiffness_ratio, 2) +
+      " times as stiff as another: bent along the stiff yarns such a quadrilateral has a weak mode of "
+      "twist and weft)");
+}
+
 void advise_on_cloth(const Diagnosis& f, std::vector<std::string>& all) {
   if (beyond(f) > kBeyond)
     all.push_back("a check of the card, card:check(), and of the units of the stroke (strained " +
@@ -221,6 +244,8 @@ std::vector<std::string> Diagnosis::advice() const {
   // What moves freely moves under a small load too.
   const bool free = f.mechanism.driven || ends_singular(f);
   if (f.mechanism.driven) advise_on_mechanism(f, all);
+  advise_on_sliding(f, all);
+  advise_on_shape(f, all);
   if (free) advise_on_tangent(f, all);
   if (f.jumps) {
     const bool moves = !f.jump.motions.empty(), loads = !moves || !f.jump.loads.empty();

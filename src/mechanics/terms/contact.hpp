@@ -125,6 +125,9 @@ class Contacts final : public Term, public StepLimiter, public OwnUnknowns, publ
   };
   OnSkin on_skin(std::size_t body) const;
   std::size_t touching() const { return read().totals.touching; }
+  contact::Contact::Rubbing held_friction() const {
+    return contact_->held_friction();
+  }  // in the committed state
   std::size_t touching_now() const { return (evaluated_ ? trial_ : committed_).touching; }
   std::string words(const std::array<std::int32_t, 4>& points) const;  // "node 3 and sphere"
   // The parameters used for each contact, in lines of text.
