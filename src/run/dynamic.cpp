@@ -340,6 +340,8 @@ void Dynamic::check() {
   const EnergyAccount e = energy();
   weigh_inertia(e.kinetic, e.scaled);
   const double scale = ledger_scale(e);
+  const bool swings = options_.hht.value_or(0) != 0 || options_.beta || now_.damping == Damping::hht;
+  watch_accounts(e, scale, swings ? options_.ledger_limit : 0);
   const double made = imbalance(e, scale) + e.created;
   const mechanics::Contacts* contact = assembly_->terms().find<mechanics::Contacts>();
   if (now_.touched < 0 && contact != nullptr && contact->bodies().any_driven() && contact->touching() > 0)

@@ -13,24 +13,39 @@ namespace fabricsh::run {
 namespace {
 
 // The directors of a joint that opens in a bent sheet lose what balanced them, and no step resolves how they
-// turn back. With gamma = 3/2 and beta = 1 the two eigenvalues of what is much faster than the steps are zero
-// [hughes2000]: after two steps nothing of it is left.
-constexpr NewmarkScheme kSettling{1.5, 1, 0};
+// turn back. With Euler's backward rule, theta = 1, the two eigenvalues of what is much faster than the steps
+// are zero [hughes2000]: after two steps nothing of it is left.
+constexpr double kSettling = 1;
 constexpr int kSettlingSteps = 2;
 
 // Where a stiff strip turns within a step, forces that alpha averages over it still make energy; those at the
 // step's end do not. Leaves a third of the amplitude of what no step resolves after a step.
-constexpr NewmarkScheme kStrong{1, 0.5625, 0};
+constexpr double kStrongGamma = 1;
 constexpr double kTooMuch = 0.2;  // share of the ledger's limit from which on hht is not enough
 // A step whose error is more than this share of the ledger's limit is repeated at half its size, so many
 // times.
 constexpr double kErrorOfStep = 0.1;
 constexpr int kHalvings = 3;
+// Yarns of a cloth at rest switch between branches within any step. A residual that still is within so many
+// tolerances when the iterations are over is of such, and shorter steps would not change it.
+constexpr double kStanding = 100;
+
+// With the modes of Newmark's method for gamma and the beta that damps most.
+NewmarkScheme damping_by(double gamma) { return NewmarkScheme::trapezoidal((0.5 + gamma) / 2); }
 
 NewmarkScheme scheme_of(const DynamicOptions& o) {
   const double hht = o.hht.value_or(0);
   if (hht != 0) return NewmarkScheme::of_hht(hht);
-  return {o.gamma, o.beta.value_or(0.25 * (0.5 + o.gamma) * (0.5 + o.gamma)), 0};
+  return o.beta ? NewmarkScheme::of_newmark(o.gamma, *o.beta) : damping_by(o.gamma);
+}
+
+// The forces of contact work in a step against velocities, those of the cloth against accelerations. In
+// Newmark's method with more than the least beta the two mix, and contact could make energy.
+void check_contact(const DynamicOptions& o, const mechanics::Assembly& assembly) {
+  if (!o.beta || *o.beta == o.gamma / 2 || assembly.terms().find<mechanics::Contacts>() == nullptr) return;
+  throw Error("dynamic: field 'beta': expected none beside contact, or gamma/2 = " + number(o.gamma / 2) +
+              ", got " + number(*o.beta) +
+              ", with which contact makes energy (gamma alone damps there, too)");
 }
 
 StepControl control_of(const DynamicOptions& o, const mechanics::Assembly& assembly) {
@@ -50,6 +65,7 @@ Implicit::Implicit(std::shared_ptr<model::Model> model, const DynamicOptions& op
       control_(control_of(options, *assembly_)) {
   // Damping by stiffness multiplies its matrix, and a solver of one's own may read all of it.
   if (!takes_unsymmetric() && !(options_.stiffness_damping > 0) && !options_.solver) assembly_->keep_upper();
+  check_contact(options_, *assembly_);
   weigh_step_ends();
   report_contacts();
   now_.step = control_.current();
@@ -156,8 +172,10 @@ double Implicit::reach(double limit, StepReport& report) {
 bool Implicit::attempt(double size, StepReport& report) {
   const double now = committed_time();
   problem_.set_time(size);
-  const auto result =
-      newton_.solve(problem_, {options_.tolerance, options_.max_iterations, options_.line_search});
+  auto result = newton_.solve(problem_, {options_.tolerance, options_.max_iterations, options_.line_search});
+  if (result.status == solver::NewtonStatus::too_many_iterations && problem_.at_target() &&
+      result.residuals.back() <= std::min(1e-5, kStanding * options_.tolerance))
+    result.status = solver::NewtonStatus::converged;
   report.iterations += result.iterations;
   report.residuals = result.residuals;
   report.negative_pivots = result.negative_pivots;
@@ -173,24 +191,23 @@ void Implicit::commit(StepReport& report) {
   newmark_.show_trial(false);
   const std::vector<double> driven_before = problem_.driven();
   assembly_->finish_step();
-  // With alpha the inertia forces do not balance those at the step's end, and rigid bodies have forces that
-  // hold them together, so the balance's work is used.
-  double kinetic = 0, work = 0;
-  const bool settling = now_.settling > 0, damps = this->damps() && !settling;
-  if (damps) {
-    const bool balances = newmark_.scheme().hht == 0 && assembly_->dofs().freedoms().bodies.empty();
-    kinetic = newmark_.kinetic();
-    work = balances ? newmark_.work_of_acceleration() : problem_.work_of_balance();
-    // The accelerations contain the forces of step ends, half of whose weight counts at the step's end.
-    const double counted = balances ? 1 / (2 * newmark_.scheme().gamma) : 0;
-    for (const auto* const term : assembly_->terms().all<mechanics::AtStepEnd>())
-      work += (1 - counted) * term->work_on_cloth();
-  }
+  const NewmarkScheme scheme = newmark_.scheme();
+  const bool settling = now_.settling > 0, damps = this->damps() && !settling,
+             swings = damps && !scheme.is_trapezoidal();
+  const double kinetic = swings ? newmark_.kinetic() : 0, work = swings ? problem_.work_of_balance() : 0;
   dead_ = problem_.external();
-  work_.add(*assembly_, dead_);
+  if (damps && scheme.is_trapezoidal())
+    work_.add_weighted(*assembly_, dead_, scheme.gamma);
+  else
+    work_.add(*assembly_, dead_);
   problem_.commit(report.time);
-  // The work of all forces that does not become kinetic energy is the loss of the scheme.
-  if (damps) now_.loss += work - (newmark_.kinetic() - kinetic);
+  // The generalised trapezoidal rule never adds energy: what is missing is its loss, and what there is more
+  // of than at any time since it damps is an error of the ledger. Newmark's method and alpha conserve or
+  // lower another sum; their loss is the work of all forces that does not become kinetic energy.
+  if (swings)
+    now_.loss += work - (newmark_.kinetic() - kinetic);
+  else if (damps)
+    now_.loss += std::max(0.0, now_.base - energy().surplus());
   if (settling) settle();
   watch_jump(driven_before, problem_.driven(), report.time, smallest_);
   control_.grow(step_.last.iterations, report.cuts > 0 || repeatable_.halved > 0);
@@ -218,6 +235,7 @@ std::string Implicit::begin_to_damp(double error) {
 }
 
 void Implicit::damp(Damping damping) {
+  now_.base = damping == Damping::strong ? energy().surplus() : now_.loss;
   now_.damping = damping;
   take_scheme();
   // With average acceleration those of frequencies that no step resolves grow from step to step.
@@ -227,7 +245,7 @@ void Implicit::damp(Damping damping) {
 std::string Implicit::damping_text() const {
   const bool strong = now_.damping == Damping::strong;
   return "from here on high frequencies are damped (" +
-         (strong ? "gamma=" + number(kStrong.gamma) : "hht=" + number(kDampingAlpha)) +
+         (strong ? "gamma=" + number(kStrongGamma) : "hht=" + number(kDampingAlpha)) +
          ", the loss is in energy.damping); ";
 }
 
@@ -236,6 +254,7 @@ std::string Implicit::damping_text() const {
 // not know well, is no reason. Other steps with more than a small error are shortened.
 bool Implicit::takes_back() {
   using Try = Repeatable::Try;
+  watch_hht();
   const Try which = std::exchange(repeatable_.which, Try::first);
   if (repeatable_.start.empty() || which == Try::first_again) return false;
   const EnergyAccount now = energy();
@@ -258,6 +277,17 @@ bool Implicit::takes_back() {
   return false;
 }
 
+// The loss of alpha swings with what no step resolves. Where it gives back more than a little, forces at the
+// step's end damp better.
+void Implicit::watch_hht() {
+  if (!chooses_scheme() || now_.damping != Damping::hht) return;
+  now_.base = std::max(now_.base, now_.loss);
+  if (now_.base - now_.loss <= kTooMuch * options_.ledger_limit * ledger_scale(energy())) return;
+  damp(Damping::strong);
+  warn("ledger", "dynamic: at time " + number(committed_time()) + " s the loss of the scheme falls: " +
+                     damping_text() + "repeat with a smaller step to see whether the step is the cause");
+}
+
 // Where stiff elements turn far within a step, its error falls with its size.
 bool Implicit::shortens(double error) {
   const int halved = std::exchange(repeatable_.halved, 0);
@@ -271,8 +301,8 @@ bool Implicit::shortens(double error) {
 }
 
 void Implicit::take_scheme() {
-  newmark_.set_scheme(now_.settling > 0                 ? kSettling
-                      : now_.damping == Damping::strong ? kStrong
+  newmark_.set_scheme(now_.settling > 0                 ? NewmarkScheme::trapezoidal(kSettling)
+                      : now_.damping == Damping::strong ? damping_by(kStrongGamma)
                       : now_.damping == Damping::hht    ? NewmarkScheme::of_hht(kDampingAlpha)
                                                         : scheme_of(options_));
   weigh_step_ends();

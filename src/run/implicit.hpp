@@ -34,6 +34,7 @@ class Implicit final : public Dynamic {
   }
   void resize() override { problem_.resize(); }
   void take(const mechanics::Transfer& change, const std::vector<double>& rates) override;
+  void watch_hht();
   void begin_free();
   bool chooses_scheme() const { return !options_.hht && !options_.beta && options_.gamma == 0.5; }
   std::string begin_to_damp(double error) override;

@@ -16,7 +16,7 @@ struct NodeRates {
 };
 
 NodeRates update(const NewmarkScheme& s, double dt, const Vec3& increment, const Vec3& v, const Vec3& a) {
-  const Vec3 now = (increment - dt * v - dt * dt * (0.5 - s.beta) * a) / (s.beta * dt * dt);
+  const Vec3 now = (increment - dt * v - dt * dt * s.delta * a) / (s.beta * dt * dt);
   return {v + dt * ((1 - s.gamma) * a + s.gamma * now), now};
 }
 
@@ -123,11 +123,13 @@ void Newmark::commit(double time, std::span<const double> targets) {
   }
 }
 
-void Newmark::take_off(const mechanics::NodalRates& a) {
+void Newmark::take_off(const mechanics::NodalRates& a, double impulse) {
   for (std::size_t i = 0; i < a.x.size(); ++i) {
     before_.a.x[i] -= a.x[i];
     before_.a.d[i] -= a.d[i];
   }
+  if (impulse == 0) return;
+  for (std::size_t i = 0; i < a.x.size(); ++i) before_.v.x[i] += impulse * a.x[i];
 }
 
 double Newmark::largest_inertia() const {
@@ -140,9 +142,35 @@ double Newmark::largest_inertia() const {
 
 std::span<const double> Newmark::rates() const { return rates_ = assembly_.dofs().collect_rates(trial_.v); }
 
+// The rates with which the unknowns went in the step, which those at its ends do not always have for a mean.
+std::vector<double> Newmark::mean_rates() const {
+  const auto& state = std::as_const(assembly_).state();
+  const std::size_t nodes = state.nodes();
+  const auto x = state.x(), d = state.d(), old = state.committed_kinematics(), old_d = old.subspan(3 * nodes);
+  mechanics::NodalRates mean{std::vector<double>(3 * nodes), std::vector<double>(3 * nodes)};
+  for (std::size_t n = 0; n < nodes; ++n) {
+    if (assembly_.dofs().freedoms().body(static_cast<mechanics::Index>(n)) >= 0) {
+      at(mean.x, n) = (at(before_.v.x, n) + at(trial_.v.x, n)) / 2;
+      at(mean.d, n) = (at(before_.v.d, n) + at(trial_.v.d, n)) / 2;
+      continue;
+    }
+    const Vec3 d0 = at(old_d, n), d1 = at(d, n);
+    at(mean.x, n) = (at(x, n) - at(old, n)) / dt();
+    at(mean.d, n) = parallel_transport(arc(d0, d1), d0, d1) / dt();
+  }
+  return assembly_.dofs().collect_rates(mean);
+}
+
 double Newmark::work(std::span<const double> before, std::span<const double> after) const {
-  const auto from = assembly_.dofs().collect_rates(before_.v), to = assembly_.dofs().collect_rates(trial_.v);
+  const double late = weight_of_end(), early = 1 - late;
   double sum = 0;
+  if (scheme_.gamma != 0.5 || !scheme_.is_trapezoidal()) {
+    const auto mean = mean_rates();
+    for (std::size_t i = 0; i < mean.size(); ++i)
+      sum += (early * before[i] + late * after[i]) * mean[i] * dt();
+    return sum;
+  }
+  const auto from = assembly_.dofs().collect_rates(before_.v), to = assembly_.dofs().collect_rates(trial_.v);
   for (std::size_t i = 0; i < to.size(); ++i)
     sum += (before[i] + after[i]) / 2 * (from[i] + to[i]) / 2 * dt();
   return sum;
@@ -161,22 +189,23 @@ double Newmark::work_on_mass(double factor, const mechanics::NodalRates& before,
   const std::size_t n = 3 * state.nodes();
   const auto old = state.committed_kinematics();
   const auto &mass = inertia_.mass(), &rotary = inertia_.rotary();
+  const double late = weight_of_end(), early = 1 - late;
   double work = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const double moved = state.x()[i] - old[i];
-    work += factor * mass[i / 3] * (before.x[i] + after.x[i]) / 2 * moved;
+    work += factor * mass[i / 3] * (early * before.x[i] + late * after.x[i]) * moved;
   }
   const auto old_d = old.subspan(n);
   for (std::size_t k = 0; k < state.nodes(); ++k) {
     const Vec3 from = at(old_d, k), to = at(state.d(), k),
                turned = parallel_transport(arc(from, to), from, to);
-    work +=
-        factor * rotary[k] * (parallel_transport(at(before.d, k), from, to) + at(after.d, k)).dot(turned) / 2;
+    work += factor * rotary[k] *
+            (early * parallel_transport(at(before.d, k), from, to) + late * at(after.d, k)).dot(turned);
   }
   for (const auto& m : assembly_.dofs().freedoms().motions) {
     if (m.component > 2) continue;
     const double moved = along(m, state.x()) - along(m, old);
-    work -= factor * mass[m.node] * (along(m, before.x) + along(m, after.x)) / 2 * moved;
+    work -= factor * mass[m.node] * (early * along(m, before.x) + late * along(m, after.x)) * moved;
   }
   return work;
 }

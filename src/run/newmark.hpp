@@ -1,15 +1,26 @@
 // Newmark's method for nodes and directors, with Hilbert, Hughes and Taylor's alpha as an option:
 //
-//   x+ = x + dt v + dt^2 ((1/2 - beta) a + beta a+),   v+ = v + dt ((1 - gamma) a + gamma a+)
+//   x+ = x + dt v + dt^2 (delta a + beta a+),   v+ = v + dt ((1 - gamma) a + gamma a+)
 //   M a+ = (1 + alpha) f(x+) - alpha f(x),   f = f_ext - f_int - C v
 //
-// The forces of contact act with their value at the end of the step alone [kane1999]: their part of the
-// acceleration counts 1/gamma times at its end and not at all at its beginning, so that
+// with delta = 1/2 - beta. The generalised trapezoidal rule is of the same form,
 //
-//   v+ = ... + dt M^-1 f_contact(x+),   x+ = ... + dt^2 beta / gamma M^-1 f_contact(x+).
+//   x+ = x + dt ((1 - theta) v + theta v+),   v+ = v + dt ((1 - theta) a + theta a+),
 //
-// Without other losses (gamma = 1/2, beta = 1/4) their work is f_contact(x+) (x+ - x), which a convex energy
-// never exceeds: contact cannot make energy, whatever the step.
+// with gamma = theta, beta = theta^2 and delta = theta (1 - theta). Every mode of a linear system decays in
+// it as in Newmark's method with gamma' = 2 theta - 1/2 and beta' = (1/2 + gamma')^2 / 4, but its velocities
+// are those of the motion, and of a linear system it only takes energy, in every step:
+//
+//   change of energy = -(theta - 1/2) ((v+ - v) M (v+ - v) + (x+ - x) K (x+ - x)).
+//
+// The forces of contact act with their value at the end of the step alone [kane1999], with the impulse and
+// the way of a constant force:
+//
+//   v+ = ... + dt M^-1 f_contact(x+),   x+ = ... + dt^2 (delta + beta) M^-1 f_contact(x+).
+//
+// So what is pressed at rest has no velocity. In the generalised trapezoidal rule, of which theta = 1/2 is
+// that of average acceleration, their work is f_contact(x+) (x+ - x), which a convex energy never exceeds:
+// contact cannot make energy, whatever the step.
 //
 // On the sphere of directors the increment is an arc from d to d+, along which vectors are moved by
 // parallel_transport().
@@ -30,10 +41,22 @@
 namespace fabricsh::run {
 
 struct NewmarkScheme {
-  double gamma = 0.5, beta = 0.25, hht = 0;
+  double gamma = 0.5, beta = 0.25, hht = 0, delta = 0.25;
 
   // Second order accurate and damping high frequencies most [hilbert1977].
-  static NewmarkScheme of_hht(double alpha) { return {0.5 - alpha, (1 - alpha) * (1 - alpha) / 4, alpha}; }
+  static NewmarkScheme of_hht(double alpha) {
+    return of_newmark(0.5 - alpha, (1 - alpha) * (1 - alpha) / 4, alpha);
+  }
+  static NewmarkScheme of_newmark(double gamma, double beta, double alpha = 0) {
+    return {gamma, beta, alpha, 0.5 - beta};
+  }
+  static NewmarkScheme trapezoidal(double theta) { return {theta, theta * theta, 0, theta * (1 - theta)}; }
+
+  bool is_trapezoidal() const { return beta == gamma * gamma && delta == gamma * (1 - gamma); }
+  // Of a force at the step's end alone, in the acceleration there, so that it has the way of a constant one;
+  // and the share of its impulse that is then missing in the velocity.
+  double weight_at_end() const { return (delta + beta) / beta; }
+  double missing_at_end() const { return is_trapezoidal() ? 0 : 1 - gamma * weight_at_end(); }
 };
 
 // Velocities and accelerations of all nodes, 3 per node, global; those of directors are tangent to the
@@ -53,7 +76,7 @@ class Newmark final : public mechanics::Motion {
   const NodalMotion& committed() const { return before_; }
   const NodalMotion& trial() const { return trial_; }
   // Of the forces of contact in the scheme's balance, with which they count once at the step's end.
-  double weight_at_step_end() const { return 1 / (scheme_.gamma * (1 + scheme_.hht)); }
+  double weight_at_step_end() const { return scheme_.weight_at_end() / (1 + scheme_.hht); }
   // Whether velocities are those of a complete trial step, to be read before the commit.
   void show_trial(bool tried) { tried_ = tried; }
   const mechanics::NodalRates& velocities() const { return (tried_ ? trial_ : before_).v; }
@@ -67,8 +90,9 @@ class Newmark final : public mechanics::Motion {
   // Commits the trial motion. targets: of the driven freedoms at `time`; their displacements get the rate of
   // the step just made, because Newmark's formulas would oscillate after a kink.
   void commit(double time, std::span<const double> targets);
-  // Subtracts accelerations from the committed ones, which the next step then begins without.
-  void take_off(const mechanics::NodalRates& a);
+  // Subtracts accelerations from the committed ones, which the next step then begins without. The committed
+  // velocities get `impulse` (s) times them.
+  void take_off(const mechanics::NodalRates& a, double impulse = 0);
   // Sets the rates of the driven degrees of freedom in the present step.
   void drive(std::vector<double> rates) { driven_ = std::move(rates); }
   // N: the largest component of an inertia force on a node.
@@ -87,6 +111,9 @@ class Newmark final : public mechanics::Motion {
   // J, work of forces equal to mass times `factor` times these rates, without driven displacements.
   double work_on_mass(double factor, const mechanics::NodalRates& before,
                       const mechanics::NodalRates& after) const;
+  // Of forces at the end of a step; those at its beginning have the rest.
+  double weight_of_end() const { return scheme_.is_trapezoidal() ? scheme_.gamma : 0.5; }
+  std::vector<double> mean_rates() const;
   void update_rigid(std::size_t node, std::span<const double> now, std::span<const double> old);
   double along(const mechanics::DrivenFreedom& m, std::span<const double> v) const;
 

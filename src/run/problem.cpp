@@ -90,17 +90,18 @@ void EquilibriumProblem::commit(double time) {
 void EquilibriumProblem::forget_step_end() {
   const auto terms = assembly_.terms().all<mechanics::AtStepEnd>();
   if (std::none_of(terms.begin(), terms.end(), [](const auto* term) { return term->acts(); })) return;
-  const double gamma = newmark_->scheme().gamma;
+  const double weight = newmark_->scheme().weight_at_end(),
+               impulse = newmark_->scheme().missing_at_end() / weight * motion_.dt();
   std::vector<double> without(balance_.size()), push(balance_.size());
   balance(0, 0, without);
-  balance(0, 1 / gamma, push);
+  balance(0, weight, push);
   for (std::size_t i = 0; i < push.size(); ++i) push[i] -= without[i];
-  if (assembly_.dofs().has_ties()) return newmark_->take_off(accelerations(push));
+  if (assembly_.dofs().has_ties()) return newmark_->take_off(accelerations(push), impulse);
   if (lumped_.empty()) lumped_ = assembly_.lumped_mass(false);
   for (std::size_t i = 0; i < push.size(); ++i) push[i] /= lumped_[i];
   mechanics::NodalRates accelerations;
   assembly_.dofs().spread_rates(push, std::vector<double>(lead_.size(), 0), accelerations);
-  newmark_->take_off(accelerations);
+  newmark_->take_off(accelerations, impulse);
 }
 
 // Stores the data of this step that the next one needs, for example to recognise a reversal.
@@ -170,10 +171,16 @@ void EquilibriumProblem::balance(double inertia, double at_end, std::span<double
       on_x_[i] = external_[i] - mass[i / 3] * (on.velocity * motion.v.x[i] + own * motion.a.x[i]);
       on_d_[i] = -rotary[i / 3] * (on.velocity * motion.v.d[i] + own * motion.a.d[i]);
     }
+    // A rigid body takes the impulse of such a force by gamma; its way follows from its velocities.
+    const double missing = newmark_->scheme().missing_at_end();
+    const double on_body = at_end == 0 || missing == 0 ? at_end : at_end / (1 - missing);
     for (const auto* const term : assembly_.terms().all<mechanics::AtStepEnd>()) {
       if (at_end == 1) break;
       const auto push = term->push();
-      for (std::size_t n = 0; n < push.size(); ++n) at(on_x_, n) += (at_end - 1) * push[n];
+      for (std::size_t n = 0; n < push.size(); ++n) {
+        const double times = freedoms.body(static_cast<mechanics::Index>(n)) < 0 ? at_end : on_body;
+        at(on_x_, n) += (times - 1) * push[n];
+      }
     }
     assembly_.residual(on_x_, r, on_d_);
   }
@@ -226,7 +233,9 @@ void EquilibriumProblem::close(linear::Matrix& K) {
 
 double EquilibriumProblem::work_of_balance() {
   balance(0, 0, balance_);
-  return motion_.work(memory_.balance, balance_);
+  double work = motion_.work(memory_.balance, balance_);
+  for (const auto* const term : assembly_.terms().all<mechanics::AtStepEnd>()) work += term->work_on_cloth();
+  return work;
 }
 
 double EquilibriumProblem::force_scale() const {

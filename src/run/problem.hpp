@@ -46,7 +46,8 @@ class EquilibriumProblem final : public solver::PathProblem {
   void resize();
   // The residual of the forces as they are.
   void weigh(std::span<double> r);
-  // J, work of the forces without inertia and contact in the step, by the trapezoidal rule.
+  // J, work of the forces without inertia in the step: of contact by its value at the end, of the others by
+  // the trapezoidal rule.
   double work_of_balance();
   void keep(Archive& archive);
   // Tells whether a path is at a kink of a history, where loads may reverse.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <variant>
 
 #include "base/error.hpp"
 #include "base/number.hpp"
@@ -305,6 +306,40 @@ void Run::watch_shape() {
              ", is turned over: it is more than 90 degrees from the normal of the sheet, whose elements "
              "there are sound," +
              then);
+}
+
+namespace {
+// Whether what yarns dissipate can only rise: the comparison laws have no stored energy, and say themselves
+// what they create.
+bool yarns_are_dissipative(const model::Model& model) {
+  const auto rises = [](const card::Card& card) {
+    const auto* const woven = std::get_if<card::Woven>(&card.law);
+    return woven == nullptr || woven->law == card::LawKind::potential;
+  };
+  return std::all_of(model.regions().begin(), model.regions().end(), [&](const auto& region) {
+    const auto& plies = region.options.plies;
+    return plies.empty()
+               ? rises(region.card)
+               : std::all_of(plies.begin(), plies.end(), [&](const auto& p) { return rises(p.card); });
+  });
+}
+}  // namespace
+
+void Run::watch_accounts(const EnergyAccount& energies, double scale, double of_scheme) {
+  constexpr double rounding = 1e-4;  // of the trapezoidal rule, too, by which explicit friction is summed
+  EnergyAccount rising = energies;
+  if (!yarns_are_dissipative(*model_))
+    std::erase_if(rising.lost, [](const EnergyPart& part) {
+      return part.name == "warp" || part.name == "weft" || part.name == "shear";
+    });
+  const auto fall = accounts_.look(rising, time(), rounding * scale, std::max(rounding, of_scheme) * scale);
+  if (!fall) return;
+  const std::string text =
+      "stopped at time " + number(time()) + " s: the energy '" + fall->name + "', which can only rise, is " +
+      number(fall->by) + " J below the " + number(fall->to + fall->by) + " J of time " + number(fall->since) +
+      " s (" + number(100 * fall->by / scale) +
+      " % of the run's energies): the results from there on are wrong.\nTry: a smaller step";
+  fail(NumericalFailure(std::string(kind()) + ": " + text + ".", time()), text);
 }
 
 // Cloth in motion folds on many things for a moment, so there it is noted without a line.

@@ -14,6 +14,7 @@
 #include "base/notice.hpp"
 #include "mechanics/assembly.hpp"
 #include "model/model.hpp"
+#include "run/rising.hpp"
 #include "run/values.hpp"
 #include "run/warnings.hpp"
 #include "run/work.hpp"
@@ -195,6 +196,9 @@ class Run {
   // Whether the step just committed is taken back to be repeated in another way; nothing else has seen it.
   virtual bool takes_back() { return false; }
   [[noreturn]] virtual void give_up(const StepReport& report) = 0;
+  // Ends the run if an account of energy that can only rise has fallen by more than rounding. scale: J, the
+  // largest energies of the run; of_scheme: the share of it by which the loss to the time scheme may swing.
+  void watch_accounts(const EnergyAccount& energies, double scale, double of_scheme = 0);
   // Reports once an element that is turned inside out in the committed state, and a fold that the mesh is too
   // coarse for.
   void watch_shape();
@@ -332,6 +336,7 @@ class Run {
   std::vector<Hook> settled_;
   std::vector<Hook> restored_;
   std::vector<double> kinks_;
+  RisingAccounts accounts_;
   std::unique_ptr<const Folds> folds_;  // once they have been looked for
   bool started_ = false, stopped_ = false, busy_ = false, stepping_ = false;
   std::string stop_reason_;

@@ -32,6 +32,7 @@ void Run::keep(Archive& archive) {
   if (archive.reading()) {
     trial_time_ = committed_time();
     assembly_->set_time(trial_time_);
+    accounts_.forget();
   }
   archive.section("ledger", [&] { archive(dead_, initial_energy_, work_, reports_); });
   archive.section("progress",

@@ -653,6 +653,8 @@ void Static::check_balance() {
 void Static::check() {
   watch_shape();
   check_balance();
+  watch_accounts(
+      energy(), std::max({work_.largest(), now_.internal, energy_of_rest(), energy_of_rounding(*assembly_)}));
   if (now_.jumps && reports_.size() == 1) now_.jumped = now_.relaxed;
   const bool end = stopped() || std::abs(time() - duration_) <= same_time * duration_;
   if (end && work_.largest() == 0 && energy().internal() == 0 && loads_nothing(*model_, *assembly_) &&

@@ -109,8 +109,9 @@ void ExternalWork::start(mechanics::Assembly& assembly, std::span<const double> 
   loaded_.reset();
 }
 
+// change: if not null, gets half of what the change of the forces would work over the step.
 mechanics::StepWork ExternalWork::of_step(mechanics::Assembly& assembly, std::span<const double> dead,
-                                          bool bounded) {
+                                          bool bounded, double* change_out) {
   const mechanics::Configuration& now = assembly.state();
   const std::size_t n = 3 * now.nodes();
   const auto from = now.committed_kinematics();
@@ -135,6 +136,7 @@ mechanics::StepWork ExternalWork::of_step(mechanics::Assembly& assembly, std::sp
     const bool loaded = assembly.terms().find<mechanics::FollowerLoad>() != nullptr || any_load(dead);
     work += loaded ? turning.chords : turning.arcs;
   }
+  if (change_out != nullptr) *change_out = change + turning.change;
   sum += {work, std::abs(change + turning.change) + std::abs(turning.arcs - turning.chords)};
   std::swap(before_, now_);
   return sum;
@@ -148,6 +150,12 @@ mechanics::StepWork ExternalWork::add_bounded(mechanics::Assembly& assembly, std
   const mechanics::StepWork step = of_step(assembly, dead, true);
   add(step.work);
   return step;
+}
+
+void ExternalWork::add_weighted(mechanics::Assembly& assembly, std::span<const double> dead, double theta) {
+  double change = 0;
+  const mechanics::StepWork step = of_step(assembly, dead, true, &change);
+  add(step.work + (2 * theta - 1) * change);
 }
 
 void ExternalWork::add(double work) {

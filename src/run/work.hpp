@@ -37,6 +37,8 @@ class ExternalWork {
   // The same where the path between the states is unknown (relaxation). With forces that change monotonically
   // along it the work lies between that of the first and of the last state's forces.
   mechanics::StepWork add_bounded(mechanics::Assembly& assembly, std::span<const double> dead);
+  // The same where the forces count `theta` at the end of a step and the rest at its beginning.
+  void add_weighted(mechanics::Assembly& assembly, std::span<const double> dead, double theta);
   // J, adds work known from elsewhere.
   void add(double work);
   void keep(Archive& archive) { archive(total_, largest_, before_.on_x, before_.on_d, before_.turning); }
@@ -44,7 +46,8 @@ class ExternalWork {
   double largest() const { return largest_; }  // J, the largest |total| so far
 
  private:
-  mechanics::StepWork of_step(mechanics::Assembly& assembly, std::span<const double> dead, bool bounded);
+  mechanics::StepWork of_step(mechanics::Assembly& assembly, std::span<const double> dead, bool bounded,
+                              double* change = nullptr);
   double total_ = 0, largest_ = 0;
   WorkingForces before_, now_;
   std::optional<bool> loaded_;  // whether constant dead loads are other than zero, once known

@@ -100,7 +100,7 @@ TEST_CASE("the tangent is the derivative of the residual, by Newmark with every 
     if (c.mass > 0) assembly.terms().add(std::make_unique<mechanics::MassDamping>(c.mass));
     if (c.stiffness > 0)
       assembly.terms().add(std::make_unique<mechanics::StiffnessDamping>(assembly, c.stiffness));
-    run::NewmarkScheme scheme{0.5 - c.hht, (1 - c.hht) * (1 - c.hht) / 4, c.hht};
+    const auto scheme = run::NewmarkScheme::of_hht(c.hht);
     run::Newmark newmark(assembly, inertia, scheme);
     run::EquilibriumProblem problem(assembly, newmark, no_poll);
     problem.set_time(0);
