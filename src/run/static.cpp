@@ -293,9 +293,10 @@ bool Static::attempt(double size, StepReport& report) {
   solver::NewtonOptions options{options_.tolerance, options_.max_iterations, options_.line_search};
   if (!has_energy_ && options.max_iterations == StaticOptions{}.max_iterations)
     options.max_iterations = kNewtonIterations;
-  options.most_unstable = !cutting_ || report.cuts >= kSeparating ? problem_->size()
-                          : report.cuts >= kNear                  ? 1
-                                                                  : 0;
+  // Cuts of earlier steps count, too: the step is not halved towards a bifurcation again and again.
+  const double part = now_.step.current() * (1 - same_time);
+  const auto as_cut = [&](int n) { return report.cuts >= n || part <= std::ldexp(now_.step.largest(), -n); };
+  options.most_unstable = !cutting_ || as_cut(kSeparating) ? problem_->size() : as_cut(kNear) ? 1 : 0;
   if (arc_) {
     const auto arc =
         arc_->solve(*problem_, options, {committed_time(), now_.landing, size, now_.step.largest()});
