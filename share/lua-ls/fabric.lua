@@ -328,7 +328,7 @@ function fabric.cards() end
 ---@return boolean
 function fabric.checking() end
 
----Rows as columns that can be calculated with, as the curves of virtual tests are: curve.S / MPa, curve.S:max(), :min(), :mean(), :sum(), :map(f), of which all but map skip gaps (nan); curve:max('S') gives the row too, curve:interpolate('S', 'E', 0.1) is S where E first passes 0.1 (nil and the reason where it never does), curve:map(f) a column of f(row).
+---Rows as columns that can be calculated with, as the curves of virtual tests are: curve.S / MPa, curve.S:max(), :min(), :mean(), :sum(), :map(f), of which all but map skip gaps (nan); curve:max('S') gives the row too, curve:interpolate('S', 'E', 0.1) is S where E first passes 0.1 (nil and the reason where it never does), curve:map(f) a column of f(row), curve:window('S', 0.01) the means of S over the 0.01 s about each row, by the column time: for what chatters from step to step.
 ---@param rows table of a test, a record, or a fabric.table; or lists of equal length with names
 ---@return any
 function fabric.columns(rows) end
@@ -406,16 +406,17 @@ function fabric.export.mesh(fields) end
 
 ---@class fabric_export_model_fields
 ---@field model model one sheet of one card, with fix, move, force and gravity
----@field warp number|number[] degrees: the model's warp: its angle from x, or its direction {x, y, z}; a model does not give it back
+---@field warp? number|number[] degrees: the model's warp: its angle from x, or its direction {x, y, z}; needed only where it differs from place to place in the model
 ---@field file? string that ends in .inp, .k or .rad (name it NAME_0000.rad for the starter); default: the text is only returned
 ---@field to? "ls-dyna"|"openradioss"|"abaqus" the solver; default: by the file's name
 ---@field material? string as for fabric.export.card
 ---@field units? "mm-t-s"|"mm-kg-ms"|"SI" that the deck is written in (default "mm-t-s")
 ---@field element? number m: as for fabric.export.card
----@field histories? table { ['top.y']={{t, v}, ...} }: points {t, v}, in s and SI, of the motion or force of a set along an axis, where it is more than a ramp
+---@field histories? table { ['top.y']={{t, v}, ...} }: points {t, v}, in s and SI, to be written for a motion or force of a set along an axis, in place of the model's own
+---@field error? number of functions of time, which are written as points: largest difference over their range (default 1e-04)
 ---@field duration? number s: of the run; default: the last corner of a history, at least 1 s
 
----A model as a deck of another solver: nodes, elements, sets, supports, loads, section and material. Returns text, material, card (what fabric.export.card returns, with the losses), and notes on what the deck states differently. Abaqus and CalculiX: shells S4 and *STATIC with NLGEOM for *ELASTIC, membranes and *DYNAMIC, EXPLICIT for *FABRIC.
+---A model as a deck of another solver: nodes, elements, sets, supports, loads, section and material. Returns text, material, card (what fabric.export.card returns, with the losses), and notes on what the deck states differently (functions of time, with the difference). Histories are written with all their points and digits (LS-DYNA, OpenRadioss: those that 20 columns hold). Abaqus and CalculiX: shells S4 and *STATIC with NLGEOM for *ELASTIC, membranes and *DYNAMIC, EXPLICIT for *FABRIC.
 ---@param fields fabric_export_model_fields
 ---@return any
 function fabric.export.model(fields) end
@@ -738,6 +739,7 @@ function fabric.lab.card(fields) end
 ---@field file? string of the figure with both curves: .svg, .pdf, .eps or .png
 ---@field label? string of what was measured, in the key; default: the name of its file
 ---@field title? string of the figure
+---@field window? number s: each point of the test is the mean over so long a time about it: where friction or contact chatters from step to step
 
 ---A measured curve beside a test's: x, measured, simulated (between the test's points in virgin loading), residual = measured less simulated; rms and worst as parts of the measured peak, largest {x, residual}, outside (points beyond the test), slack, inside, text. For a result of fabric.lab.tear also tear = { measured=, simulated= }, each with mean (N, after the first quarter of the record), mean_of_peaks (N, as the test's standard takes it) and peaks (their number).
 ---@param measured table result of fabric.lab.tensile or shear_from_bias, or a record with lists of the columns
@@ -1348,8 +1350,9 @@ function fabric.lab.reduce(fields) end
 ---@field warp? fabric_lab_rupture_fields.warp what was measured on the warp
 ---@field weft? fabric_lab_rupture_fields.weft the same of the weft
 ---@field source? string who measured, when (default "")
+---@field legs? boolean of woven cards: a virtual trouser tear (some seconds for each family) says what legs take of the work, which is taken out of the energy; false: the energy is twice the mean force (default true)
 
----From strips pulled to break and tears to a card that breaks. Returns card (with rupture, and its origin in card.provenance), and warp and weft: strength (N/m) and energy (J/m, twice the mean force of the tears after their first quarter), strengths (of the strips that count), left_out (places of breaks at the jaws), tear (N, mean force), modulus (Weibull's, of strips: no part of the card), bands of 95 % for strength, modulus and energy.
+---From strips pulled to break and tears to a card that breaks. Returns card (with rupture, and its origin in card.provenance), and warp and weft: strength (N/m) and energy (J/m, twice the mean force of the tears after their first quarter, less what legs of a woven card take of it), legs (of that: hysteresis over twice the force, way of the grips per metre of tear, force of a virtual tear with twice the force as energy, over the force, and the band of that, relative), strengths (of the strips that count), left_out (places of breaks at the jaws), tear (N, mean force), modulus (Weibull's, of strips: no part of the card), bands of 95 % for strength, modulus and energy.
 ---@param fields fabric_lab_rupture_fields
 ---@return table<string, any>
 function fabric.lab.rupture(fields) end
@@ -1529,7 +1532,7 @@ function fabric.lab.synthetic(fields) end
 ---@field out? string folder for curve.csv and the VTK series
 ---@field prepare? function function(analysis), called before the run: for hooks, records and checkpoints of your own
 
----A cut specimen is torn on: trouser [iso_13937_2], tongue (single rip) [astm_d2261], wing [iso_13937_3] or trapezoid [astm_d5587]; a membrane whose yarns break on the line of the cut. Returns mean (N, the work of the grips over their way after the first quarter of the tear; with legs that do not stretch half of the energy of breaking), mean_of_peaks (N, as the standard takes it; nil where the record has no peaks), peaks, peak (N), expected (N, half of the energy, for a wing over sin 55; not for a trapezoid), curve (a list of time, displacement, force: N, work over way from row to row, torn: m, open: joints, and the energies of analysis.energy), energy (J), fracture (J), kinetic (kinetic energy over work at the peak), series (VTK), analysis, model and mesh.
+---A cut specimen is torn on: trouser [iso_13937_2], tongue (single rip) [astm_d2261], wing [iso_13937_3] or trapezoid [astm_d5587]; a membrane whose yarns break on the line of the cut. Returns mean (N, the work over the way of the grips after the first quarter of the tear), band ({low, high} of 95 % of that mean, from the scatter over the tear; nil of a short one), balance (where that work went, J per metre of tear: fracture, hysteresis, damping, stored, kinetic, together work; way of the grips per metre of tear; torn, m), expected (N, the energy of breaking and the other parts of the balance, over the way), rigid (N, half of the energy, for a wing over sin 55: with legs that neither stretch nor dissipate; not for a trapezoid), mean_of_peaks (N, as the standard takes it; nil where the record has no peaks), peaks, peak (N), curve (a list of time, displacement, force: N, work over way from row to row, torn: m, open: joints, and the energies of analysis.energy), energy (J), fracture (J), kinetic (kinetic energy over work at the peak), series (VTK), analysis, model and mesh.
 ---@param fields fabric_lab_tear_fields
 ---@return table<string, any>
 function fabric.lab.tear(fields) end
@@ -1980,6 +1983,8 @@ function fabric.ramp(value, duration) end
 ---@field font_size? number points: with size: of all letters (default 7)
 ---@field smooth? boolean colours and shading that change evenly between the nodes; else each element has its own (default false)
 ---@field edges? boolean of the elements (default true)
+---@field fit? boolean the picture is no wider than its one panel needs: for tall things (default false)
+---@field bodies? "shown"|"clear"|"none" rigid bodies of a run: clear lets the cloth behind them be seen, none leaves them out, and the picture is as large as the cloth (default "shown")
 ---@field axes? boolean with a scale, in mm (m from 1.5 m on) (default true)
 
 ---Draws deformed sheets with a field and its colour bar into a PNG, off-screen: on the virtual display Xvfb, or where that is not installed on the display of DISPLAY. Returns whether it was drawn: false, with a warning, under --safe.
@@ -2442,6 +2447,10 @@ function fabric.woven(fields) end
 ---@param content string all of it
 function fabric.write(path, content) end
 
+---Its points { {t, v}, ... }; of a constant one; nil of a function of time, as model:declared may have it.
+---@return any
+function history:points() end
+
 ---The history's value at a time.
 ---@param time number s: when
 ---@return number
@@ -2556,6 +2565,10 @@ function model:band(fields) end
 ---@param fields model_contact_fields
 ---@return model
 function model:contact(fields) end
+
+---What it was told, as data: rows of kind (sheet, or the call's name) and set, with the numbers, vectors and histories of the call under their names, in SI units and degrees; freedoms as the list `held`, axes of their own as `frame`. model:list says the same in words.
+---@return model
+function model:declared() end
 
 ---@class model_fix_fields.options
 ---@field frame? table {e1, e2}: directions of x and y in this call
