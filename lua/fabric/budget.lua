@@ -324,9 +324,15 @@ local function draw(result, names, file)
   for _, name in ipairs(names) do
     local curves = {}
     for i, c in ipairs(result.of[name].contributions) do
-      if c.share >= 1e-3 or i == 1 then curves[i] = { x = { 0, 100 * c.share }, y = { i, i }, label = c.source, style = "line_points" } end
+      if c.share >= 1e-3 or i == 1 then
+        local whole = result.of[name].deviation ^ 2
+        local scale = c.variance and whole > 0 and 100 * c.variance / whole
+        local low, high = scale and math.max(0, scale * c.total_band[1]), scale and math.min(100, scale * c.total_band[2])
+        curves[#curves + 1] = { x = { 0, 100 * c.share }, y = { i, i }, style = "line_points",
+          label = ("%d: %s, %.0f %%%s"):format(i, c.source, 100 * c.share, scale and (" (total order %.0f to %.0f)"):format(low, high) or "") }
+      end
     end
-    panels[#panels + 1] = { curves = curves, xlabel = ("share of the variance of %s, %%"):format(name), ylabel = "rank", key = "below", yrange = { 0.5, #curves + 0.5 } }
+    panels[#panels + 1] = { curves = curves, xlabel = ("share of the variance of %s, %%"):format(name), ylabel = "source, as numbered below", key = "below", yrange = { 0.5, #curves + 0.5 } }
   end
   return fabric.plot { panels = panels, file = file, letters = #panels > 1, layout = { #panels, 1 } }
 end

@@ -33,7 +33,8 @@ for _, row in ipairs(rows) do print(("%-18s %12s  %-24s %-5s %s"):format(table.u
 local expected = {}
 for _, name in ipairs { "warp", "weft", "shear" } do
   if figures[name] then
-    print(("%s: residual of the simulated curve %.2f %% of the peak"):format(name, 100 * figures[name].residual))
+    print(("%s: residual of the simulated curve %.2f %% of the peak%s"):format(name, 100 * figures[name].residual,
+      figures[name].whole and (", %.2f %% over the whole loop of the specimen pulled furthest"):format(100 * figures[name].whole) or ""))
     if result[name].spread then print(name .. ": " .. result[name].spread.text) end
     -- a card that misses its own measurement by a tenth is none
     expected[#expected + 1] = { name .. ": residual over the peak", figures[name].residual, 0, absolute = 0.1 }

@@ -119,6 +119,50 @@ local function residual(part, E, S)
   return math.sqrt(sum / n) / largest, curves
 end
 
+-- Runs of a list of strains that rise or fall throughout, each { E, S }.
+local function runs_of(E, S)
+  local out, way = {}, nil
+  for k = 2, #E do
+    local now = E[k] > E[k - 1]
+    if E[k] ~= E[k - 1] then
+      if now ~= way then out[#out + 1], way = { E = { E[k - 1] }, S = { S[k - 1] }, rises = now }, now end
+      table.insert(out[#out].E, E[k])
+      table.insert(out[#out].S, S[k])
+    end
+  end
+  return out
+end
+
+-- The same of the whole loop: the ways back, and up again, of the specimen whose way was simulated, beside the runs of the simulated curve of the same number; rms over
+-- the largest measured stress. nil if nothing comes back.
+local function whole_residual(part, E, S, best)
+  local simulated, test, slack = runs_of(E, S), part.tests[best], slack_of(part, best)
+  if #simulated < 2 then return end
+  local sum, n, largest, place, back = 0, 0, 0, 0, false
+  for _, branch in ipairs(test.branches) do
+    local last = math.min(branch.last, test.failure or branch.last)
+    if branch.kind ~= "hold" and last > branch.first then
+      local rises = test.E[last] > test.E[branch.first]
+      if place == 0 or not simulated[place] or simulated[place].rises ~= rises then place = place + 1 end
+      local run = simulated[place]
+      if not run then break end
+      local xs, ys = run.E, run.S
+      if not run.rises then
+        xs, ys = {}, {}
+        for k = #run.E, 1, -1 do xs[#xs + 1], ys[#ys + 1] = run.E[k], run.S[k] end
+      end
+      for k = branch.first, last, math.max(1, #test.E // 600) do
+        local e, s = curve.from_contact(test.E[k], test.S[k], 1 + slack)
+        local model = interpolate(xs, ys, e)
+        largest = math.max(largest, s)
+        if model then sum, n, back = sum + (s - model) ^ 2, n + 1, back or not rises end
+      end
+    end
+    if last < branch.last then break end
+  end
+  return back and largest > 0 and math.sqrt(sum / n) / largest or nil
+end
+
 -- The points of yield or failure of the specimens, for a figure.
 local function marked(part, what)
   local points = { x = {}, y = {}, label = what, style = "points" }
@@ -201,7 +245,12 @@ local function overlay(result, name, out)
   local rest, differences = residual(part, E, S)
   plot { file = out .. "/" .. name .. "-residual.svg", curves = differences, key = "below", xlabel = strain,
     ylabel = "measured less simulated, % of the peak", size = { 120 * u.mm, 90 * u.mm } }
-  return { files = files, residual = rest, outside = outside_of(part.spread, E, S), trouble = trouble }
+  local whole
+  if not trouble and not part.without_markers then
+    local best = furthest(part, result.about.gauge_length, function(test) return name == "shear" and test.pull.E or test.E end)
+    whole = whole_residual(part, E, S, best)
+  end
+  return { files = files, residual = rest, whole = whole, outside = outside_of(part.spread, E, S), trouble = trouble }
 end
 
 -- Replaces the fit where there was no test.
@@ -224,11 +273,26 @@ local function unloading_band(fit)
   if k and band.low and band.low[k] then return band.low[k], band.high[k] end
 end
 
+-- A number with so many digits, without a power of ten where it is large.
+local function rounded(x, digits)
+  local text = ("%." .. digits .. "g"):format(x)
+  return text:find "e%+" and ("%.0f"):format(tonumber(text)) or text
+end
+
+-- Whether a number was given, and not found from a record or by a rule: its digits are the deck's.
+local function from_card(words) return words and (words:find "^typed" or words:find "^copied" or words:find "given by the deck") end
+
 local function parameters(result)
   local rows = {}
   local provenance = result.card.provenance or {}
+  -- As many digits as the band is wide; two without one. A band of no width is none, and a value at the end of its own is said.
   local function add(what, unit, value, low, high, field)
-    rows[#rows + 1] = { what, ("%.4g"):format(value), low and ("%.4g to %.4g"):format(low, high) or "", unit, provenance[field] or "" }
+    local from, digits = provenance[field] or "", field and not from_card(provenance[field]) and 2 or 4
+    local width = low and high - low or 0
+    local known = low and width > 1e-9 * math.abs(value)
+    if known then digits = math.max(2, math.min(4, math.ceil(math.log(math.abs(value) / width + 1, 10)) + 2)) end
+    if known and (value - low < 0.01 * width or high - value < 0.01 * width) then from = from .. (from ~= "" and "; " or "") .. "the value is an end of its band" end
+    rows[#rows + 1] = { what, rounded(value, digits), known and rounded(low, digits) .. " to " .. rounded(high, digits) or "", unit, from }
   end
   for _, name in ipairs(names) do
     local fit, ratio = source_of(result, name), result[name] and result[name].ratio
@@ -303,7 +367,8 @@ local function html(result, figures, rows, out)
   for _, name in ipairs(names) do
     local figure, part = figures[name], result[name]
     if figure then
-      parts[#parts + 1] = ("<h2>%s</h2><p>Residual of the simulated curve: %.2f %% of the peak. %s</p><pre>%s</pre>"):format(name, 100 * figure.residual,
+      parts[#parts + 1] = ("<h2>%s</h2><p>Residual of the simulated curve: %.2f %% of the peak in virgin loading%s. %s</p><pre>%s</pre>"):format(name, 100 * figure.residual,
+        figure.whole and (", %.2f %% over the whole loop of the specimen pulled furthest"):format(100 * figure.whole) or "",
         part.spread and escaped(part.spread.text) or "", escaped(part.fit.text or ""))
       parts[#parts + 1] = left_out(part)
       for _, file in ipairs(figure.files) do parts[#parts + 1] = (content(file):gsub("^.-<svg", "<svg")) end
