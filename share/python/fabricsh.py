@@ -98,42 +98,94 @@ def _message(stderr):
     return stderr[at + 1:].removeprefix("fabricsh: ").strip() if at >= 0 else stderr.removeprefix("fabricsh: ").strip()
 
 
-def _call(options, *, text=None, program=None, cwd=None, timeout=None):
-    """Runs the program with these options, `text` as its standard input, and raises what its exit code says."""
-    with subprocess.Popen([find_program(program), "--quiet", *map(str, options)], cwd=cwd, encoding="utf-8", errors="replace",
-                          stdin=subprocess.PIPE if text is not None else subprocess.DEVNULL,
-                          stdout=subprocess.PIPE, stderr=subprocess.PIPE) as child:
+def _name(word):
+    """A name that begins with "-" as one that the program cannot take for an option, or for its standard input."""
+    word = os.fspath(word) if isinstance(word, os.PathLike) else str(word)
+    return os.path.join(os.curdir, word) if word.startswith("-") else word
+
+
+_GRACE = 12  # seconds for the program to close its tables and series; it ends by itself within ten
+
+
+def _end(child, number, grace):
+    """Ends the program and what it started: first by this signal, then for good."""
+    for one, wait in ((number, grace), (signal.SIGKILL, None)):
         try:
-            stdout, stderr = child.communicate(text, timeout=timeout)
+            os.killpg(child.pid, one)
+        except (ProcessLookupError, PermissionError):
+            pass
+        try:
+            child.wait(wait)
+            break
         except subprocess.TimeoutExpired:
-            child.send_signal(signal.SIGTERM)  # the program closes its tables and series
-            stdout, stderr = child.communicate()
-            raise Interrupted(f"ended after {timeout} s, the time limit", child.returncode, stdout, stderr) from None
-        except KeyboardInterrupt:
-            child.send_signal(signal.SIGINT)
-            child.communicate()
+            pass
+    try:  # what the program left behind in its group
+        os.killpg(child.pid, signal.SIGKILL)
+    except (ProcessLookupError, PermissionError):
+        pass
+
+
+def _call(options, *, text=None, program=None, cwd=None, timeout=None):
+    """Runs the program with these options, `text` as its standard input, and raises what its exit code says.
+
+    What it says goes to files, not to pipes: a program that it started and that goes on would hold a pipe open.
+    """
+    with tempfile.TemporaryFile() as given, tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as said:
+        given.write((text or "").encode("utf-8", "surrogateescape"))
+        given.seek(0)
+
+        def told():
+            texts = []
+            for file in (out, said):
+                file.seek(0)
+                texts.append(file.read().decode("utf-8", "replace").replace("\r\n", "\n"))
+            return texts
+
+        # A group of its own, so that all of it can be ended.
+        child = subprocess.Popen([find_program(program), "--quiet", *map(str, options)], cwd=cwd, stdin=given if text is not None else subprocess.DEVNULL,
+                                 stdout=out, stderr=said, start_new_session=True)
+        try:
+            child.wait(timeout)
+        except subprocess.TimeoutExpired:
+            _end(child, signal.SIGTERM, _GRACE)  # the program closes its tables and series
+            raise Interrupted(f"ended after {timeout} s, the time limit", child.returncode, *told()) from None
+        except BaseException:
+            _end(child, signal.SIGINT, _GRACE)
             raise
-    if child.returncode:
-        kind = {1: DeckError, 2: UsageError, 3: NumericalFailure}.get(child.returncode, Interrupted)
-        message = _message(stderr) or f"ended with {child.returncode}"
-        raise kind(message, child.returncode, stdout, stderr)
+        stdout, stderr = told()
+    code = child.returncode
+    if code:
+        stopped = code < 0 or code in (128 + signal.SIGHUP, 128 + signal.SIGINT, 128 + signal.SIGTERM)
+        kind = {1: DeckError, 2: UsageError, 3: NumericalFailure}.get(code, Interrupted if stopped else Error)
+        raise kind(_message(stderr) if code in (1, 2, 3) or stopped and _message(stderr) else _ended_with(code), code, stdout, stderr)
     return Result(stdout, stderr)
+
+
+def _ended_with(code):
+    """What an exit code says that is none of the program's own: os.exit(7) in a deck, or a signal."""
+    if code >= 0:
+        return f"ended with exit code {code}"
+    try:
+        return f"ended by signal {-code} ({signal.Signals(-code).name})"
+    except ValueError:
+        return f"ended by signal {-code}"
 
 
 def _options(threads, restart, check, safe):
     options = ["--threads", threads] if threads is not None else []
-    options += ["--restart", restart] if restart is not None else []
+    options += ["--restart", _name(restart)] if restart is not None else []
     return options + ["--check"] * bool(check) + ["--safe"] * bool(safe)
 
 
 def run(deck, *arguments, threads=None, restart=None, check=False, safe=False, program=None, cwd=None, timeout=None):
-    """Runs a deck to its end and returns a Result; raises DeckError, UsageError, NumericalFailure or Interrupted.
+    """Runs a deck to its end and returns a Result; raises DeckError, UsageError, NumericalFailure or Interrupted, and Error for an exit code of the deck's own.
 
-    arguments: what the deck sees in `arg`. threads: None is the program's own choice. restart: a checkpoint's file. check: validate
-    everything, run nothing. safe: for decks from elsewhere. cwd: the folder it runs in. timeout: seconds.
+    deck: a name, also one that begins with "-". arguments: what the deck sees in `arg`. threads: None is the program's own choice. restart: a checkpoint's file. check: validate
+    everything, run nothing. safe: for decks from elsewhere. cwd: the folder it runs in. timeout: seconds; then the program
+    and what it started are ended.
     """
     options = _options(threads, restart, check, safe)
-    return _call([*options, deck, *arguments], program=program, cwd=cwd, timeout=timeout)
+    return _call([*options, _name(deck), *arguments], program=program, cwd=cwd, timeout=timeout)
 
 
 def run_text(text, *arguments, threads=None, restart=None, check=False, safe=False, program=None, cwd=None, timeout=None):

@@ -69,9 +69,12 @@ std::vector<std::string> readable_folders(const CommandLine& command) {
 std::string output_folder(const CommandLine& command) {
   if (command.check) return {};
   const std::string folder = command.output.empty() ? "out" : command.output;
-  std::error_code trouble;
-  fs::create_directories(folder, trouble);
-  if (trouble) throw Error("--safe: cannot make the output folder '" + folder + "': " + trouble.message());
+  try {
+    system::plain_folder(folder, true);
+  } catch (const Error& error) {
+    throw Error(std::string("--safe: the output folder: ") + error.what() +
+                (fs::is_symlink(folder) ? "; --output names a folder that is none" : ""));
+  }
   if (const fs::path real = fs::canonical(folder); holds_everything(real))
     throw Error("--safe: the output folder is '" + real.string() +
                 "', all of which the deck could change; give it a folder of its own");

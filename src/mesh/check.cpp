@@ -130,6 +130,7 @@ class Checker {
   void hanging(const std::vector<Edge>& free, const NodeSet& border);
   void unused();
   void duplicates();
+  std::vector<Index> part_of_nodes() const;
 
   const Mesh& mesh_;
   std::vector<Edge> edges_;
@@ -356,10 +357,12 @@ void Checker::duplicates() {
            static_cast<std::size_t>(b[2]) * 83492791u;
   };
   std::unordered_map<Cell, Index, decltype(hash)> cells(mesh_.nodes.size(), hash);
-  std::vector<Index> nodes;
+  const std::vector<Index> part = report_.measures.parts > 1 && of_file(mesh_) ? part_of_nodes() : NodeSet();
+  std::vector<Index> nodes, apart;
   for (std::size_t i = 0; i < mesh_.nodes.size(); ++i) {
     const Vec3 place = (mesh_.nodes[i] - all.low) / (2 * near);
     bool found = false;
+    Index before = 0;
     for (int corner = 0; corner < 8 && !found; ++corner) {
       Cell cell;
       for (std::size_t k = 0; k < 3; ++k)
@@ -368,8 +371,11 @@ void Checker::duplicates() {
       const auto at = cells.find(cell);
       found = at != cells.end() &&
               (mesh_.nodes[static_cast<std::size_t>(at->second)] - mesh_.nodes[i]).norm() <= near;
+      if (found) before = at->second;
     }
     if (found) nodes.push_back(static_cast<Index>(i));
+    if (found && !part.empty() && part[static_cast<std::size_t>(before)] != part[i])
+      apart.push_back(static_cast<Index>(i));
     const Cell own{static_cast<std::int64_t>(std::floor(place[0])),
                    static_cast<std::int64_t>(std::floor(place[1])),
                    static_cast<std::int64_t>(std::floor(place[2]))};
@@ -378,9 +384,29 @@ void Checker::duplicates() {
   if (!nodes.empty())
     add("duplicate", Severity::warning,
         listed("node", nodes) + ": at the place of a node before, and not joined to it", {}, nodes);
+  if (!apart.empty())
+    add("apart", Severity::error,
+        "the sheet is in " + std::to_string(report_.measures.parts) + " parts that are not connected; " +
+            listed("node", apart) +
+            ": at the place of a node of another part (fabric.mesh.read{ file=..., join=true } joins them)",
+        {}, apart);
+}
+
+// The part of each node, by an element that has it.
+std::vector<Index> Checker::part_of_nodes() const {
+  const Orientation found = orientation(mesh_, edges_);
+  std::vector<Index> part(mesh_.nodes.size(), -1);
+  for (std::size_t e = 0; e < mesh_.elements.size(); ++e)
+    for (const Index id : mesh_.elements[e])
+      if (id >= 0) part[static_cast<std::size_t>(id)] = found.part[e];
+  return part;
 }
 
 }  // namespace
+
+bool of_file(const Mesh& mesh) { return mesh.origin.starts_with("file ") && mesh.parts.empty(); }
+
+Index count_parts(const Mesh& mesh) { return orientation(mesh, edges(mesh)).parts(); }
 
 std::vector<Index> repeated_elements(const Mesh& mesh) {
   std::vector<std::pair<std::array<Index, 4>, Index>> keys;

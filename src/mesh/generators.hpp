@@ -56,6 +56,11 @@ Mesh from_lists(std::vector<Vec3> nodes, std::vector<std::array<Index, 4>> eleme
 // anew. Error: an element two of whose corners would be one node, which is named.
 Mesh merge(const std::vector<std::shared_ptr<const Mesh>>& meshes, double distance);
 
+// Makes one node of those within the distance (m) of each other; returns how many are gone. The sets all and
+// boundary are made anew where they were those of the mesh. Error: an element two of whose corners would be
+// one node.
+Index join_nodes(Mesh& mesh, double distance);
+
 // Adds the sets all and boundary (the nodes of free edges, if there are any) unless they are there.
 void add_usual_sets(Mesh& mesh);
 

@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "base/error.hpp"
+#include "geometry/box.hpp"
 #include "mesh/edges.hpp"
 #include "mesh/generators.hpp"
 
@@ -60,7 +61,48 @@ std::vector<Index> renumber(const std::vector<Index>& partner, Mesh& mesh) {
   return place;
 }
 
+// For each node the first within the distance, or itself; by a sweep along the longest axis of the mesh.
+std::vector<Index> first_of_place(const std::vector<Vec3>& nodes, double distance) {
+  const auto at = [&nodes](Index i) -> const Vec3& { return nodes[static_cast<std::size_t>(i)]; };
+  Eigen::Index axis = 0;
+  box_of(nodes).size().maxCoeff(&axis);
+  std::vector<Index> order(nodes.size()), first(nodes.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  first = order;
+  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return at(a)[axis] < at(b)[axis]; });
+  for (std::size_t i = 0; i < order.size(); ++i)
+    for (std::size_t j = i + 1; j < order.size(); ++j) {
+      const auto [a, b] = std::minmax(order[i], order[j]);
+      if (at(order[j])[axis] - at(order[i])[axis] > distance) break;
+      auto& own = first[static_cast<std::size_t>(b)];
+      if ((at(a) - at(b)).norm() <= distance) own = std::min(own, a);
+    }
+  for (Index& p : first) p = first[static_cast<std::size_t>(p)];
+  return first;
+}
+
 }  // namespace
+
+Index join_nodes(Mesh& mesh, double distance) {
+  const auto before = static_cast<Index>(mesh.nodes.size());
+  const auto boundary = mesh.sets.find("boundary");
+  if (boundary != mesh.sets.end() && boundary->second == free_nodes(mesh)) mesh.sets.erase(boundary);
+  mesh.sets.erase("all");
+  const std::vector<Index> place = renumber(first_of_place(mesh.nodes, distance), mesh);
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    for (Index& id : mesh.elements[e])
+      if (id >= 0) id = place[static_cast<std::size_t>(id)];
+    check_corners(mesh.elements[e], e, static_cast<Index>(mesh.nodes.size()));
+  }
+  auto sets = std::move(mesh.sets);
+  mesh.sets.clear();
+  for (auto& [name, ids] : sets) {
+    for (Index& id : ids) id = place[static_cast<std::size_t>(id)];
+    mesh.define(name, std::move(ids));
+  }
+  add_usual_sets(mesh);
+  return before - static_cast<Index>(mesh.nodes.size());
+}
 
 void add_usual_sets(Mesh& mesh) {
   if (!mesh.sets.contains("all")) {

@@ -396,9 +396,26 @@ void lay_loop(Rim& rim, const std::vector<Side>& sides, std::size_t loop, const 
   name_edges(sides, of_side, runs);
 }
 
+// Refuses lines with more nodes than a panel may have elements, before the first is laid: of a circle that
+// was meant in other units, of a number of elements.
+void check_nodes(const Border& border) {
+  constexpr double most = 4e6;
+  double all = 0;
+  for (const auto& sides : border)
+    for (const Side& side : sides) {
+      const double length = side.curve.length();
+      all += length / side.step + static_cast<double>(side.stops.size()) + 1;
+      if (all <= most) continue;
+      refuse_panel(side.field, side.words + ": expected at most 4000000 nodes on all lines, got " +
+                                   number(all) + " up to here (" + number(length) + " m in steps of " +
+                                   number(side.step) + " m)");
+    }
+}
+
 }  // namespace
 
 Rim lay_nodes(const Border& border, const Weave& weave) {
+  check_nodes(border);
   Rim rim;
   for (std::size_t l = 0; l < border.size(); ++l) {
     std::map<std::string, std::vector<NodeSet>> runs;

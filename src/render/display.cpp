@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -11,8 +10,7 @@
 #include <string>
 
 #include "base/error.hpp"
-
-extern char** environ;
+#include "system/child.hpp"
 
 namespace fabricsh::render {
 
@@ -29,19 +27,20 @@ std::string answer(int pipe) {
   return text;
 }
 
-// Starts Xvfb, which chooses a free number and writes it to the pipe. 0: Xvfb is not installed.
+// Starts Xvfb, which chooses a free number and writes it to the pipe; it ends with this program. 0: Xvfb is
+// not installed.
 pid_t start(int pipe) {
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-  std::string words[] = {"Xvfb", "-displayfd",   std::to_string(pipe), "-screen",
-                         "0",    "1280x1024x24", "-nolisten",          "tcp"};
-  char* arguments[9] = {};
-  for (int i = 0; i < 8; ++i) arguments[i] = words[i].data();
+  const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
   pid_t child = 0;
-  const int reason = posix_spawnp(&child, "Xvfb", &actions, nullptr, arguments, environ);
-  posix_spawn_file_actions_destroy(&actions);
+  const int reason = system::spawn_bound(
+      {{"Xvfb", "-displayfd", std::to_string(pipe), "-screen", "0", "1280x1024x24", "-nolisten", "tcp"},
+       -1,
+       nowhere,
+       nowhere,
+       false,
+       SIGTERM},
+      child);
+  close(nowhere);
   return reason == 0 ? child : 0;
 }
 

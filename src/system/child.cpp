@@ -1,23 +1,23 @@
 #include "system/child.hpp"
 
 #include <signal.h>
-#include <spawn.h>
 #include <sys/mman.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <memory>
 #include <optional>
 #include <system_error>
 #include <thread>
+#include <utility>
 
 #include "base/error.hpp"
 #include "system/computing_time.hpp"
-
-extern char** environ;
 
 namespace fabricsh::system {
 
@@ -51,28 +51,6 @@ std::string words(std::FILE* file) {
   return text;
 }
 
-// Returns 0 or the system's reason, and sets the child's number. The child leads its own process
-// group, so that Ctrl-C at the terminal reaches this program only, which then gives it time to end.
-int spawn(const std::vector<std::string>& arguments, std::FILE* input, std::FILE* out, std::FILE* said,
-          pid_t& child) {
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, fileno(input), STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, fileno(out), STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, fileno(said), STDERR_FILENO);
-  std::vector<std::string> copies = arguments;
-  std::vector<char*> pointers;
-  for (std::string& word : copies) pointers.push_back(word.data());
-  pointers.push_back(nullptr);
-  posix_spawnattr_t group;
-  posix_spawnattr_init(&group);
-  posix_spawnattr_setflags(&group, POSIX_SPAWN_SETPGROUP);
-  const int reason = posix_spawnp(&child, pointers[0], &actions, &group, pointers.data(), environ);
-  posix_spawnattr_destroy(&group);
-  posix_spawn_file_actions_destroy(&actions);
-  return reason;
-}
-
 constexpr std::chrono::seconds kGrace{5};
 
 // Waits for the child's end; returns 0 or the system's reason. After a signal to this program the child has
@@ -90,7 +68,68 @@ int wait_for(pid_t child, int& status) {
   }
 }
 
+// What the new process needs, made before it starts: it shares this program's memory until it runs another.
+struct Prepared {
+  char* const* arguments;
+  int input, out, said;
+  bool own_group;
+  int ends_by;
+  pid_t parent;
+  sigset_t signals;
+  volatile int reason;
+};
+
+[[noreturn]] void become(Prepared& p) {
+  const auto give_up = [&p] {
+    p.reason = errno;
+    std::_Exit(127);
+  };
+  // A handler of this program must not run in the new process, which shares its memory; an ignored signal
+  // stays ignored, as under nohup.
+  for (int number = 1; number < NSIG; ++number) {
+    struct sigaction action {};
+    if (sigaction(number, nullptr, &action) != 0 || action.sa_handler == SIG_IGN) continue;
+    action = {};
+    action.sa_handler = SIG_DFL;
+    sigaction(number, &action, nullptr);
+  }
+  if (p.own_group && setpgid(0, 0) != 0) give_up();
+  if (prctl(PR_SET_PDEATHSIG, p.ends_by) != 0) give_up();
+  if (getppid() != p.parent) std::_Exit(127);
+  const std::pair<int, int> streams[] = {{p.input, 0}, {p.out, 1}, {p.said, 2}};
+  for (const auto& [from, to] : streams)
+    if (from >= 0 && dup2(from, to) < 0) give_up();
+  sigprocmask(SIG_SETMASK, &p.signals, nullptr);
+  execvp(p.arguments[0], p.arguments);
+  give_up();
+  std::_Exit(127);
+}
+
 }  // namespace
+
+// vfork() as posix_spawn() has it inside, which offers no signal at the parent's end.
+int spawn_bound(const Spawn& what, int& child) {
+  std::vector<std::string> copies = what.arguments;
+  std::vector<char*> pointers;
+  for (std::string& word : copies) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  Prepared p{pointers.data(), what.input, what.out, what.said, what.own_group, what.ends_by, getpid(), {}, 0};
+  sigset_t all;
+  sigfillset(&all);
+  pthread_sigmask(SIG_SETMASK, &all, &p.signals);
+  const pid_t process = vfork();
+  if (process == 0) become(p);
+  const int failed = process < 0 ? errno : 0;
+  pthread_sigmask(SIG_SETMASK, &p.signals, nullptr);
+  if (failed != 0) return failed;
+  if (p.reason != 0) {
+    while (waitpid(process, nullptr, 0) < 0 && errno == EINTR) {
+    }
+    return p.reason;
+  }
+  child = process;
+  return 0;
+}
 
 ChildResult run_child(const std::vector<std::string>& arguments, const std::string& input,
                       const std::string& who) {
@@ -99,15 +138,17 @@ ChildResult run_child(const std::vector<std::string>& arguments, const std::stri
   if (!written || std::fflush(given.get()) != 0) no_scratch(who);
   std::rewind(given.get());
   pid_t child = 0;
-  int reason = spawn(arguments, given.get(), out.get(), said.get(), child), status = 0;
-  if (reason == ENOENT) return {false, false, {}, {}};
+  int status = 0;
+  int reason = spawn_bound({arguments, fileno(given.get()), fileno(out.get()), fileno(said.get())}, child);
+  if (reason == ENOENT) return {false, false, 0, {}, {}};
   if (reason == 0) {
     const CountedChild counted(child);
     reason = wait_for(child, status);
   }
   if (reason != 0)
     throw Error(who + ": " + arguments[0] + " does not start: " + std::generic_category().message(reason));
-  return {true, WIFEXITED(status) && WEXITSTATUS(status) == 0, content(out.get()), words(said.get())};
+  return {true, WIFEXITED(status) && WEXITSTATUS(status) == 0, WIFSIGNALED(status) ? WTERMSIG(status) : 0,
+          content(out.get()), words(said.get())};
 }
 
 }  // namespace fabricsh::system

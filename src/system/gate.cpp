@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
@@ -43,12 +44,56 @@ bool below(const std::string& path, const std::string& folder, std::string& rest
   return true;
 }
 
+// The path from the current folder; empty if the path does not lie below it.
+fs::path from_here(const fs::path& path) {
+  if (path.is_relative()) return path.lexically_normal();
+  std::error_code code;
+  std::string rest;
+  const std::string whole = path.lexically_normal().string();
+  const fs::path here = fs::current_path(code);
+  const char* named = std::getenv("PWD");  // as the shell names it, where links lead to it
+  for (const std::string& folder : {here.string(), std::string(named == nullptr ? "" : named)})
+    if (!folder.empty() && folder != "/" && below(whole, folder, rest) && !rest.empty()) return rest;
+  return {};
+}
+
+// Opens a folder inside of another by its bare name.
+Descriptor step_into(const Descriptor& folder, const std::string& name, bool make, const std::string& path) {
+  if (make && mkdirat(folder.number(), name.c_str(), 0777) != 0 && errno != EEXIST)
+    cannot("make the folder", path, reason_text(errno));
+  Descriptor next(openat(folder.number(), name.c_str(), folder_flags));
+  const int reason = errno;
+  if (!next.open() && is_link(folder.number(), name))
+    cannot("write into", path, "'" + name + "' is a symbolic link, which --safe does not follow");
+  if (!next.open()) cannot("open the folder", path, reason_text(reason));
+  return next;
+}
+
 Gate& process_gate() {
   static Gate gate;
   return gate;
 }
 
 }  // namespace
+
+Descriptor plain_folder(const std::string& path, bool make) {
+  fs::path rest = from_here(path), start = ".";
+  if (rest.empty()) {  // elsewhere: the folders on the way are the user's own, as links in the system's are
+    fs::path whole = fs::path(path).lexically_normal();
+    if (!whole.has_filename()) whole = whole.parent_path();
+    start = whole.parent_path();
+    rest = whole.filename();
+    std::error_code code;
+    if (make) fs::create_directories(start, code);
+    if (code) cannot("make the folder", path, code.message());
+  }
+  Descriptor folder(::open(start.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+  if (!folder.open()) cannot("open the folder", path, reason_text(errno));
+  for (const fs::path& part : rest)
+    if (const std::string name = part.string(); !name.empty() && name != ".")
+      folder = step_into(folder, name, make && name != "..", path);
+  return folder;
+}
 
 int PathInFolder::at() const { return open_gate ? AT_FDCWD : folder.number(); }
 
@@ -81,10 +126,23 @@ Gate::Root Gate::root_of(const std::string& folder) {
   return root;
 }
 
+Gate::Root Gate::plain_root_of(const std::string& folder) {
+  Root root;
+  root.name = fs::absolute(folder).lexically_normal().string();
+  while (root.name.size() > 1 && root.name.back() == '/') root.name.pop_back();
+  root.folder = plain_folder(folder, false);
+  std::error_code code;
+  root.real = fs::canonical(fs::path(root.name).parent_path(), code)
+                  .append(fs::path(root.name).filename().string())
+                  .string();
+  if (code) cannot("open", folder, code.message());
+  return root;
+}
+
 Gate::Gate(const std::vector<std::string>& readable, const std::string& writable)
     : closed_(true), current_(fs::current_path().string()) {
   for (const std::string& folder : readable) readable_.push_back(root_of(folder));
-  if (!writable.empty()) writable_ = root_of(writable);
+  if (!writable.empty()) writable_ = plain_root_of(writable);
 }
 
 // Walks from the root folder by folder, opening each by its bare name inside the

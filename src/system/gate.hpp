@@ -24,6 +24,11 @@ struct PathInFolder {
   std::string sibling(const std::string& last) const;
 };
 
+// Opens a folder for writing, step by step: neither it nor, where the path begins in the current folder, a
+// folder on the way may be a symbolic link, which whoever packed the current folder could have laid. make:
+// missing folders are created. Error: a link, or the system's reason.
+Descriptor plain_folder(const std::string& path, bool make);
+
 class Gate {
  public:
   // The gate of this process: open until close_process() is called, which works once. It is global because a
@@ -34,7 +39,8 @@ class Gate {
 
   Gate() = default;
   // A closed gate, except for these folders, which must exist. `writable` may be empty: nothing
-  // can be written. The writable folder is also readable. Error: a folder cannot be opened.
+  // can be written. The writable folder is also readable. Error: a folder cannot be opened, or the writable
+  // one is a link.
   Gate(const std::vector<std::string>& readable, const std::string& writable);
 
   bool closed() const { return closed_; }
@@ -64,6 +70,7 @@ class Gate {
     Descriptor folder;  // opened once
   };
   static Root root_of(const std::string& folder);
+  static Root plain_root_of(const std::string& folder);
   PathInFolder enter(const Root& root, const std::string& path, const std::string& below, bool make,
                      const char* what) const;
 

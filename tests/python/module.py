@@ -6,6 +6,7 @@ import pathlib
 import struct
 import subprocess
 import sys
+import time
 import unittest
 
 if importlib.util.find_spec("numpy") is None:
@@ -92,8 +93,8 @@ class Module(unittest.TestCase):
         self.assertIn("both\nlines", str(error))
 
     def test_other_ends(self):
-        error = self.refused(fabricsh.UsageError, lambda: fabricsh.run("--nonsense"))
-        self.assertIn("unknown option '--nonsense'", str(error))
+        error = self.refused(fabricsh.UsageError, lambda: fabricsh.run("pull.lua", threads="many"))
+        self.assertIn("expected an integer from 1 to 4096, got 'many'", str(error))
         hard = PULL.replace("out/", "out/hard/").replace("step=0.25", "step=1, max_cuts=0, max_iterations=2").replace("10*mm", "-70*mm")
         error = self.refused(fabricsh.NumericalFailure, lambda: fabricsh.run_text(hard))
         self.assertEqual(error.deck, "stdin")
@@ -104,6 +105,51 @@ class Module(unittest.TestCase):
                 break
         self.assertEqual(error.stdout, "begun\n")
         self.assertIn("no program 'no-such-program'", str(self.refused(FileNotFoundError, lambda: fabricsh.run_text("", program="no-such-program"))))
+
+    def test_names_that_begin_with_a_dash(self):
+        """A name is a name, whatever it begins with: no option of the program's, nor its standard input."""
+        for name in ("-e.lua", "--safe", "-", "--threads=2"):
+            pathlib.Path(name).write_text("print(#arg, arg[1], arg[2])\n")
+            self.assertEqual(fabricsh.run(name, "-i", "--check").stdout, "2\t-i\t--check\n", name)
+            self.assertEqual(fabricsh.run(pathlib.Path(name), "--").stdout, "1\t--\tnil\n", name)
+        self.assertEqual(fabricsh.run_text("print(arg[1])", "--version").stdout, "--version\n")
+        error = self.refused(fabricsh.DeckError, lambda: fabricsh.run("--nonsense"))
+        self.assertEqual(str(error), "cannot read './--nonsense': No such file or directory")
+        self.assertIn("'./-none.ckpt'", str(self.refused(fabricsh.DeckError, lambda: fabricsh.run("pull.lua", restart="-none.ckpt"))))
+
+    def test_exit_codes_as_they_are(self):
+        for code in (4, 7, 77, 200):
+            error = self.refused(fabricsh.Error, lambda: fabricsh.run_text(f"print 'so far' io.stdout:flush() os.exit({code})"))
+            self.assertEqual((type(error), error.code, error.stdout), (fabricsh.Error, code, "so far\n"))
+            self.assertEqual(str(error), f"ended with exit code {code}")
+        for code, kind in ((1, fabricsh.DeckError), (2, fabricsh.UsageError), (3, fabricsh.NumericalFailure)):
+            self.assertEqual(self.refused(kind, lambda: fabricsh.run_text(f"os.exit({code})")).code, code)
+        error = self.refused(fabricsh.Interrupted, lambda: fabricsh.run_text("os.execute 'kill -KILL $PPID'"))
+        self.assertEqual((error.code, str(error)), (-9, "ended by signal 9 (SIGKILL)"))
+
+    def test_the_time_limit_ends_all(self):
+        """Also what the deck started, and no pipe is waited for that something else holds open."""
+        deck = "os.execute 'sleep 61.25 & setsid sleep 3.5 & sleep 61.25'"
+        began = time.monotonic()
+        error = self.refused(fabricsh.Interrupted, lambda: fabricsh.run_text(deck, timeout=1))
+        self.assertIn("ended after 1 s, the time limit", str(error))
+        self.assertLess(time.monotonic() - began, 30)
+        for _ in range(100):  # the end of a process takes the system a moment
+            left = [p for p in pathlib.Path("/proc").glob("[0-9]*/cmdline") if self.command(p) == ["sleep", "61.25"]]
+            if not left:
+                break
+            time.sleep(0.1)
+        self.assertEqual(left, [])
+        began = time.monotonic()
+        self.assertEqual(fabricsh.run_text("print 'done' io.stdout:flush() os.execute 'setsid sleep 20 &'").stdout, "done\n")
+        self.assertLess(time.monotonic() - began, 15)
+
+    @staticmethod
+    def command(path):
+        try:
+            return path.read_bytes().decode("utf-8", "replace").split("\0")[:-1]
+        except OSError:
+            return []
 
     def test_a_record(self):
         force, S11 = map(float, self.result.stdout.split()[:2])

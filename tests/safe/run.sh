@@ -110,6 +110,28 @@ if [ -d "$own" ]; then
   program=${program#env -u HOME }
 fi
 HOME=$root/home expect 1 'all of which the deck could change' --output "$root/home" -e 'x = 1'
+# The output folder is no link and lies behind none, by default and by --output: whoever packed the folder may
+# have laid it.
+mkdir -p inbox/plain && ln -s ../secret inbox/out && ln -s ../secret inbox/plain/results && ln -s plain inbox/way
+echo 'local fabric = require "fabric" print(pcall(fabric.write, "out/keys", "x")) print(pcall(os.remove, "out/key.csv"))' >inbox/deck.lua
+cd inbox || exit 1
+link='is a symbolic link, which --safe does not follow'
+expect 1 "'out' $link" deck.lua
+expect 1 "--output names a folder that is none" deck.lua
+for place in out out/ plain/results ./plain/results/ plain/results/below way/made "$root/inbox/out" "$root/inbox/way/made"; do
+  expect 1 "$link" --output "$place" deck.lua
+done
+expect 0 '' --output made/here deck.lua
+[ -d made/here ] || { echo 'FAILED: made/here is missing' && status=1; }
+# A folder that becomes a link after the start: what is written goes to the folder that was there.
+rm out && mkdir out
+(while [ ! -e out/begun ]; do sleep 0.05; done && mv out away && ln -s ../secret out && touch away/swapped) &
+expect 0 'and went on' -e 'fabric.write("out/begun", "") local until_ = os.time() + 20
+  repeat local swapped = pcall(fabric.write, "out/mine.csv", "1") until io.open "out/swapped" or os.time() > until_
+  for i = 1, 50 do pcall(fabric.write, "out/key.csv", "no") pcall(os.remove, "out/module.lua") end print "and went on"'
+wait
+[ -e away/mine.csv ] && [ -e away/swapped ] || { echo 'FAILED: nothing was written before the swap' && status=1; }
+cd "$root" || exit 1
 expect 2 'a number from 4 to 1e+09' --limit-memory 1e18 -e 'x = 1'
 expect 2 "unknown option '--safe=no'" --safe=no
 [ "$before" = "$(secret_sum)" ] || { echo "FAILED: the secret folder has changed" && secret_sum && status=1; }

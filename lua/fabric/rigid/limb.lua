@@ -13,6 +13,7 @@ local loft = require "fabric.rigid.loft"
 
 local farthest = 150   -- degrees
 local crowding = 0.95  -- largest curvature of the middle line times radius: from 1 on the cross-sections of the inner side meet
+local most_shapes = 100000
 local turn, most = 3, 5 -- degrees from shape to shape: by default at most, and the largest accepted
 
 local function fail(field, words) define.fail(("limb: field '%s': %s"):format(field, words)) end
@@ -104,6 +105,7 @@ local function angles(t)
     return all, times, largest
   end
   local n = t.every and math.max(1, math.ceil(t.duration / t.every - 1e-9)) or 16
+  if n > most_shapes then fail("every", ("expected at most %d shapes, got %.10g s / %.10g s"):format(most_shapes, t.duration, t.every)) end
   local all, times, largest = sampled(n)
   while not t.every and largest > turn and n < 4096 do
     n = 2 * n
@@ -129,6 +131,7 @@ end
 local function check_sizes(t)
   if #t.radii ~= 3 then fail("radii", ("expected three radii, at the beginning, the joint and the end, got %d numbers"):format(#t.radii)) end
   t.joint = t.joint or 2.2 * t.radii[2]
+  if t.around > 100000 then fail("around", ("expected a count from 8 to 100000, got %d"):format(t.around)) end
   t.around = 4 * math.ceil(t.around / 4)
   t.caps = t.around // 4 -- rings of each end
   t.size = t.size or 2 * math.pi * t.radii[2] / t.around
@@ -138,12 +141,15 @@ end
 
 local function run(t)
   check_sizes(t)
+  local rings = (t.upper + t.lower) / t.size + 2 * t.caps + 6
+  loft.check_facets(t.around, math.ceil(rings), 1, fail, "size")
   local frame = loft.frame(t.from or { 0, 0, 0 }, t.axis or { 0, 0, 1 }, t.towards or { 1, 0, 0 }, fail)
   local bend, times = { t.bend }, nil
   if type(t.bend) ~= "number" then
     if not t.duration then fail("duration", "expected the time over which bend= is followed, got none") end
     bend, times = angles(t)
   end
+  loft.check_facets(t.around, math.ceil(rings), #bend, fail, #bend > 1 and "every" or "size")
   check_bends(t, bend)
   local rows, first, second = stations(t)
   local meshes = {}

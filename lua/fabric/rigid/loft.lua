@@ -29,6 +29,15 @@ function loft.point(frame, a, b, c)
   return { o[1] + a * e1[1] + b * e2[1] + c * e3[1], o[2] + a * e1[2] + b * e2[2] + c * e3[2], o[3] + a * e1[3] + b * e2[3] + c * e3[3] }
 end
 
+-- Facets of a body, in all of its shapes together: more would fill the memory long before a run could use them.
+local most = 4000000
+
+-- Refuses, before the first point is made, more facets than that. fail(field, words); `of` says what gives the number of rings.
+function loft.check_facets(around, rings, shapes, fail, field)
+  if around * rings * shapes <= most then return end
+  fail(field, ("expected at most %d facets, got %.10g x %.10g (around, along)%s"):format(most, around, rings, shapes > 1 and (" in %.10g shapes"):format(shapes) or ""))
+end
+
 -- rings: lists of points, counter-clockwise as seen from the last ring; first and last: the points that close the surface. Its facets are
 -- counter-clockwise from outside. Node 1 is `first`, ring k begins with node 2 + (k - 1) n.
 function loft.mesh(first, rings, last)

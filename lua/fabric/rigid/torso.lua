@@ -46,11 +46,13 @@ end
 
 local function run(t)
   local sections = read_sections(t.sections)
+  if t.around > 100000 then fail("around", ("expected a count from 8 to 100000, got %d"):format(t.around)) end
   t.caps = math.max(2, t.around // 4) -- rings of each end
   local frame = loft.frame(t.from or { 0, 0, 0 }, t.axis or { 0, 0, 1 }, t.towards or { 1, 0, 0 }, fail)
   local wide, deep = slopes(sections, 2), slopes(sections, 3)
   local first, last = sections[1], sections[#sections]
   local size = t.size or 2 * math.pi * math.min(first[2], first[3]) / t.around
+  loft.check_facets(t.around, math.ceil((last[1] - first[1]) / size) + 2 * t.caps + 2, 1, fail, "size")
   local rings = {}
   local function ring(z, a, b)
     local points = {}

@@ -9,6 +9,7 @@
 
 #include "base/number.hpp"
 #include "law/check.hpp"
+#include "mesh/check.hpp"
 #include "script/bind/model.hpp"
 #include "script/bind/rooms.hpp"
 #include "script/bind/run.hpp"
@@ -319,6 +320,22 @@ std::vector<Argument> model_rows() {
   return rows;
 }
 
+// Says in how many pieces a sheet is that came from a file: what another program did not connect falls apart.
+void tell_parts(Call& call, const std::vector<model::BodyGiven>& bodies) {
+  for (const auto& body : bodies) {
+    if (!mesh::of_file(*body.mesh)) continue;
+    const mesh::Index parts = mesh::count_parts(*body.mesh);
+    if (parts < 2) continue;
+    const bool apart = mesh::check(*body.mesh).find("apart") != nullptr;
+    call.session().warn("mesh", position(call.L()) + (body.name.empty() ? "" : "body '" + body.name + "': ") +
+                                    body.mesh->origin + ": the sheet is in " + std::to_string(parts) +
+                                    " parts that are not connected" +
+                                    (apart ? ", though they share places: fabric.mesh.read{ file=..., "
+                                             "join=true } makes one node of those at one place"
+                                           : "; seams and ties connect them"));
+  }
+}
+
 int make_model(Call& call) {
   if (!call.has("bodies") && !call.has("mesh"))
     call.refuse("mesh", "expected a mesh, got nil (missing, or a misspelt variable)");
@@ -328,6 +345,7 @@ int make_model(Call& call) {
   else
     bodies.push_back(read_body(call, "", ""));
   if (call.flag("membrane")) make_membrane(call, bodies);
+  tell_parts(call, bodies);
   std::vector<std::unique_ptr<ChangeRefused>> still;
   for (const auto& body : bodies)
     still.push_back(std::make_unique<ChangeRefused>(call.session(), body.mesh.get()));

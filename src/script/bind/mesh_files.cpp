@@ -1,7 +1,9 @@
 // fabric.mesh.read, mesh:write, mesh:check, mesh:orient.
 #include "format/deck_write.hpp"
 #include "format/mesh_file.hpp"
+#include "geometry/box.hpp"
 #include "mesh/check.hpp"
+#include "mesh/generators.hpp"
 #include "script/bind/mesh.hpp"
 #include "script/call/words.hpp"
 #include "system/gate.hpp"
@@ -21,8 +23,15 @@ std::string file_of(const std::string& path) {
   return shipped.empty() ? path : shipped;
 }
 
+// Nodes of a file that are nearer than this part of the mesh's size are at one place: about what single
+// precision leaves.
+constexpr double one_place = 1e-6;
+
 int read(Call& call) {
-  push_object(call.L(), std::make_shared<Mesh>(read_mesh_file(call, file_of(call.text("file")))));
+  auto mesh = std::make_shared<Mesh>(read_mesh_file(call, file_of(call.text("file"))));
+  if (call.has("join") && call.flag("join"))
+    mesh::join_nodes(*mesh, one_place * box_of(mesh->nodes).size().norm());
+  push_object(call.L(), std::move(mesh));
   return 1;
 }
 
@@ -114,13 +123,16 @@ Entry read_row() {
       "fabric.mesh.read",
       Style::positional,
       {value_("file", text,
-              "ends in " + format::read_endings() + "; a bare name may be a mesh shipped with the program")},
+              "ends in " + format::read_endings() + "; a bare name may be a mesh shipped with the program"),
+       value_("join", boolean, "make one node of those at one place (within 1e-6 of the mesh's size)")
+           .or_else(false)},
       "Reads a mesh of triangles and quadrilaterals, lengths in m: Gmsh 2 and 4.1, VTK's .vtu and legacy "
       ".vtk, Wavefront .obj, .stl and .ply (text and binary; equal vertices of an .stl are joined), .inp of "
       "Abaqus and CalculiX, "
       ".k of LS-DYNA. Physical groups and groups become node sets, sets of elements those of their nodes; so "
       "do integer arrays: those of 0 and 1 by their name, others as name_value; parts and solids where there "
-      "are several. Nodes in no element are left out; the sets all and boundary are added.",
+      "are several. Nodes in no element are left out; the sets all and boundary are added. Also "
+      "with named fields: fabric.mesh.read{ file=, join=true }.",
       "local fabric = require 'fabric'\n"
       "local mesh = fabric.mesh.read 'disc.msh'\n"
       "assert(#mesh:set 'centre' == 1 and mesh:check().ok)",
@@ -156,21 +168,22 @@ Entry deck_lines_row() {
 }
 
 Entry check_row() {
-  return {"mesh:check",
-          Style::positional,
-          {},
-          "What is wrong with the mesh or worth knowing: a table {ok, text, items, area, shortest, longest, "
-          "aspect, "
-          "warping, least_angle, triangles, quadrilaterals, parts, borders}, which prints as its text; an "
-          "item has key "
-          "(degenerate, inverted, fold, repeated, orientation, one_sided, unused, duplicate, nonmanifold, "
-          "aspect, "
-          "warping, "
-          "angle, wide, taper, hanging, free), severity (note, warning, error), text, elements, nodes.",
-          std::string(disk_sample) +
-              "local report = mesh:check()\nassert(report.ok and report.borders == 1)\n"
-              "assert(tostring(report) == report.text)",
-          check};
+  return {
+      "mesh:check",
+      Style::positional,
+      {},
+      "What is wrong with the mesh or worth knowing: a table {ok, text, items, area, shortest, longest, "
+      "aspect, "
+      "warping, least_angle, triangles, quadrilaterals, parts, borders}, which prints as its text; an "
+      "item has key "
+      "(degenerate, inverted, fold, repeated, orientation, one_sided, apart, unused, duplicate, nonmanifold, "
+      "aspect, "
+      "warping, "
+      "angle, wide, taper, hanging, free), severity (note, warning, error), text, elements, nodes.",
+      std::string(disk_sample) +
+          "local report = mesh:check()\nassert(report.ok and report.borders == 1)\n"
+          "assert(tostring(report) == report.text)",
+      check};
 }
 
 Entry orient_row() {

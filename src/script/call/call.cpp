@@ -452,6 +452,13 @@ void drop_retired(lua_State* L, const Entry& entry) {
   }
 }
 
+// A function of a file and of what to do with it accepts both by name, as f{ file=, ... }.
+bool takes_a_table(lua_State* L, const Entry& entry, int first, int given) {
+  return entry.style == Style::positional && !entry.method() && given == 1 && lua_istable(L, first) &&
+         entry.arguments.size() > 1 && entry.arguments.front().name == "file" &&
+         entry.arguments.front().kinds == text;
+}
+
 // Leaves the table of named arguments on the stack and returns its index.
 int gather(lua_State* L, const Entry& entry) {
   const int first = entry.method() || entry.style == Style::property ? 2 : 1;
@@ -466,6 +473,11 @@ int gather(lua_State* L, const Entry& entry) {
     lua_pushvalue(L, first);
     fabricsh::script::make_plain(L);
     drop_retired(L, entry);
+    return lua_gettop(L);
+  }
+  if (takes_a_table(L, entry, first, given)) {
+    lua_pushvalue(L, first);
+    fabricsh::script::make_plain(L);
     return lua_gettop(L);
   }
   const int most = static_cast<int>(entry.arguments.size());

@@ -54,6 +54,8 @@ wrong("fabric.mesh.read", "fabric.mesh.read()",
   "deck.lua:1: read: argument 'file': expected a string, got nil (missing, or a misspelt variable)")
 wrong("fabric.mesh.read", "fabric.mesh.read(7)",
   "deck.lua:1: read: argument 'file': expected a string, got 7")
+wrong("fabric.mesh.read", "fabric.mesh.read('disc.msh', 3)",
+  "deck.lua:1: read: argument 'join': expected true or false, got 3")
 
 -- fabric.mesh.rectangle
 wrong("fabric.mesh.rectangle", "fabric.mesh.rectangle{ widht=0.01 }",
