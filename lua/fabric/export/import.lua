@@ -288,6 +288,34 @@ local function tell_further(t, from, name, notes)
   fabric.warn(("import: %s: %s"):format(t.file, words))
 end
 
+-- Keywords that change what a material does, and that no reader of this program takes.
+local lost_keywords = {
+  openradioss = { "^/LEAK", "^/FAIL", "^/VISC", "^/EOS", "^/THERM", "^/HEAT", "^/NONLOCAL", "^/DAMP", "^/ALE", "^/EULER", "^/XFEM", "^/MAT/" },
+  ["ls-dyna"] = { "^%*MAT_", "^%*DAMPING", "^%*EOS", "^%*AIRBAG_SHELL_REFERENCE", "^%*INITIAL_FOAM", "^%*DEFINE_FABRIC" },
+  abaqus = { "^%*DAMPING", "^%*EXPANSION", "^%*DAMAGE", "^%*ELASTIC", "^%*PLASTIC", "^%*VISCO", "^%*HYSTERESIS", "^%*FAIL", "^%*DEPVAR", "^%*USER", "^%*CREEP", "^%*HYPER" },
+}
+
+-- Says which of them the file has: what they do is lost.
+local function tell_lost(t, from, notes)
+  local names, lines, seen = {}, {}, {}
+  for i, line in ipairs(read.lines_of(t.file)) do
+    local upper, own, known = line:upper(), false, false
+    for _, pattern in ipairs(lost_keywords[from]) do own = own or upper:find(pattern) ~= nil end
+    for _, pattern in ipairs(keywords[from]) do known = known or upper:find(pattern) ~= nil end
+    if own and not known then
+      local name = from == "abaqus" and upper:match "^[^,]*" or from == "openradioss" and upper:match "^/[%u_]+/?[%u_]*%d*[%u_]*" or upper:match "^%S+"
+      name = name:match "^(.-)[%s/]*$"
+      if not seen[name] then names[#names + 1], seen[name] = name, true end
+      lines[#lines + 1] = tostring(i)
+    end
+  end
+  if #names == 0 then return end
+  local words = ("%s of the file (line%s %s) %s not read, and what %s lost"):format(table.concat(names, ", "), #lines > 1 and "s" or "", table.concat(lines, ", "),
+    #names > 1 and "are" or "is", #names > 1 and "they do to the material is" or "it does to the material is")
+  notes[#notes + 1] = "cards: " .. words
+  fabric.warn(("import: %s: %s"):format(t.file, words))
+end
+
 local function run(t)
   local from = t.from or (t.file:match "%.rad$" and "openradioss") or (t.file:match "%.inp$" and "abaqus") or (t.file:match "%.k$" or t.file:match "%.key$") and "ls-dyna"
   local solver = from
@@ -297,6 +325,7 @@ local function run(t)
   local notes = {}
   local p = kind.read(t.file, units_of(t, notes))
   tell_further(t, solver, p.name, notes)
+  tell_lost(t, solver, notes)
   local thickness = t.thickness or p.thickness
   if not thickness then fail(("card: field 'thickness': expected a positive number in m (%s has no section), got nil"):format(t.file)) end
   local density = t.density or p.density
