@@ -83,8 +83,10 @@ ClothSurface read_sheet(const std::string& path, const plot::Picture& picture) {
     throw Error("render: '" + path + "' holds no sheet");
   sheet.bodies = take_bodies(sheet.grid);
   if (picture.array.empty()) return sheet;
-  sheet.of_cells = show(sheet.grid->GetCellData(), picture, sheet);
-  sheet.of_points = !sheet.of_cells && show(sheet.grid->GetPointData(), picture, sheet);
+  // A field of elements may be there at the points, too, recovered better than by the mean of neighbours.
+  sheet.of_points = picture.smooth && show(sheet.grid->GetPointData(), picture, sheet);
+  sheet.of_cells = !sheet.of_points && show(sheet.grid->GetCellData(), picture, sheet);
+  sheet.of_points = sheet.of_points || (!sheet.of_cells && show(sheet.grid->GetPointData(), picture, sheet));
   if (!sheet.of_cells && !sheet.of_points)
     throw Error("render: '" + path + "' has no field '" + picture.array + "' " + picture.component +
                 "; cells:" + names(sheet.grid->GetCellData()) +

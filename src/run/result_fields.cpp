@@ -9,6 +9,7 @@
 #include "base/suggest.hpp"
 #include "mechanics/terms/contact.hpp"
 #include "mechanics/terms/tears.hpp"
+#include "run/recovery.hpp"
 #include "run/run.hpp"
 
 namespace fabricsh::run {
@@ -145,6 +146,15 @@ struct ResultFieldTable {
                     values});
     rows.back().usual = false;
   }
+  // Found for all elements together; there is no value of a single one.
+  void together(const std::string& name, std::string unit, std::string sentence,
+                std::function<std::vector<double>(const Run&)> all) {
+    rows.push_back(
+        {name, std::move(unit), FieldShape::scalar, FieldPlace::element, std::move(sentence), {}, {}});
+    rows.back().usual = false;
+    rows.back().continuous = false;
+    rows.back().all = std::move(all);
+  }
   void torn(const std::string& name, int family) {
     scalar(name, "",
            std::string(family == 0 ? "warp" : "weft") +
@@ -257,6 +267,11 @@ ResultFieldTable make_table() {
   t.scalar("region", "", "number of the body or region that the element belongs to, in their order",
            [](const Run& run, mesh::Index e) { return run.model().region_of(e) + 1.0; });
   t.rows.back().continuous = false;
+  t.together(
+      "error", "",
+      "stress recovered at the nodes less that of the element, in the energy norm, over the mean of the "
+      "sheet: where a finer mesh is needed",
+      stress_errors);
   return t;
 }
 
@@ -410,11 +425,12 @@ Names scalar_names(FieldPlace place) {
 Names field_names() {
   Names names = scalar_names();
   for (const ResultField& field : result_fields())
-    if (field.shape != FieldShape::scalar) names.push_back(field.name);
+    if (field.shape != FieldShape::scalar || field.components.empty()) names.push_back(field.name);
   return names;
 }
 
 std::vector<double> values_of(const Run& run, const FieldPart& part) {
+  if (part.field->all) return part.field->all(run);
   const std::size_t size = part.field->size(), n = items(run, part.field->place);
   std::vector<double> out;
   out.reserve(part.component < 0 ? n * size : n);

@@ -40,6 +40,8 @@ struct ResultField {
   bool continuous = true;                // of elements: the mean over neighbours is meaningful
   bool by_ply = false;                   // each ply has values of its own
   bool of_yarns = false;                 // of plies with different axes there are only those
+  // For a field whose values are found only all together; `values` is then empty.
+  std::function<std::vector<double>(const Run&)> all = {};
 
   std::size_t size() const;
 };

@@ -112,30 +112,15 @@ void VtkFrame::add_field(const Run& run, const VtkContents& contents, const Resu
   grid_.cell_data.push_back(std::move(array));
 }
 
-// On each node the mean of the elements that meet there, each counted by its area in the reference.
-// Directions stay of length 1.
+// The values that recovery finds at the nodes. Directions stay of length 1.
 void VtkFrame::add_average(const Run& run, format::Array array, bool directions) {
   const auto size = static_cast<std::size_t>(array.components);
-  std::vector<double> sum(points_.size() * size, 0.0), weight(points_.size(), 0.0);
-  const auto& X = run.assembly().dofs().reference();
-  for (std::size_t e = 0; e < grid_.cells.size(); ++e) {
-    const auto& ids = grid_.cells[e];
-    const Vec3 across = ids[3] < 0 ? Vec3((X[ids[1]] - X[ids[0]]).cross(X[ids[2]] - X[ids[0]]))
-                                   : Vec3((X[ids[2]] - X[ids[0]]).cross(X[ids[3]] - X[ids[1]]));
-    const double area = across.norm() / 2;
-    for (const mesh::Index id : ids) {
-      if (id < 0) continue;
-      const auto node = static_cast<std::size_t>(id);
-      weight[node] += area;
-      for (std::size_t c = 0; c < size; ++c) sum[node * size + c] += area * array.values[e * size + c];
-    }
+  if (recovery_ == nullptr) recovery_ = std::make_unique<Recovery>(run);
+  array.values = recovery_->at_nodes(array.values, size);
+  for (std::size_t i = 0; i < array.values.size() && directions; i += size) {
+    const double length = Eigen::Map<const Eigen::VectorXd>(&array.values[i], array.components).norm();
+    for (std::size_t c = 0; c < size && length > 0; ++c) array.values[i + c] /= length;
   }
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    double length = weight[i];
-    if (directions) length = Eigen::Map<const Eigen::VectorXd>(&sum[i * size], array.components).norm();
-    for (std::size_t c = 0; c < size && length > 0; ++c) sum[i * size + c] /= length;
-  }
-  array.values = std::move(sum);
   grid_.point_data.push_back(std::move(array));
 }
 

@@ -1,9 +1,11 @@
 // The state of a run as a VTK grid: what a frame of a series holds, and what a:write puts into a .vtu.
 #pragma once
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "format/vtu.hpp"
+#include "run/recovery.hpp"
 #include "run/result_fields.hpp"
 
 namespace fabricsh::run {
@@ -11,7 +13,7 @@ namespace fabricsh::run {
 struct VtkContents {
   std::vector<std::string> fields = {};  // names of find_field(); empty: the usual ones
   bool reference = false;                // points where the nodes were, not where they are
-  bool averaged = false;                 // fields of elements also on the points
+  bool averaged = false;                 // fields of elements also on the points, by recovery
 };
 
 // Points, cells, and arrays: displacement and reference position always, the fields, and the node sets as 0
@@ -32,6 +34,7 @@ class VtkFrame {
   void add_sets(const Run& run);
   std::vector<Vec3> points_;
   format::VtuGrid grid_;
+  std::unique_ptr<Recovery> recovery_;  // once it is needed
 };
 
 // Error, of the call's name: a name that is no field's.

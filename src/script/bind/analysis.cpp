@@ -5,6 +5,7 @@
 
 #include "base/number.hpp"
 #include "run/bodies.hpp"
+#include "run/recovery.hpp"
 #include "run/result_fields.hpp"
 #include "script/bind/model.hpp"
 #include "script/bind/run.hpp"
@@ -186,11 +187,21 @@ int mean(Call& call) {
   return 1;
 }
 
+// The options of analysis:field ask for the nodes, and perhaps for one region.
+std::vector<double> nodal_values(const Call& call, const run::Run& run, const run::FieldPart& part) {
+  const Fields options = call.fields("options");
+  const bool nodes = options.has("at");
+  const int region = options.has("region") ? options.count("region") - 1 : -1;
+  lua_pop(call.L(), 1);
+  if (!nodes && region >= 0) throw Error("field: field 'options.region': expected at=\"nodes\" with it");
+  return nodes ? run::recovered(run, part, region) : run::values_of(run, part);
+}
+
 int field(Call& call) {
   lua_State* L = call.L();
   const auto& run = *call.self<DeckRun>()->analysis;
   const auto part = run::find_field(run, call.text("name"));
-  const auto values = run::values_of(run, part);
+  const auto values = call.has("options") ? nodal_values(call, run, part) : run::values_of(run, part);
   const std::size_t width = part.component < 0 ? part.field->size() : 1;
   if (width == 1) return push_numbers(L, values), 1;
   lua_createtable(L, static_cast<int>(values.size() / width), 0);
@@ -483,11 +494,25 @@ std::vector<Entry> reading() {
        mean},
       {"analysis:field",
        Style::positional,
-       {name_row(run::field_names(), "of a number, or of a field: see the table of fields of a run")},
+       {name_row(run::field_names(), "of a number, or of a field: see the table of fields of a run"),
+        fields_("options",
+                {value_("at", text,
+                        "fields of elements at all nodes: fitted to the elements around each node, by "
+                        "superconvergent patch recovery, apart in each region")
+                     .one_of({"nodes"})
+                     .optional(),
+                 integer_("region", from_one,
+                          "with at: the values of this region alone, its number as in the field region; nan "
+                          "at nodes outside. Default: on the border of regions their mean, by the areas of "
+                          "their elements there")
+                     .optional()},
+                "where")
+            .optional()},
        "Values of all elements or nodes, in their order: a list of numbers; for a whole field a list of "
        "lists. "
        "Units are SI: stresses in Pa, energies in J/m^3.",
-       run + "assert(#a:field 'S11' == 3 and #a:field 'displacement'[1] == 3)",
+       run + "assert(#a:field 'S11' == 3 and #a:field 'displacement'[1] == 3)\n"
+             "assert(#a:field('S11', { at='nodes' }) == #a:field 'displacement')",
        field},
       {"analysis.energy",
        Style::property,

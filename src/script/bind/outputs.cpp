@@ -256,8 +256,8 @@ std::vector<Argument> contents_rows() {
               .one_of({"deformed", "reference"})
               .or_else("deformed"),
           value_("averaged", boolean,
-                 "fields of elements also on the nodes, under the same names: means of the elements that "
-                 "meet there, by area")
+                 "fields of elements also on the nodes, under the same names, as a:field finds them with "
+                 "at='nodes'")
               .or_else(false)};
 }
 

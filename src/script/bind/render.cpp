@@ -13,6 +13,7 @@
 #include "format/vtu.hpp"
 #include "plot/picture.hpp"
 #include "run/bodies.hpp"
+#include "run/recovery.hpp"
 #include "run/result_fields.hpp"
 #include "run/vtk_frame.hpp"
 #include "script/bind/run.hpp"
@@ -229,7 +230,7 @@ format::Array add_bodies(const run::Run& run, std::vector<Vec3>& points,
 // A file with the state of a run, removed with the object.
 class StateFile {
  public:
-  StateFile(const DeckRun& run, const std::string& shown, bool with_bodies) {
+  StateFile(const DeckRun& run, const std::string& shown, bool with_bodies, bool smooth) {
     const auto& a = *run.analysis;
     const auto& mesh = a.model().mesh();
     std::vector<Vec3> points;
@@ -247,10 +248,20 @@ class StateFile {
       if (!wanted && field.name != "displacement") continue;
       const bool of_nodes = field.place == run::FieldPlace::node;
       format::Array array = run::array_of(a, {&field, -1, wanted ? part.ply : ""});
-      array.values.resize(
-          (of_nodes ? points.size() : cells.size()) * static_cast<std::size_t>(array.components),
-          std::numeric_limits<double>::quiet_NaN());
-      (of_nodes ? grid.point_data : grid.cell_data).push_back(std::move(array));
+      const auto put = [&](format::Array values, bool at_points) {
+        // Bodies have no values.
+        values.values.resize(
+            (at_points ? points.size() : cells.size()) * static_cast<std::size_t>(values.components),
+            std::numeric_limits<double>::quiet_NaN());
+        (at_points ? grid.point_data : grid.cell_data).push_back(std::move(values));
+      };
+      if (smooth && !of_nodes && field.continuous) {
+        format::Array recovered = array;
+        recovered.values =
+            run::Recovery(a).at_nodes(array.values, static_cast<std::size_t>(array.components));
+        put(std::move(recovered), true);
+      }
+      put(std::move(array), of_nodes);
     }
     format::write_vtu(path(), grid, system::Sync::no);
   }
@@ -319,7 +330,8 @@ int render(Call& call) {
   if (call.session().options().check) return 0;
   if (system::Gate::of_process().closed()) return no_picture(call);
   std::deque<StateFile> frames;
-  for (const auto& run : runs) frames.emplace_back(*run, call.text("field"), call.text("bodies") != "none");
+  for (const auto& run : runs)
+    frames.emplace_back(*run, call.text("field"), call.text("bodies") != "none", call.flag("smooth"));
   for (std::size_t i = 0; i < picture.panels.size() && !frames.empty(); ++i)
     picture.panels[i].vtu = frames[i * frames.size() / picture.panels.size()].path();
   system::make_folder_for(picture.png);

@@ -39,9 +39,26 @@ wrong("analysis:every", "run:every(1, 'f')",
 
 -- analysis:field
 wrong("analysis:field", "run:field()",
-  "deck.lua:1: field: argument 'name': expected one of 68 names, 'rupture_warp' to 'weft' (help, or reference.md, lists them), got nil (missing, or a misspelt variable)")
+  "deck.lua:1: field: argument 'name': expected one of 69 names, 'rupture_warp' to 'error' (help, or reference.md, lists them), got nil (missing, or a misspelt variable)")
 wrong("analysis:field", "run:field('storde')",
-  "deck.lua:1: field: argument 'name': got 'storde', did you mean 'stored'? Expected one of 68 names, 'rupture_warp' to 'weft' (help, or reference.md, lists them)")
+  "deck.lua:1: field: argument 'name': got 'storde', did you mean 'stored'? Expected one of 69 names, 'rupture_warp' to 'error' (help, or reference.md, lists them)")
+
+wrong("analysis:field", "run:field('S11', 5)",
+  "deck.lua:1: field: argument 'options': expected a table {at, region}, got 5")
+wrong("analysis:field", "run:field('S11', { at='node' })",
+  "deck.lua:1: field: field 'options.at': expected 'nodes', got 'node', did you mean 'nodes'?")
+wrong("analysis:field", "run:field('S11', { at='nodes', region='front' })",
+  "deck.lua:1: field: field 'options.region': expected an integer of at least 1, got 'front'")
+wrong("analysis:field", "run:field('S11', { at='nodes', region=0 })",
+  "deck.lua:1: field: field 'options.region': expected an integer of at least 1, got 0")
+wrong("analysis:field", "run:field('S11', { at='nodes', region=2 })",
+  "deck.lua:1: field: field 'S': expected a region from 1 to 1, got 2")
+wrong("analysis:field", "run:field('S11', { region=1 })",
+  "deck.lua:1: field: field 'options.region': expected at=\"nodes\" with it")
+wrong("analysis:field", "run:field('uz', { at='nodes' })",
+  "deck.lua:1: field: field 'displacement': has its values at the nodes: expected it without 'at'")
+wrong("analysis:field", "run:field('region', { at='nodes' })",
+  "deck.lua:1: field: field 'region': jumps from element to element, and has no values at the nodes")
 
 -- analysis:mean
 wrong("analysis:mean", "run:mean()",
