@@ -139,6 +139,11 @@ struct Rupture {
   std::optional<YarnBreak> warp, weft;  // empty: not measured, does not break
 };
 
+// Where the folds of compressed cloth are: only in the shape of the mesh; also within its elements, which
+// then carry no more than folds of their size would; or so without any force.
+enum class Folds { resolved, within, free };
+inline constexpr const char* fold_words[] = {"resolved", "within elements", "free"};
+
 struct Card {
   std::string name, source;
   double density = 0;    // kg/m^3
@@ -152,6 +157,7 @@ struct Card {
   std::vector<std::pair<double, double>> compression = {};
   std::optional<double> fibre_density = {};  // kg/m^3, of what the yarns are made of
   std::optional<Rupture> rupture = {};       // empty: not measured
+  Folds folds = Folds::resolved;
 };
 
 }  // namespace fabricsh::card

@@ -482,6 +482,18 @@ FieldTable table_of(const Rows<Law>& law) {
                      .written_last()
                      .on_line("fibres")
                      .printed("# kg/m^3"));
+  rows.push_back(word("folds", &Card::folds, {std::begin(fold_words), std::end(fold_words)},
+                      "where compressed cloth folds: resolved, in the shape of the mesh alone; within "
+                      "elements too, which then carry no more than folds of their size would; or free, the "
+                      "same without any force")
+                     .unless_fallback()
+                     .written_last()
+                     .on_line("bending")
+                     .said([](const Card& c) {
+                       return c.folds == Folds::resolved
+                                  ? std::string()
+                                  : std::string("folds ") + fold_words[static_cast<std::size_t>(c.folds)];
+                     }));
   rows.push_back(group("rupture", &Card::rupture, rupture_rows(),
                        "where yarns break: in tearable zones of a model, see model:tearable")
                      .on_lines()

@@ -64,6 +64,25 @@ template <bool rubs, Yarns yarns>
 FABRICSH_WOVEN_LAWS(FABRICSH_PART)
 #undef FABRICSH_PART
 
+// Points with folds, of plain cloth and of any other.
+[[gnu::flatten]] unsigned folded_plain_part(const Law& law, const Step& step, const double* E,
+                                            const double* s0, double* s1, double* S, double* C) {
+  return run_part<potential_state::count + fold_state::count>(
+      law.state_size, E, s0, s1, S, C, [&](const Pack* e, const Pack* old, Pack* trial) {
+        const auto cloth = [&](const Pack* at, const Pack* from, Pack* to) {
+          return potential_update(law.plain, step.at, at, from, to);
+        };
+        return folded_update(cloth, potential_state::count, e, old, trial);
+      });
+}
+
+unsigned folded_part(const Law& law, const Step& step, const double* E, const double* s0, double* s1,
+                     double* S, double* C) {
+  return run_part<most_states>(
+      law.state_size, E, s0, s1, S, C,
+      [&](const Pack* e, const Pack* old, Pack* trial) { return update(law, step, e, old, trial); });
+}
+
 unsigned elastic_part(const Law& law, const Step&, const double* E, const double* s0, double* s1, double* S,
                       double* C) {
   return run_part<1>(0, E, s0, s1, S, C,
@@ -88,6 +107,7 @@ BatchFunction potential_part_for(const Law& law) {
 }
 
 BatchFunction part_for(const Law& law) {
+  if (has_folds(law)) return law.plain_cloth ? folded_plain_part : folded_part;
   switch (law.kind) {
     case CompiledKind::potential:
       return potential_part_for(law);

@@ -186,9 +186,10 @@ std::optional<CubicBackbone> cubic(const Backbone& curve) {
 void compile_plain(Law& law) {
   const WovenData& w = law.woven;
   const auto warp = cubic(w.axis[0].curve), weft = cubic(w.axis[1].curve), shear = cubic(w.shear.curve);
-  law.is_plain = law.kind == CompiledKind::potential && warp && weft && shear && !w.shear.fading &&
-                 !w.biaxial.on && !rheology::any(w.elements) && !w.friction.on && !is_curved(w);
-  if (!law.is_plain) return;
+  law.plain_cloth = law.kind == CompiledKind::potential && warp && weft && shear && !w.shear.fading &&
+                    !w.biaxial.on && !rheology::any(w.elements) && !w.friction.on && !is_curved(w);
+  law.is_plain = law.plain_cloth;
+  if (!law.plain_cloth) return;
   const auto axis = [&](int i, const CubicBackbone& curve) {
     const AxisData& a = w.axis[i];
     return AxisOf<CubicBackbone>{curve, a.unloading, a.softness, a.poisson, a.slack};
@@ -284,6 +285,17 @@ void require_compression(const card::Card& card) {
                 number(curve.back().first) + " m");
 }
 
+// Laws in the place of the springs have no energy that folds could make least.
+void add_folds(const card::Card& card, Law& law) {
+  if (card.folds == card::Folds::resolved) return;
+  if (law.kind != CompiledKind::potential && law.kind != CompiledKind::elastic)
+    throw Error(card::at_field(card, "folds") + "expected \"resolved\", or law = \"potential\", got \"" +
+                card::fold_words[static_cast<std::size_t>(card.folds)] + "\"");
+  law.folds = card.folds;
+  law.state_size += fold_state::count;
+  law.is_plain = false;
+}
+
 void drop_transverse_shear(Law& law) {
   law.woven.transverse = law.plain.transverse = law.elastic.G13 = law.elastic.G23 = 0;
   law.woven.follow = false;
@@ -301,6 +313,7 @@ std::shared_ptr<Law> compile_all(const card::Card& card) {
     compile_woven(card, *woven, *law);
   else
     compile_elastic(card, *law);
+  add_folds(card, *law);
   return law;
 }
 }  // namespace

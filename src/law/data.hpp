@@ -128,11 +128,15 @@ class Law {
   double thickness = 0;  // m, of its card
   WovenData woven;
   ElasticData elastic;
-  bool is_plain = false;  // law "potential" with all data in `plain`
+  bool is_plain = false;     // law "potential" with all data in `plain`, without folds
+  bool plain_cloth = false;  // the same, with or without folds
+  card::Folds folds = card::Folds::resolved;
   PlainWoven plain;
   std::vector<CurvePiece> warp_pieces, weft_pieces, shear_pieces,
       biaxial_pieces;  // referred to by the backbones
 };
+
+inline bool has_folds(const Law& law) { return law.folds != card::Folds::resolved; }
 
 // State of law "potential": one number for each of these.
 namespace potential_state {
@@ -152,8 +156,19 @@ namespace loop_state {
 inline constexpr int slack = 0, lost = loop_strands, count = loop_strands + 1;
 }
 
+// At the end of the state of a law whose points fold (folds.hpp). a = 0: this one does not.
+namespace fold_state {
+inline constexpr int a = 0, b = 1, c = 2;    // Pa^(1/2), scales
+inline constexpr int s1 = 3, s2 = 4;         // Pa, at which folds begin along warp and weft
+inline constexpr int m = 5, d = 6, m12 = 7;  // of F, scaled; zero where nothing is folded
+inline constexpr int count = 8;
+}  // namespace fold_state
+
 // Length of the longest state of any law; law.cpp makes sure that those of all folders fit in.
 inline constexpr int most_states =
-    potential_state::count + 2 + rheology::most_numbers + 2 * loop_state::count;
+    potential_state::count + 2 + rheology::most_numbers + 2 * loop_state::count + fold_state::count;
+
+// Where the numbers of the folds begin in the state of a law that has them.
+inline int fold_slot(const Law& law) { return law.state_size - fold_state::count; }
 
 }  // namespace fabricsh::law

@@ -46,6 +46,16 @@ EnergyDensity energy(const Law& law, const double E[5], const double* s) {
   return out;
 }
 
+double folded(const Law& law, const double E[5], const double* s) {
+  if (!has_folds(law)) return 0;
+  double e[5];
+  fold_energy(fold_slot(law), s, E, e);
+  const double folds = (e[0] - E[0]) + (e[1] - E[1]);
+  const Eigen<double> cloth = eigen(Plane<double>{(e[0] + e[1]) / 2, (e[0] - e[1]) / 2, e[4] / 2});
+  const double shortened = max(-cloth.first, 0.0) + max(-cloth.second, 0.0);
+  return folds > 0 ? folds / (folds + shortened) : 0;
+}
+
 Internal internal(const Law& law, const double E[5], const double* s) {
   const WovenData& w = law.woven;
   switch (law.kind) {

@@ -1,6 +1,7 @@
 // Stored and dissipated energy per reference volume as functions of
 // strain and state only (share/doc/theory.md, 4), over a number type T.
 #pragma once
+#include "law/folds.hpp"
 #include "law/laws.hpp"
 #include "law/potential.hpp"
 
@@ -126,7 +127,7 @@ EnergyOf<T> elastic_energy(const ElasticData& e, const T E[5]) {
 }
 
 template <class T>
-EnergyOf<T> energy_at(const Law& law, const T E[5], const T* s) {
+EnergyOf<T> cloth_energy(const Law& law, const T E[5], const T* s) {
   switch (law.kind) {
     case CompiledKind::potential:
       return potential_energy(law.woven, E, s);
@@ -138,6 +139,16 @@ EnergyOf<T> energy_at(const Law& law, const T E[5], const T* s) {
     default:
       return elastic_energy(law.elastic, E);
   }
+}
+
+template <class T>
+EnergyOf<T> energy_at(const Law& law, const T E[5], const T* s) {
+  if (!has_folds(law)) return cloth_energy(law, E, s);
+  T e[5];
+  const T folds = fold_energy(fold_slot(law), s, E, e);
+  EnergyOf<T> out = cloth_energy(law, e, s);
+  out.stored += folds;
+  return out;
 }
 
 }  // namespace FABRICSH_ISA

@@ -17,14 +17,41 @@ FABRICSH_DECLARE_COPIES(unsigned batch(const Law&, const Step&, const double*, c
 
 int state_size(const Law& law) { return law.state_size; }
 bool symmetric(const Law& law) { return law.symmetric; }
-bool linear(const Law& law) { return law.kind == CompiledKind::elastic; }
+bool linear(const Law& law) { return law.kind == CompiledKind::elastic && !has_folds(law); }
 bool is_rate_dependent(const Law& law) { return rheology::is_rate_dependent(law.woven.elements); }
-bool has_initial(const Law& law) { return rheology::depends_on_site(law.woven.elements); }
+bool has_initial(const Law& law) { return has_folds(law) || rheology::depends_on_site(law.woven.elements); }
 bool softens(const Law& law) { return rheology::softens(law.woven.elements); }
+
+namespace {
+
+// The stiffness of folds [elastica: a strut that is shortened by the share f carries 1 + f / 2 times what it
+// buckles at], and a trace of that of the cloth, so that what is slack has a place where it rests.
+void set_folds(const Law& law, const Site& site, double* s) {
+  constexpr double trace = 1e-5;
+  const bool elastic = law.kind == CompiledKind::elastic;
+  const bool is_free = law.folds == card::Folds::free;
+  if (!is_free && !(site.folding[0] >= 0 && site.folding[1] >= 0)) return;
+  const double modulus[2] = {elastic ? law.elastic.C11 : law.woven.axis[0].slack,
+                             elastic ? law.elastic.C22 : law.woven.axis[1].slack};
+  double limit[2], scale[2];
+  for (int i = 0; i < 2; ++i) {
+    limit[i] = is_free ? 0 : site.folding[static_cast<std::size_t>(i)];
+    scale[i] = std::sqrt(0.5 * limit[i] + trace * modulus[i]);
+  }
+  s[fold_state::a] = scale[0];
+  s[fold_state::b] = scale[1];
+  s[fold_state::c] = std::sqrt(scale[0] * scale[1]);
+  s[fold_state::s1] = limit[0];
+  s[fold_state::s2] = limit[1];
+}
+
+}  // namespace
 
 void set_initial(const Law& law, const Site& site, double* s) {
   std::fill_n(s, law.state_size, 0.0);
   if (!has_initial(law)) return;
+  if (has_folds(law)) set_folds(law, site, s + fold_slot(law));
+  if (!rheology::depends_on_site(law.woven.elements)) return;
   Site own = site;
   if (own.thickness <= 0) own.thickness = law.thickness;
   std::array<rheology::YarnSpring, 2> yarns;

@@ -99,6 +99,10 @@ struct Internal {
 };
 Internal internal(const Law& law, const double E[5], const double* s);
 
+// The part of the compression of a point, 0 to 1, that folds within it have taken: the sum of the principal
+// strains of the folds, over that and those by which its cloth is shortened. 0 without folds.
+double folded(const Law& law, const double E[5], const double* s);
+
 // Largest eigenvalue of the stiffest tangent that the law can have,
 // Pa (share/doc/theory.md, 7); it determines the explicit step.
 double stiffest(const Law& law);

@@ -11,6 +11,7 @@ template <class T>
 struct Response {
   T S[5];
   T C11, C12, C21, C22, C55;
+  T C15{0.0}, C25{0.0};  // symmetric; of cloth with folds alone
   T C33, C35, C44, C45;
 };
 

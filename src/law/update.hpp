@@ -1,6 +1,7 @@
 // One update of any law over a number type T: selects the kernel by the kind of law.
 #pragma once
 #include "law/elastic.hpp"
+#include "law/folds.hpp"
 #include "law/laws.hpp"
 #include "law/potential.hpp"
 
@@ -29,8 +30,9 @@ Response<T> woven_update(const WovenData& law, const Step& step, const T E[5], c
                 : potential_update<rubs, Yarns::straight>(law, step.at, E, s0, s1);
 }
 
+// Of the cloth itself, without folds.
 template <class T>
-Response<T> update(const Law& law, const Step& step, const T E[5], const T* s0, T* s1) {
+Response<T> cloth_update(const Law& law, const Step& step, const T E[5], const T* s0, T* s1) {
   switch (law.kind) {
     case CompiledKind::potential:
       return law.woven.friction.on ? woven_update<true>(law.woven, step, E, s0, s1)
@@ -45,6 +47,13 @@ Response<T> update(const Law& law, const Step& step, const T E[5], const T* s0, 
   }
 }
 
+template <class T>
+Response<T> update(const Law& law, const Step& step, const T E[5], const T* s0, T* s1) {
+  if (!has_folds(law)) return cloth_update(law, step, E, s0, s1);
+  const auto cloth = [&](const T* e, const T* old, T* now) { return cloth_update(law, step, e, old, now); };
+  return folded_update(cloth, fold_slot(law), E, s0, s1);
+}
+
 // Passes the entries of the row-major 5x5 tangent to put(e, value).
 template <class T, class Put>
 void put_tangent(const Response<T>& out, Put put) {
@@ -52,12 +61,16 @@ void put_tangent(const Response<T>& out, Put put) {
   for (int e = 0; e < 25; ++e) put(e, nought);
   put(0, out.C11);
   put(1, out.C12);
+  put(4, out.C15);
   put(5, out.C21);
   put(6, out.C22);
+  put(9, out.C25);
   put(12, out.C33);
   put(14, out.C35);
   put(18, out.C44);
   put(19, out.C45);
+  put(20, out.C15);
+  put(21, out.C25);
   put(24, out.C55);
 }
 

@@ -45,12 +45,23 @@ double mean_side(const mesh::Mesh& mesh) {
   return count > 0 ? sum / count : 0;
 }
 
+// The card with the folds that the model asks for.
+card::Card folding(card::Card card, const Options& options) {
+  card.folds = options.folds.value_or(card.folds);
+  return card;
+}
+
 section::Section make_section(const card::Card& card, const Options& options, const mesh::Mesh& mesh) {
-  if (!options.plies.empty()) return section::stacked(options.plies, options.points, options.offset);
+  if (!options.plies.empty()) {
+    auto plies = options.plies;
+    for (auto& ply : plies) ply.card = folding(ply.card, options);
+    return section::stacked(plies, options.points, options.offset);
+  }
   const double thickness = options.thickness.value_or(card.thickness);
-  if (options.membrane) return section::membrane(card, thickness);
-  section::Section out = section::integrated(card, thickness, options.points, options.offset);
-  section::hide_transverse_shear(out, card, mean_side(mesh));
+  const card::Card own = folding(card, options);
+  if (options.membrane) return section::membrane(own, thickness);
+  section::Section out = section::integrated(own, thickness, options.points, options.offset);
+  section::hide_transverse_shear(out, own, mean_side(mesh));
   return out;
 }
 

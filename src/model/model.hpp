@@ -127,13 +127,14 @@ struct Tie {
 };
 
 struct Options {
-  std::optional<double> thickness;  // m; takes precedence over the card's
-  std::optional<WarpField> warp;    // required unless the mesh is flat
-  std::string warp_text;            // for the printed model
-  int points = 3;                   // through the thickness, 1 to 9
-  std::vector<section::Ply> plies;  // if given, they replace the card and its thickness
-  double offset = 0;                // reference surface at zeta_bar in [-1, 1]; 0: middle surface
-  bool membrane = false;            // without bending and transverse shear; all directors are held
+  std::optional<double> thickness;        // m; takes precedence over the card's
+  std::optional<WarpField> warp;          // required unless the mesh is flat
+  std::string warp_text;                  // for the printed model
+  int points = 3;                         // through the thickness, 1 to 9
+  std::vector<section::Ply> plies;        // if given, they replace the card and its thickness
+  double offset = 0;                      // reference surface at zeta_bar in [-1, 1]; 0: middle surface
+  std::optional<card::Folds> folds = {};  // takes precedence over the card's
+  bool membrane = false;                  // without bending and transverse shear; all directors are held
 };
 
 // A set of elements with its own card, thickness, plies or warp.
@@ -289,6 +290,10 @@ class Model {
   // the section has no such ply. A sheet without plies is one.
   int ply_of(mesh::Index element, const std::string& ply) const;
   std::vector<std::string> plies() const;  // the names that ply_of() accepts in any section
+  card::Folds folds_of(mesh::Index element) const {
+    const Region& region = regions_[element < 0 ? 0 : region_of(element)];
+    return region.options.folds.value_or(region.card.folds);
+  }
   double thickness_of(mesh::Index element) const { return sections_[region_of(element)].thickness; }
   const std::vector<Support>& supports() const { return supports_; }
   const std::vector<PrescribedMotion>& motions() const { return motions_; }

@@ -89,6 +89,8 @@ struct PointSite {
   std::array<double, 2> size{};  // m, extent along warp and weft of the cloth that the point stands for
   double thickness = 0;          // m, of its ply; 0: that of the card
   std::array<double, 2> strength{1, 1};  // of its warp and weft yarns, over that of the card
+  // Pa, compressive stress along warp and weft at which it folds within itself; negative: it does not.
+  std::array<double, 2> folding{-1, -1};
 };
 
 // The spring of a yarn, without its coupling to the other yarn.

@@ -59,6 +59,7 @@ void add_point(ElementValues& v, double w, double turn, const law::Law& law, con
   v.residual2 += w * in.residual2;
   v.slack1 += w * in.slack1;
   v.slack2 += w * in.slack2;
+  v.folded += w * law::folded(law, E, state);
 }
 
 // Of an element without the ply that was asked for.

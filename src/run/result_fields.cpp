@@ -235,6 +235,12 @@ ResultFieldTable make_table() {
              {&V::residual1, &V::residual2});
   t.of_yarns("slack", "strain by which a slack yarn is below its residual strain", {"slack1", "slack2"},
              {&V::slack1, &V::slack2});
+  t.average(
+      "folded", "", FieldShape::scalar,
+      "part of the compression that folds within the element have taken, 0 to 1; 0 in a model whose folds "
+      "are resolved",
+      {"folded"}, {&V::folded}, {});
+  t.rows.back().usual = false;
   t.average("energy", "J/m^3", FieldShape::pair, "per reference volume: stored, and dissipated so far",
             {"stored", "dissipated"}, {&V::stored, &V::dissipated}, {"stored", "dissipated"});
   for (std::size_t i = 0; i < law::dissipations; ++i) t.dissipated(i);

@@ -169,6 +169,7 @@ void Run::advance(double to) {
   run_pending();
   while (!stopped_ && time() < to - same_time * duration_) advance_to(to);
   watch_shape();
+  watch_compression();
   refuse_serious();
 }
 
@@ -288,6 +289,7 @@ void Run::watch_strain() {
 
 void Run::watch_shape() {
   watch_folds();
+  if (!moves()) watch_compression();
   const bool warned_inverted = warned("inverted"), warned_turned = warned("director");
   if (warned_inverted && warned_turned) return;
   const auto shape =

@@ -302,8 +302,9 @@ class Run {
   StepReport make_step(double limit);
   void advance_to(double limit);  // one committed step towards the limit
   void watch_folds();
-  void refuse_serious();  // throws if strict and a serious warning has not been thrown yet
-  void watch_strain();    // of the committed state: reports once a strain beyond the tested range
+  void watch_compression();  // says once that elements carry what would fold their cloth (compression.cpp)
+  void refuse_serious();     // throws if strict and a serious warning has not been thrown yet
+  void watch_strain();       // of the committed state: reports once a strain beyond the tested range
   void measure(Event& event);
   double land(double size, StepReport& report);  // shortens the step to the first event in it
   double search(Event& event, double size, StepReport& report);

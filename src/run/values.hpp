@@ -22,6 +22,7 @@ struct ElementValues {
   std::array<double, law::dissipations>
       lost{};  // J/m^3, what dissipated consists of, by law::dissipation_names
   double residual1 = 0, residual2 = 0, slack1 = 0, slack2 = 0;
+  double folded = 0;
 };
 
 struct NodeValues {

@@ -14,6 +14,7 @@ constexpr WarningKind kinds[] = {
     {"director", "a director has turned over to the other side of the sheet", serious},
     {"beyond", "the strain is beyond what the card was tested to; serious with limit=\"stop\""},
     {"unstable", "a step of a static run has ended in a shape that is not stable", serious},
+    {"compressed", "elements carry compression under which the cloth within them would fold", serious},
     {"pivots", "a static run has passed a limit or bifurcation point, or left an unstable shape"},
     {"relaxed", "relaxation took a noticeable part of a static run's work, or its first step"},
     {"stabilise", "stabilisation has taken a noticeable part of the work"},

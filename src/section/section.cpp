@@ -52,6 +52,14 @@ void check(double thickness, double offset) {
     throw Error("offset: expected a number from -1 to 1, got " + std::to_string(offset));
 }
 
+// Folds take the whole force of a sheet, not the stress of a point that bends with it.
+void require_own_bending(const card::Card& card) {
+  if (card.folds == card::Folds::within)
+    throw Error("card '" + card.name +
+                "', field 'folds': \"within elements\" expects a bending={warp=, weft=, twist=} of the "
+                "card's own, got integration through the thickness");
+}
+
 // Adds the points of a ply between zeta = low and zeta = high.
 void add_points(Section& s, const card::Card& card, int points, double low, double high, double angle,
                 int ply, bool transverse_shear = true) {
@@ -134,6 +142,7 @@ Section membrane(const card::Card& card, double thickness) {
 
 Section integrated(const card::Card& card, double thickness, int points, double offset) {
   Section s = plain_section(card, thickness, offset);
+  if (!card.bending) require_own_bending(card);
   add_points(s, card, card.bending ? 1 : points, -1, 1, 0, 0);
   if (card.bending) add_bending(s, card);
   find_plain(s);
@@ -150,6 +159,7 @@ Section stacked(const std::vector<Ply>& plies, int points, double offset) {
       throw Error(name + "thickness: expected a positive length in m, got " + number(plies[i].thickness));
     if (plies[i].card.bending)
       throw Error(name + "a card with its own bending rigidity can't be one of several layers");
+    require_own_bending(plies[i].card);
     s.thickness += plies[i].thickness;
     s.areal_mass += plies[i].card.density * plies[i].thickness;
     s.solid_thickness += solid_thickness_of(plies[i].card, plies[i].thickness);

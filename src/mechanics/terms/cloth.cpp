@@ -37,28 +37,6 @@ Cloth::Cloth(const model::Model& model, const Configuration& configuration,
 
 Cloth::~Cloth() = default;
 
-// Extent of an element along warp and weft, m; its strength, as the model declares it.
-law::Site Cloth::site_of(Index element) const {
-  const auto& nodes = model_.mesh().elements[static_cast<std::size_t>(element)];
-  Vec3 corner[4], middle = Vec3::Zero();
-  const int corners = nodes[3] < 0 ? 3 : 4;
-  for (int a = 0; a < corners; ++a) middle += corner[a] = X_[nodes[a]];
-  const Vec3 normal = corners == 3 ? (corner[1] - corner[0]).cross(corner[2] - corner[0])
-                                   : (corner[2] - corner[0]).cross(corner[3] - corner[1]);
-  const Vec3 n = normal.normalized(), w = model_.warp_at(element, middle / corners, n);
-  const Vec3 warp = (w - w.dot(n) * n).normalized(), axes[2] = {warp, n.cross(warp)};
-  law::Site site;
-  for (std::size_t i = 0; i < 2; ++i) {
-    double low = axes[i].dot(corner[0]), high = low;
-    for (int a = 1; a < corners; ++a) {
-      low = std::min(low, axes[i].dot(corner[a]));
-      high = std::max(high, axes[i].dot(corner[a]));
-    }
-    site.size[i] = high - low;
-  }
-  return site;
-}
-
 // Virgin cloth. Most laws start from zeros, which are there.
 void Cloth::set_initial_states() {
   const auto starts_from_zero = [](const section::Point& p) { return !law::has_initial(*p.law); };
@@ -73,8 +51,10 @@ void Cloth::set_initial_states() {
       const Index e = batch.element[l];
       law::Site site = site_of(e);
       site.strength = strengths[static_cast<std::size_t>(e)];
+      const auto folding = fold_tensions(e);
       for (const auto& point : batch.section->points) {
         site.thickness = batch.section->thickness_of(point.ply);
+        for (std::size_t i = 0; i < 2; ++i) site.folding[i] = folding[i] / batch.section->thickness;
         numbers.resize(static_cast<std::size_t>(law::state_size(*point.law)));
         try {
           law::set_initial(*point.law, site, numbers.data());

@@ -74,7 +74,10 @@ class Cloth final : public Term, public ElementTerm {
   // The factor by which stretching has raised that bound: s^2 for the law's part, and (s^2 - 1) / 2 for
   // that of the stresses, which are at most the strain times the stiffest modulus; s: the largest stretch.
   double growth(Index element) const;
-  double smallest_size() const;    // m, h of the smallest element
+  double smallest_size() const;  // m, h of the smallest element
+  // N/m, along warp and weft: the most that the cloth of an element carries if it folds within the element
+  // (cloth_folds.cpp); 0 for a membrane, which has no rigidity.
+  std::array<double, 2> fold_tensions(Index element) const;
   double largest_stretch() const;  // of edges and diagonals, current over reference length
 
   // rad: the largest turn on a way of the nodes, of a director, or of an edge: the difference of its ends
@@ -116,6 +119,13 @@ class Cloth final : public Term, public ElementTerm {
  private:
   void set_kinds();  // before the batches, which refer to them
   void set_initial_states();
+  // Unit vectors along warp and weft in the reference, and the corners, of an element.
+  struct Corners {
+    Vec3 at[4], axes[2];
+    int count;
+    double area;  // m^2
+  };
+  Corners corners_of(Index element) const;
   law::Site site_of(Index element) const;  // of a section's points, but for strength and thickness
   std::vector<std::array<double, 2>> strengths_of_elements() const;
   void make_batches();

@@ -304,6 +304,16 @@ void make_membrane(const Call& call, std::vector<model::BodyGiven>& bodies) {
   }
 }
 
+// Where cloth folds, for the model as a whole.
+void set_folds(const std::string& word, std::vector<model::BodyGiven>& bodies) {
+  const auto* const found = std::find(std::begin(card::fold_words), std::end(card::fold_words), word);
+  const auto folds = static_cast<card::Folds>(found - std::begin(card::fold_words));
+  for (auto& body : bodies) {
+    body.options.folds = folds;
+    for (auto& region : body.regions) region.options.folds = folds;
+  }
+}
+
 std::vector<Argument> model_rows() {
   std::vector<Argument> rows{object_("mesh", "mesh", "the surface").optional()};
   for (Argument& row : made_rows(flat_default)) rows.push_back(std::move(row));
@@ -317,6 +327,12 @@ std::vector<Argument> model_rows() {
              "cloth without bending and transverse shear, whose directors are held: for sheets that "
              "are taut, or fold more sharply than an element can show")
           .or_else(false));
+  rows.push_back(value_("folds", text,
+                        "where compressed cloth folds: resolved, in the shape of the mesh alone; within "
+                        "elements too, which then carry no more compression than folds of their size; free, "
+                        "the same without any force; default: that of each card")
+                     .one_of({std::begin(card::fold_words), std::end(card::fold_words)})
+                     .optional());
   return rows;
 }
 
@@ -346,6 +362,7 @@ int make_model(Call& call) {
     bodies.push_back(read_body(call, "", ""));
   if (call.flag("membrane")) make_membrane(call, bodies);
   tell_parts(call, bodies);
+  if (call.has("folds")) set_folds(call.text("folds"), bodies);
   std::vector<std::unique_ptr<ChangeRefused>> still;
   for (const auto& body : bodies)
     still.push_back(std::make_unique<ChangeRefused>(call.session(), body.mesh.get()));

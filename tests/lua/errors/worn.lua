@@ -113,12 +113,8 @@ slippage("card=card, stiffness=1, jaw=0.2", "field 'jaw': expected jaws narrower
 
 -- fabric.lab.tension_field
 wrong("fabric.lab.tension_field", "fabric.lab.tension_field{ wrong=1 }",
-  "deck.lua:1: tension_field: unknown field 'wrong' (known: card slack)")
+  "deck.lua:1: tension_field: unknown field 'wrong' (known: card)")
 wrong("fabric.lab.tension_field", "fabric.lab.tension_field{ card=5 }",
   "deck.lua:1: tension_field: field 'card': expected a card, got 5")
-wrong("fabric.lab.tension_field", "fabric.lab.tension_field{ card=fabric.card 'blend', slack='some' }",
-  "deck.lua:1: tension_field: field 'slack': expected a number above 0 to 0.05, got 'some'")
-wrong("fabric.lab.tension_field", "fabric.lab.tension_field{ card=fabric.card 'blend', slack=0 }",
-  "deck.lua:1: tension_field: field 'slack': expected a number above 0 to 0.05, got 0")
-wrong("fabric.lab.tension_field", "fabric.lab.tension_field{ slack=1e-3 }",
+wrong("fabric.lab.tension_field", "fabric.lab.tension_field{}",
   "deck.lua:1: tension_field: field 'card': expected a card, got nil (missing, or a misspelt variable)")
