@@ -243,8 +243,8 @@ std::vector<std::string> Diagnosis::advice() const {
   if (f.broken()) return {"a new run after correcting what the message names: a smaller step does not help"};
   // What moves freely moves under a small load too.
   const bool free = f.mechanism.driven || ends_singular(f);
-  if (f.mechanism.driven) advise_on_mechanism(f, all);
   advise_on_sliding(f, all);
+  if (f.mechanism.driven) advise_on_mechanism(f, all);
   advise_on_shape(f, all);
   if (free) advise_on_tangent(f, all);
   if (f.jumps) {
