@@ -12,6 +12,15 @@
 //   field: stretches on edge chords, tied so that a warped element does not lock (MITC4+ [ko2017]), and the
 //   four enhanced strains of [simo1990; andelfinger1993], eliminated with a constant tangent: they are a
 //   fixed multiple of the deviation from a homogeneous strain. See share/doc/verification.md.
+//
+// Yarns that cross an element obliquely would lock it: their strain eps_f = m_f.eps m_f (f: warp, weft)
+// varies along them, and in cloth only shear, which is far softer, could hold such a change of tension along
+// a yarn. Of the deviation of eps_f from its mean over the element only a share is kept,
+//   share^2 = 1 / (1 + sin^2(2 phi) <E_f / (10 G) - 1>),
+// where phi is the angle in (xi, eta) between the yarn and the element's sides: the modulus of the yarn in
+// series with what shear can hold. It is one for yarns along the sides at all points and for isotropic sheets
+// (E / G up to four). Curvatures keep their variation. The strain is a linear function of the assumed one, so
+// that forces and tangents are derivatives of the same energy; shear keeps its variation and its points.
 #pragma once
 #include <array>
 #include <functional>
@@ -34,6 +43,8 @@ inline constexpr int kSamples = 8, kEnhanced = 4;  // of the assumed membrane st
 //   membrane samples: c11 on the first two edges, c22 on the others; c11, c22, 2 c12 in the middle; q
 //   distortion: components of X_d = sum xi eta X / 4 on the middle's base vectors
 //   modes: the enhanced strains from the samples, 4 x 8, row-major
+//   easing: for warp and weft, the share of the variation of their strain within the element that is left,
+//   less one: 0 leaves the strain as it is, -1 takes its mean everywhere
 //   then per in-plane point: kappa (3), rho (3) of the reference;
 //   then per in-plane point and thickness point: T11 T12 T21 T22 q1 q2 s w
 // where T_ij takes covariant to material components (T_ij = G^j . m_i), q_j = G^j . m_3, s = G^3 . m_3, w =
@@ -42,7 +53,7 @@ struct Shell4Layout {
   explicit Shell4Layout(int thickness_points) : points(thickness_points) {}
   int points;
   static constexpr int samples = 4, distortion = samples + kSamples, modes = distortion + 2,
-                       head = modes + kEnhanced * kSamples, strains = 6, transform = 8;
+                       easing = modes + kEnhanced * kSamples, head = easing + 2, strains = 6, transform = 8;
   int reference(int g) const { return head + strains * g; }
   int point(int g, int k) const { return head + strains * gauss_points + transform * (points * g + k); }
   int size() const { return point(gauss_points, 0); }

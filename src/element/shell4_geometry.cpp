@@ -172,6 +172,10 @@ Modes enhanced_modes(const Mat3& C, const Eigen::Vector2d& w) {
   return -own.ldlt().solve(coupling);
 }
 
+// The stiffness of a yarn over that of shear up to which its strain varies within any element. For isotropic
+// sheets it is at most four.
+constexpr double kHeldByShear = 10;
+
 // Writes samples, distortion and enhanced modes of the assumed membrane field.
 void put_membrane(const Edges& e, const Mat3& C, const std::function<void(int, double)>& put) {
   const auto [w, flat] = distortion_of(e);
@@ -185,6 +189,15 @@ void put_membrane(const Edges& e, const Mat3& C, const std::function<void(int, d
   const Modes modes = enhanced_modes(C, w);
   for (int i = 0; i < kEnhanced; ++i)
     for (int k = 0; k < kSamples; ++k) put(Shell4Layout::modes + kSamples * i + k, modes(i, k));
+}
+
+// What is left of the deviation of a yarn's strain from its mean, less one. phi: the yarn's angle in (xi,
+// eta) to the element's sides, as the mean over the points of sin^2(2 phi); stiffness: of the yarn over
+// shear.
+double eased(double oblique, double stiffness) {
+  const double excess = stiffness / kHeldByShear - 1;
+  if (!(excess > 0) || oblique < 1e-20) return 0;
+  return 1 / std::sqrt(1 + oblique * excess) - 1;
 }
 
 }  // namespace
@@ -203,6 +216,7 @@ void shell4_geometry(const section::Section& section, const std::array<Vec3, 4>&
     put(e, section.thickness / 4 * edges.chord[e].dot(D[kEdge[e][0]] + D[kEdge[e][1]]));
   static const double g = 1 / std::sqrt(3.0);
   const double px[4] = {-g, g, g, -g}, py[4] = {-g, -g, g, g};
+  double oblique[2] = {0, 0};
   for (int p = 0; p < gauss_points; ++p) {
     const PointFrame frame = frame_at(edges, X, D, px[p], py[p]);
     const auto kappa = metric(frame.A1, frame.A2, frame.B1, frame.B2),
@@ -215,8 +229,14 @@ void shell4_geometry(const section::Section& section, const std::array<Vec3, 4>&
     for (std::size_t k = 0; k < section.points.size(); ++k) {
       const auto column = columns(k, 1.0);
       for (int i = 0; i < 8; ++i) put(at.point(p, static_cast<int>(k)) + i, column[i]);
+      for (int f = 0; f < 2 && k == 0; ++f) {
+        const double by_xi = column[2 * f], by_eta = column[2 * f + 1];
+        const double sine = 2 * by_xi * by_eta / (by_xi * by_xi + by_eta * by_eta);
+        oblique[f] += sine * sine / gauss_points;
+      }
     }
   }
+  for (int f = 0; f < 2; ++f) put(Shell4Layout::easing + f, eased(oblique[f], section.yarns_over_shear[f]));
   put_membrane(edges, weighing_tangent(section, frame_at(edges, X, D, 0, 0), warp), put);
 }
 

@@ -25,11 +25,14 @@ unsigned force_of(const section::Section& section, const law::Step& step, const 
   Resultants r[gauss_points];
   _Pragma("GCC unroll 4") for (int g = 0; g < gauss_points; ++g) p[g] =
       in_plane<sharing>(k, batch.geometry + layout.reference(g) * lanes, m, gamma, g);
+  Easing easing;
+  if (load_easing(batch.geometry, layout, easing)) ease_strains(easing, p);
   unsigned failed = 0;
   for (int g = 0; g < gauss_points; ++g) {
     const int first = layout.point(sharing == Sharing::element ? 0 : g, 0);
     failed |= integrate(section, step, batch, batch.geometry + first * lanes, p[g], g, r[g], nullptr);
   }
+  if (easing.any) ease_resultants(easing, r);
   ConjugateForces forces;
   clear(forces);
   _Pragma("GCC unroll 4") for (int g = 0; g < gauss_points; ++g)
@@ -106,9 +109,29 @@ inline SampleColumns sample_columns(const Kinematics& k, const Membrane& m, cons
   return s;
 }
 
-inline void position_columns(const Kinematics& k, const InPlane& p, const SampleColumns& s, double thickness,
-                             int g, Columns4& B) {
-  for (int c = 0; c < kX; ++c) membrane_at(p.axis_transform, g, s.sample[c], s.mode[c], B.x[c] + kEps);
+// Columns of the eased membrane strains of all in-plane points.
+struct EasedColumns {
+  Pack eps[kX][gauss_points][3];
+};
+
+[[gnu::noinline]] void eased_columns(const Easing& easing, const Membrane& m, const SampleColumns& s,
+                                     EasedColumns& out) {
+  for (int g = 0; g < gauss_points; ++g) {
+    const AxisTransform to = axis_transform(m, g);
+    for (int c = 0; c < kX; ++c) membrane_at(to, g, s.sample[c], s.mode[c], out.eps[c][g]);
+  }
+  for (auto& eps : out.eps) ease(easing, {eps[0], eps[1], eps[2], eps[3]});
+}
+
+// eased: the columns of the membrane strains, null where they are not eased.
+inline void position_columns(const Kinematics& k, const InPlane& p, const SampleColumns& s,
+                             const EasedColumns* eased, double thickness, int g, Columns4& B) {
+  for (int c = 0; c < kX; ++c) {
+    if (eased == nullptr)
+      membrane_at(p.axis_transform, g, s.sample[c], s.mode[c], B.x[c] + kEps);
+    else
+      for (int i = 0; i < 3; ++i) B.x[c][kEps + i] = eased->eps[c][g][i];
+  }
   const Pack zero(0.0), r(kXi[g]), e(kEta[g]);
   const V3 none{zero, zero, zero};
   V3 shear[2][2] = {{none, none}, {none, none}};  // derivatives of g1, g2 by middle and twist
@@ -303,6 +326,14 @@ inline void linearise(const Kinematics& before, const Kinematics& k, int g, InPl
   p.kappa[2] -= dot(a1, b2) + dot(a2, b1);
 }
 
+// Moves the membrane's resultants aside, which can only be eased together with those of the other points.
+inline void take_membrane(Resultants& r, Resultants& aside) {
+  for (int i = 0; i < 3; ++i) {
+    aside.N[i] = r.N[i];
+    r.N[i] = Pack(0.0);
+  }
+}
+
 template <bool symmetric>
 unsigned tangent_of(const section::Section& section, const law::Step& step, const Shell4Batch& batch,
                     double* f, double* out) {
@@ -324,18 +355,34 @@ unsigned tangent_of(const section::Section& section, const law::Step& step, cons
   clear(K);
   unsigned failed = 0;
   Columns4 B;
+  Easing easing;
+  InPlane eased[gauss_points];
+  Resultants eased_away[gauss_points];
+  EasedColumns columns;
+  if (load_easing(batch.geometry, layout, easing)) {
+    for (int g = 0; g < gauss_points; ++g)
+      eased[g] = in_plane(k, batch.geometry + layout.reference(g) * lanes, m, gamma, g);
+    ease_strains(easing, eased);
+    eased_columns(easing, m, samples, columns);
+  }
   for (int g = 0; g < gauss_points; ++g) {
-    InPlane p = in_plane(k, batch.geometry + layout.reference(g) * lanes, m, gamma, g);
+    InPlane p =
+        easing.any ? eased[g] : in_plane(k, batch.geometry + layout.reference(g) * lanes, m, gamma, g);
     if (extrapolated) linearise(before, k, g, p);
     Resultants r;
     ThicknessMoments stiffness;
     failed |=
         integrate(section, step, batch, batch.geometry + layout.point(g, 0) * lanes, p, g, r, &stiffness);
+    if (easing.any) take_membrane(r, eased_away[g]);
     add_force(p, r, section.thickness, g, forces);
     add_geometric(r, g, geometric);
-    position_columns(k, p, samples, section.thickness, g, B);
+    position_columns(k, p, samples, easing.any ? &columns : nullptr, section.thickness, g, B);
     rotation_columns(k, p, q, section.thickness, g, B);
     add_material(B, stiffness, K);
+  }
+  if (easing.any) {
+    ease_resultants(easing, eased_away);
+    for (int g = 0; g < gauss_points; ++g) add_membrane(eased[g], eased_away[g], g, forces);
   }
   close(m, batch.geometry, forces);
   mirror(K);
@@ -372,9 +419,12 @@ inline void at_points(const section::Section& section, const Shell4Batch& batch,
   Pack gamma[4];
   edge_shears(k, batch.geometry, section.thickness, gamma);
   const Membrane m = membrane(k, batch.geometry);
+  InPlane p[gauss_points];
   for (int g = 0; g < gauss_points; ++g)
-    visit(g, in_plane(k, batch.geometry + layout.reference(g) * lanes, m, gamma, g),
-          batch.geometry + layout.point(g, 0) * lanes);
+    p[g] = in_plane(k, batch.geometry + layout.reference(g) * lanes, m, gamma, g);
+  Easing easing;
+  if (load_easing(batch.geometry, layout, easing)) ease_strains(easing, p);
+  for (int g = 0; g < gauss_points; ++g) visit(g, p[g], batch.geometry + layout.point(g, 0) * lanes);
 }
 
 void strain(const section::Section& section, const Shell4Batch& batch, double* E) {

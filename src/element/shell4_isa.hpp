@@ -290,6 +290,88 @@ inline InPlane in_plane(const Kinematics& k, const double* reference, const Memb
   return p;
 }
 
+// The shares by which the strains of warp and weft are eased (see shell4.hpp), and what is needed of the
+// in-plane points: rows that take c11, c22, 2 c12 to the strain along a yarn, columns that take it back at
+// unchanged other material components, and the points' shares of the volume.
+struct Easing {
+  Pack of[2];
+  bool any;
+  struct Point {
+    Pack row[2][3], column[2][3], share;
+  } point[gauss_points];
+};
+
+inline void load_easing_at(const double* columns, Easing::Point& p) {
+  const auto in = [&](int i) { return load(columns + i * lanes); };
+  const Pack T11 = in(0), T12 = in(1), T21 = in(2), T22 = in(3), two(2.0);
+  const Pack over = Pack(1.0) / (T11 * T22 - T12 * T21);
+  const Pack U11 = over * T22, U12 = -over * T12, U21 = -over * T21, U22 = over * T11;
+  const Pack values[2][2][3] = {
+      {{T11 * T11, T12 * T12, T11 * T12}, {T21 * T21, T22 * T22, T21 * T22}},
+      {{U11 * U11, U21 * U21, two * U11 * U21}, {U12 * U12, U22 * U22, two * U12 * U22}}};
+  for (int f = 0; f < 2; ++f)
+    for (int i = 0; i < 3; ++i) {
+      p.row[f][i] = values[0][f][i];
+      p.column[f][i] = values[1][f][i];
+    }
+  p.share = in(7);
+}
+
+inline bool load_easing(const double* geometry, const Shell4Layout& layout, Easing& e) {
+  const Pack zero(0.0);
+  for (int f = 0; f < 2; ++f) e.of[f] = load(geometry + (Shell4Layout::easing + f) * lanes);
+  e.any = bits((e.of[0] < zero) | (e.of[1] < zero)) != 0;
+  if (!e.any) [[likely]]
+    return false;
+  Pack volume(0.0);
+  for (int g = 0; g < gauss_points; ++g) {
+    load_easing_at(geometry + layout.point(g, 0) * lanes, e.point[g]);
+    volume += e.point[g].share;
+  }
+  const Pack over = Pack(1.0) / volume;
+  for (auto& p : e.point) p.share = over * p.share;
+  return true;
+}
+
+// Eases covariant strains of the points, or columns of their operator.
+inline void ease(const Easing& e, Pack* const (&eps)[gauss_points]) {
+  Pack along[2][gauss_points], mean[2] = {Pack(0.0), Pack(0.0)};
+  for (int g = 0; g < gauss_points; ++g)
+    for (int f = 0; f < 2; ++f) {
+      const Pack* row = e.point[g].row[f];
+      along[f][g] = row[0] * eps[g][0] + row[1] * eps[g][1] + row[2] * eps[g][2];
+      mean[f] += e.point[g].share * along[f][g];
+    }
+  for (int g = 0; g < gauss_points; ++g)
+    for (int f = 0; f < 2; ++f) {
+      const Pack change = e.of[f] * (along[f][g] - mean[f]);
+      for (int i = 0; i < 3; ++i) eps[g][i] += change * e.point[g].column[f][i];
+    }
+}
+
+// The transpose of ease(), for the resultants N of the points.
+inline void ease_forces(const Easing& e, Pack* const (&N)[gauss_points]) {
+  Pack along[2][gauss_points], sum[2] = {Pack(0.0), Pack(0.0)};
+  for (int g = 0; g < gauss_points; ++g)
+    for (int f = 0; f < 2; ++f) {
+      const Pack* column = e.point[g].column[f];
+      along[f][g] = column[0] * N[g][0] + column[1] * N[g][1] + column[2] * N[g][2];
+      sum[f] += along[f][g];
+    }
+  for (int g = 0; g < gauss_points; ++g)
+    for (int f = 0; f < 2; ++f) {
+      const Pack change = e.of[f] * (along[f][g] - e.point[g].share * sum[f]);
+      for (int i = 0; i < 3; ++i) N[g][i] += change * e.point[g].row[f][i];
+    }
+}
+
+[[gnu::noinline]] void ease_strains(const Easing& e, InPlane* p) {
+  ease(e, {p[0].eps, p[1].eps, p[2].eps, p[3].eps});
+}
+[[gnu::noinline]] void ease_resultants(const Easing& e, Resultants* r) {
+  ease_forces(e, {r[0].N, r[1].N, r[2].N, r[3].N});
+}
+
 // Sums of the resultants over all points, work-conjugate to the samples and enhanced modes, to mid1 mid2
 // twist (without the membrane part), to beta of the edges, and to the shears of the edges (times t / 2).
 struct ConjugateForces {

@@ -96,6 +96,7 @@ void add_thickness(PartCollector& part, const Model& model, std::size_t region) 
   part.add(model.sections()[region].thickness, o.points, o.offset, o.plies.size());
   if (o.membrane) part.add(o.membrane);
   if (o.folds) part.add(static_cast<int>(*o.folds));
+  if (o.full_yarns) part.add(2);
   for (const section::Ply& ply : o.plies) part.add(ply.thickness);
 }
 
@@ -105,6 +106,7 @@ std::string thickness_text(const Model& model, std::size_t region) {
                      (o.points == 1 ? " point" : " points");
   if (o.membrane) text += " as a membrane";
   if (o.folds) text += std::string(", folds ") + card::fold_words[static_cast<std::size_t>(*o.folds)];
+  if (o.full_yarns) text += " with the strain of yarns as interpolated";
   if (o.offset != 0) text += " and offset " + number(o.offset);
   if (!o.plies.empty()) text += " in each of " + std::to_string(o.plies.size()) + " plies";
   return text;

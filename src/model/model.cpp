@@ -51,7 +51,7 @@ card::Card folding(card::Card card, const Options& options) {
   return card;
 }
 
-section::Section make_section(const card::Card& card, const Options& options, const mesh::Mesh& mesh) {
+section::Section section_of(const card::Card& card, const Options& options, const mesh::Mesh& mesh) {
   if (!options.plies.empty()) {
     auto plies = options.plies;
     for (auto& ply : plies) ply.card = folding(ply.card, options);
@@ -63,6 +63,12 @@ section::Section make_section(const card::Card& card, const Options& options, co
   section::Section out = section::integrated(own, thickness, options.points, options.offset);
   section::hide_transverse_shear(out, own, mean_side(mesh));
   return out;
+}
+
+section::Section make_section(const card::Card& card, const Options& options, const mesh::Mesh& mesh) {
+  section::Section section = section_of(card, options, mesh);
+  if (options.full_yarns) section.yarns_over_shear = {};
+  return section;
 }
 
 }  // namespace

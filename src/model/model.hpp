@@ -135,6 +135,7 @@ struct Options {
   double offset = 0;                      // reference surface at zeta_bar in [-1, 1]; 0: middle surface
   std::optional<card::Folds> folds = {};  // takes precedence over the card's
   bool membrane = false;                  // without bending and transverse shear; all directors are held
+  bool full_yarns = false;                // the strain of oblique yarns as interpolated (element/shell4.hpp)
 };
 
 // A set of elements with its own card, thickness, plies or warp.

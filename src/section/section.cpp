@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
+#include "law/by_direction.hpp"
 #include "law/compression.hpp"
 #include "law/data.hpp"
 
@@ -82,7 +83,23 @@ void add_bending(Section& s, const card::Card& card) {
   s.state_size += 2 * s.bending_states;
 }
 
+// Moduli of the points, turned into the axes of the first one and summed.
+void weigh_yarns(Section& s) {
+  double axis[2] = {0, 0}, shear = 0;
+  for (const Point& p : s.points) {
+    const law::ByDirection m = law::by_direction(*p.law);
+    const double turn = p.angle - s.points.front().angle;
+    const double c = std::pow(std::cos(turn), 2), n = std::pow(std::sin(turn), 2);
+    for (int i = 0; i < 2; ++i)
+      axis[i] += p.weight * (m.axis[i] * c * c + m.axis[1 - i] * n * n + 4 * m.shear * c * n);
+    shear += p.weight * ((m.axis[0] + m.axis[1]) * c * n + m.shear * (c - n) * (c - n));
+  }
+  if (!(shear > 0)) return;
+  s.yarns_over_shear = {axis[0] / shear, axis[1] / shear};
+}
+
 void find_plain(Section& s) {
+  weigh_yarns(s);
   const auto& law = s.points[0].law;
   const bool one =
       std::all_of(s.points.begin(), s.points.end(), [&](const Point& p) { return p.law == law; });

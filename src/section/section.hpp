@@ -39,6 +39,10 @@ struct Section {
   int state_size = 0;  // numbers per in-plane integration point, all thickness points together
   const law::PlainWoven* plain = nullptr;  // set if all points have one and the same plain law
   bool symmetric = true;                   // whether every tangent is symmetric
+  // The stiffest modulus along warp and weft over the first one in shear, sums through the thickness in the
+  // axes of the first point. It decides how far elements ease the strain of oblique yarns
+  // (element/shell4.hpp); zeros: not at all.
+  std::array<double, 2> yarns_over_shear{};
   // Separate bending: one thickness point in the middle, and three springs on the material
   // curvatures k11, k22, 2 k12. With friction, warp and weft have two states each (slip, lost), or
   // three (also the last curvature) if one of the frictions fades; they begin at bending_state.

@@ -314,6 +314,13 @@ void set_folds(const std::string& word, std::vector<model::BodyGiven>& bodies) {
   }
 }
 
+void interpolate_yarns(std::vector<model::BodyGiven>& bodies) {
+  for (auto& body : bodies) {
+    body.options.full_yarns = true;
+    for (auto& region : body.regions) region.options.full_yarns = true;
+  }
+}
+
 std::vector<Argument> model_rows() {
   std::vector<Argument> rows{object_("mesh", "mesh", "the surface").optional()};
   for (Argument& row : made_rows(flat_default)) rows.push_back(std::move(row));
@@ -333,6 +340,13 @@ std::vector<Argument> model_rows() {
                         "the same without any force; default: that of each card")
                      .one_of({std::begin(card::fold_words), std::end(card::fold_words)})
                      .optional());
+  rows.push_back(
+      value_("yarns", text,
+             "eased: the strain of yarns that cross quadrilaterals obliquely varies in an element only "
+             "as far as shear can hold it, so that stiff yarns do not lock a mesh; full: as "
+             "interpolated, as in the thesis")
+          .one_of({"eased", "full"})
+          .or_else("eased"));
   return rows;
 }
 
@@ -363,6 +377,7 @@ int make_model(Call& call) {
   if (call.flag("membrane")) make_membrane(call, bodies);
   tell_parts(call, bodies);
   if (call.has("folds")) set_folds(call.text("folds"), bodies);
+  if (call.text("yarns") == "full") interpolate_yarns(bodies);
   std::vector<std::unique_ptr<ChangeRefused>> still;
   for (const auto& body : bodies)
     still.push_back(std::make_unique<ChangeRefused>(call.session(), body.mesh.get()));
