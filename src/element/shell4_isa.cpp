@@ -25,8 +25,12 @@ unsigned force_of(const section::Section& section, const law::Step& step, const 
   Resultants r[gauss_points];
   _Pragma("GCC unroll 4") for (int g = 0; g < gauss_points; ++g) p[g] =
       in_plane<sharing>(k, batch.geometry + layout.reference(g) * lanes, m, gamma, g);
-  Easing easing;
-  if (load_easing(batch.geometry, layout, easing)) ease_strains(easing, p);
+  std::conditional_t<sharing == Sharing::element, SharedEasing, Easing> easing;
+  if constexpr (sharing == Sharing::element)
+    load_shared_easing(batch.geometry, layout, easing);
+  else
+    load_easing(batch.geometry, layout, easing);
+  if (easing.any) ease_strains(easing, p);
   unsigned failed = 0;
   for (int g = 0; g < gauss_points; ++g) {
     const int first = layout.point(sharing == Sharing::element ? 0 : g, 0);

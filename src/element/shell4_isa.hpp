@@ -372,6 +372,46 @@ inline void ease_forces(const Easing& e, Pack* const (&N)[gauss_points]) {
   ease_forces(e, {r[0].N, r[1].N, r[2].N, r[3].N});
 }
 
+// The same where all points share a transform and a volume: one matrix takes the deviation of a point from
+// the mean to its change.
+struct SharedEasing {
+  Pack of[3][3];
+  bool any;
+};
+
+inline void load_shared_easing(const double* geometry, const Shell4Layout& layout, SharedEasing& e) {
+  const Pack zero(0.0), share[2] = {load(geometry + Shell4Layout::easing * lanes),
+                                    load(geometry + (Shell4Layout::easing + 1) * lanes)};
+  e.any = bits((share[0] < zero) | (share[1] < zero)) != 0;
+  if (!e.any) [[likely]]
+    return;
+  Easing::Point p;
+  load_easing_at(geometry + layout.point(0, 0) * lanes, p);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      e.of[i][j] = share[0] * p.column[0][i] * p.row[0][j] + share[1] * p.column[1][i] * p.row[1][j];
+}
+
+template <bool transposed>
+inline void ease_alike(const SharedEasing& e, Pack* const (&v)[gauss_points]) {
+  Pack mean[3];
+  for (int i = 0; i < 3; ++i) mean[i] = Pack(0.25) * ((v[0][i] + v[1][i]) + (v[2][i] + v[3][i]));
+  for (Pack* const at : v) {
+    const Pack d[3] = {at[0] - mean[0], at[1] - mean[1], at[2] - mean[2]};
+    for (int i = 0; i < 3; ++i) {
+      const auto of = [&](int j) { return transposed ? e.of[j][i] : e.of[i][j]; };
+      at[i] += of(0) * d[0] + of(1) * d[1] + of(2) * d[2];
+    }
+  }
+}
+
+[[gnu::noinline]] void ease_strains(const SharedEasing& e, InPlane* p) {
+  ease_alike<false>(e, {p[0].eps, p[1].eps, p[2].eps, p[3].eps});
+}
+[[gnu::noinline]] void ease_resultants(const SharedEasing& e, Resultants* r) {
+  ease_alike<true>(e, {r[0].N, r[1].N, r[2].N, r[3].N});
+}
+
 // Sums of the resultants over all points, work-conjugate to the samples and enhanced modes, to mid1 mid2
 // twist (without the membrane part), to beta of the edges, and to the shears of the edges (times t / 2).
 struct ConjugateForces {

@@ -14,6 +14,7 @@
 #include "mechanics/terms/directors.hpp"
 #include "mechanics/terms/seams.hpp"
 #include "mechanics/terms/tears.hpp"
+#include "model/outlook.hpp"
 #include "run/breaks.hpp"
 #include "run/diagnosis.hpp"
 #include "run/folds.hpp"
@@ -138,6 +139,11 @@ void Run::start() {
     const std::string text = "warning: " + std::string(kind()) + ": " + words;
     warned_idle_ ? note("idle", text) : warn("idle", text);
   }
+  for (const model::Outlook& region : model::outlook(*model_))
+    if (const std::string words = model::warning_of(region); !words.empty()) {
+      const std::string text = "warning: " + std::string(kind()) + ": " + words;
+      warned_idle_ ? note("oblique", text, region.yarns.worst) : warn("oblique", text, region.yarns.worst);
+    }
   if (const std::string words = moved_bodies_text(*model_); !words.empty()) {
     const std::string text = std::string(kind()) + ": " + words;
     warned_idle_ ? note("jump", text) : warn("jump", text);

@@ -27,6 +27,7 @@ constexpr WarningKind kinds[] = {
     {"held",
      "the cloth pulls on yarns beyond their strength where a support holds them, and none breaks there"},
     {"dropped", "an initial velocity is dropped along supports"},
+    {"oblique", "yarns cross elements so obliquely, and are so stiff, that these lock"},
     {"idle", "supports take up the whole of a load, or nothing loads or moves the cloth at all"},
     {"bending", "the bending rigidity of the card is far from that of cloth"},
     {"card", "the check of the card has a warning"},

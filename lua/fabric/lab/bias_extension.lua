@@ -1,5 +1,4 @@
--- fabric.lab.bias_extension: the bias test on a mesh with edges along the yarns. A mesh with edges across nearly inextensible
--- yarns would lock, because each element would have to bend its yarns; edges along the yarns avoid that.
+-- fabric.lab.bias_extension: the bias test on a mesh with edges along the yarns, on which each yarn is a line of edges.
 --
 --      /\/\/\        squares on their tips, halved at the rim;   warp at 45 degrees from x, pull along y,
 --      \/\/\/        `cells` of them across the width            both ends clamped

@@ -116,7 +116,7 @@ end
 
 local function build(t, points, state)
   local mesh = make_mesh(t)
-  local model = fabric.model { mesh = mesh, card = t.card, thickness = t.thickness, warp = 90 - t.angle }
+  local model = fabric.model { mesh = mesh, card = t.card, thickness = t.thickness, warp = 90 - t.angle, yarns = t.yarns }
   hold(t, mesh, model)
   -- If the strip can be released, the motion waits at the release: a function of time that takes it into account.
   local plain = #t.path <= 2 or not t.unilateral
@@ -180,6 +180,7 @@ strip.arguments = {
   { name = "width", kind = "number", unit = "m", above = 0, default = 25.4 * u.mm, sentence = "of the strip" },
   { name = "length", kind = "number", unit = "m", above = 0, default = 76.2 * u.mm, sentence = "between the grips" },
   { name = "thickness", kind = "number", unit = "m", above = 0, optional = true, sentence = "default: the card's" },
+  { name = "yarns", kind = "text", choices = { "eased", "full" }, default = "eased", sentence = "as for fabric.model" },
   { name = "out", kind = "text", optional = true, sentence = "folder for curve.csv and the VTK series strip.pvd" },
 }
 strip.returns = "Returns curve (a list of time, displacement, force, E, S = force over area, E_lateral, and E and S along the pull as "

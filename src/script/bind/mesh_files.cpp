@@ -4,7 +4,10 @@
 #include "geometry/box.hpp"
 #include "mesh/check.hpp"
 #include "mesh/generators.hpp"
+#include "mesh/pair.hpp"
+#include "model/outlook.hpp"
 #include "script/bind/mesh.hpp"
+#include "script/bind/model.hpp"
 #include "script/call/words.hpp"
 #include "system/gate.hpp"
 #include "system/paths.hpp"
@@ -82,12 +85,46 @@ void set_measures(lua_State* L, const mesh::Measures& m) {
   }
 }
 
+// A model of the mesh alone, for its outlook.
+model::Model model_of(const Call& call) {
+  model::Options options;
+  if (call.has("warp")) {
+    call.push("warp");
+    model::Direction direction = lua_tonumber(call.L(), -1);
+    if (lua_istable(call.L(), -1)) direction = read_vector(read_numbers(call.L(), -1), "check: field 'warp'");
+    lua_pop(call.L(), 1);
+    options.warp = [direction](const Vec3&) { return direction; };
+  }
+  return {call.self<Mesh>(), *call.object<card::Card>("card"), options};
+}
+
+void set_outlook(lua_State* L, const model::Outlook& o) {
+  lua_newtable(L);
+  const std::pair<const char*, double> yarns[] = {{"degrees", o.yarns.degrees},
+                                                  {"most", o.yarns.most},
+                                                  {"stiffness", o.yarns.stiffness},
+                                                  {"locking", o.yarns.locking},
+                                                  {"across", o.yarns.across}};
+  for (const auto& [name, value] : yarns) set_number(L, name, value);
+  lua_setfield(L, -2, "yarns");
+  lua_newtable(L);
+  set_number(L, "length", o.folds.length);
+  set_number(L, "element", o.folds.element);
+  lua_setfield(L, -2, "folds");
+}
+
 int check(Call& call) {
   lua_State* L = call.L();
   const mesh::Report report = mesh::check(*call.self<Mesh>());
+  std::string text = report.text();
   lua_newtable(L);
+  if (call.has("card") && report.ok()) {
+    const model::Outlook outlook = model::outlook(model_of(call)).front();
+    for (const std::string& line : model::words(outlook)) text += (text.ends_with('\n') ? "" : "\n") + line;
+    set_outlook(L, outlook);
+  }
   set_text(L, "mesh", report.mesh);
-  set_text(L, "text", report.text());
+  set_text(L, "text", text);
   lua_pushboolean(L, report.ok());
   lua_setfield(L, -2, "ok");
   set_measures(L, report.measures);
@@ -98,6 +135,11 @@ int check(Call& call) {
   }
   lua_setfield(L, -2, "items");
   set_text_of(L, "fabricsh.mesh_check", report_text);
+  return 1;
+}
+
+int pair(Call& call) {
+  lua_pushinteger(call.L(), static_cast<lua_Integer>(mesh::pair_triangles(*call.self<Mesh>())));
   return 1;
 }
 
@@ -171,7 +213,8 @@ Entry check_row() {
   return {
       "mesh:check",
       Style::positional,
-      {},
+      {object_("card", "card", "of the cloth that the mesh is for").optional(),
+       Argument{"warp", number | numbers, "degrees", everything, "as for fabric.model"}.optional()},
       "What is wrong with the mesh or worth knowing: a table {ok, text, items, area, shortest, longest, "
       "aspect, "
       "warping, least_angle, triangles, quadrilaterals, parts, borders}, which prints as its text; an "
@@ -179,11 +222,26 @@ Entry check_row() {
       "(degenerate, inverted, fold, repeated, orientation, one_sided, apart, unused, duplicate, nonmanifold, "
       "aspect, "
       "warping, "
-      "angle, wide, taper, hanging, free), severity (note, warning, error), text, elements, nodes.",
+      "angle, wide, taper, hanging, free), severity (note, warning, error), text, elements, nodes. With a "
+      "card two lines more, and yarns "
+      "(degrees from the sides of elements, most, stiffness over shear, locking: share of the cloth whose "
+      "elements lock) and folds (length: from one to the next, element: its side, m).",
       std::string(disk_sample) +
           "local report = mesh:check()\nassert(report.ok and report.borders == 1)\n"
           "assert(tostring(report) == report.text)",
       check};
+}
+
+Entry pair_row() {
+  return {"mesh:pair",
+          Style::positional,
+          {},
+          "Joins triangles in pairs to quadrilaterals where these have corners of 30 to 150 degrees and are "
+          "flat; returns how many triangles are left. Stiff yarns that cross triangles obliquely lock them.",
+          "local fabric = require 'fabric'\n"
+          "local mesh = fabric.mesh.rectangle{ width=0.1, height=0.1, nx=3, ny=2, triangles=true }\n"
+          "assert(mesh:pair() == 0 and #mesh.elements == 6)",
+          pair};
 }
 
 Entry orient_row() {
@@ -208,7 +266,7 @@ Mesh read_mesh_file(const Call& call, const std::string& path) {
 }
 
 std::vector<Entry> mesh_file_rows() {
-  return {read_row(), write_row(), deck_lines_row(), check_row(), orient_row()};
+  return {read_row(), write_row(), deck_lines_row(), check_row(), pair_row(), orient_row()};
 }
 
 }  // namespace fabricsh::script

@@ -4,6 +4,7 @@
 #include "base/number.hpp"
 #include "geometry/box.hpp"
 #include "model/model.hpp"
+#include "model/outlook.hpp"
 #include "script/bind/body_rows.hpp"
 #include "script/bind/rooms.hpp"
 #include "script/bind/run.hpp"
@@ -197,6 +198,14 @@ int model_text(lua_State* L) {
   return 1;
 }
 
+int check(Call& call) {
+  std::string text;
+  for (const auto& region : model::outlook(*call.self<Model>()))
+    for (const std::string& line : model::words(region)) text += (text.empty() ? "" : "\n") + line;
+  lua_pushlstring(call.L(), text.data(), text.size());
+  return 1;
+}
+
 Argument set_row() { return value_("set", text, "name of a node set"); }
 
 std::vector<Entry> model_entries() {
@@ -238,6 +247,14 @@ std::vector<Entry> model_entries() {
        "Lets gravity act on the whole sheet.",
        sample + "m:gravity{0, 0, -9.81}",
        gravity},
+      {"model:check",
+       Style::positional,
+       {},
+       "What the mesh can show of this cloth, as two lines for each region: how yarns cross its elements, "
+       "and how "
+       "large folds are beside elements.",
+       sample + "print(m:check())\nassert(m:check():find 'folds')",
+       check},
       {"model.thickness",
        Style::property,
        {},

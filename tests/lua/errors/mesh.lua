@@ -123,6 +123,16 @@ wrong("mesh:map", "mesh:map()",
 wrong("mesh:map", "mesh:map('f')",
   "deck.lua:1: map: argument 'f': expected a function, got 'f'")
 
+-- mesh:check
+wrong("mesh:check", "mesh:check(7)",
+  "deck.lua:1: check: argument 'card': expected a card, got 7")
+wrong("mesh:check", "mesh:check(mesh)",
+  "deck.lua:1: check: argument 'card': expected a card, got a mesh")
+wrong("mesh:check", "mesh:check(card, 'x')",
+  "deck.lua:1: check: argument 'warp': expected a number in degrees or a list of numbers, got 'x'")
+wrong("mesh:check", "mesh:check(card, {1, 2})",
+  "deck.lua:1: check: field 'warp': expected three numbers, got 2")
+
 -- mesh:orient
 wrong("mesh:orient", "mesh:orient({1, 'two'})",
   "deck.lua:1: orient: argument 'direction': expected a table of numbers, got 'two' at place 2")

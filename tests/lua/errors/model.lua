@@ -208,6 +208,8 @@ wrong("fabric.model", "fabric.model{ mesh=mesh, card=card, folds='within element
   "deck.lua:1: model: card 'blend', field 'folds': \"within elements\" expects a bending={warp=, weft=, twist=} of the card's own, got integration through the thickness")
 wrong("fabric.model", "fabric.model{ mesh=mesh, card=card:with{ folds='free', law='thesis' } }",
   "deck.lua:1: model: card 'blend': field 'folds': expected \"resolved\", or law = \"potential\", got \"free\"")
+wrong("fabric.model", "fabric.model{ mesh=mesh, card=card, yarns='ful' }",
+  "deck.lua:1: model: field 'yarns': expected 'eased' or 'full', got 'ful', did you mean 'full'?")
 wrong("fabric.model", "fabric.model{ mesh=mesh, card=card, membrane=7 }",
   "deck.lua:1: model: field 'membrane': expected true or false, got 7")
 wrong("fabric.model", "fabric.model{ mesh=mesh, card=card, offset=1, membrane=true }",

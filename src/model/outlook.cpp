@@ -1,0 +1,172 @@
+#include "model/outlook.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/number.hpp"
+#include "law/by_direction.hpp"
+#include "law/law.hpp"
+
+namespace fabricsh::model {
+
+namespace {
+
+// Where yarns lock, forces are too large by 5 % at a stiffness over that of shear of some six times the
+// elements across: measured in strips pulled off the yarns with clamped ends.
+constexpr double kLocks = 6;
+constexpr double kMuch = 0.3;  // share of the area of locking elements from which they are warned of
+constexpr double kGravity = 9.81, kWell = 8;  // elements to a fold
+
+// Corners, sides and directions of the yarns of an element.
+struct Flat {
+  std::vector<Vec3> corner;
+  Vec3 normal, yarn[2];
+  double area = 0;
+};
+
+Flat flat_of(const Model& model, Index e) {
+  const auto& mesh = model.mesh();
+  Flat f;
+  Vec3 middle = Vec3::Zero();
+  for (const Index n : mesh.elements[static_cast<std::size_t>(e)])
+    if (n >= 0) f.corner.push_back(mesh.nodes[static_cast<std::size_t>(n)]);
+  for (const Vec3& x : f.corner) middle += x / static_cast<double>(f.corner.size());
+  const Vec3 cross = f.corner.size() == 3 ? (f.corner[1] - f.corner[0]).cross(f.corner[2] - f.corner[0])
+                                          : (f.corner[2] - f.corner[0]).cross(f.corner[3] - f.corner[1]);
+  f.area = cross.norm() / 2;
+  f.normal = cross.normalized();
+  const Vec3 w = model.warp_at(e, middle, f.normal);
+  const double turn = model.sections()[static_cast<std::size_t>(model.region_of(e))].points.front().angle;
+  const Vec3 along = (w - w.dot(f.normal) * f.normal).normalized();
+  f.yarn[0] = std::cos(turn) * along + std::sin(turn) * f.normal.cross(along);
+  f.yarn[1] = f.normal.cross(f.yarn[0]);
+  return f;
+}
+
+// Degrees between a yarn and the nearest side.
+double to_side(const Flat& f, const Vec3& yarn) {
+  double least = 90;
+  for (std::size_t i = 0; i < f.corner.size(); ++i) {
+    const Vec3 side = (f.corner[(i + 1) % f.corner.size()] - f.corner[i]).normalized();
+    least = std::min(least,
+                     std::atan2(side.cross(yarn).norm(), std::abs(side.dot(yarn))) * 180 / std::numbers::pi);
+  }
+  return least;
+}
+
+// sin^2 of a multiple of the yarn's angle to a side in an element that is mapped to a square (2) or to an
+// equilateral triangle (3): 0 along a side, 1 where it is farthest from all.
+double obliqueness(const Flat& f, const Vec3& yarn) {
+  const bool three = f.corner.size() == 3;
+  const auto& x = f.corner;
+  const Vec3 a = three ? Vec3(x[1] - x[0]) : Vec3(x[1] + x[2] - x[0] - x[3]);
+  const Vec3 b = three ? Vec3(x[2] - x[0]) : Vec3(x[2] + x[3] - x[0] - x[1]);
+  const double on_a = yarn.cross(b).dot(f.normal), on_b = a.cross(yarn).dot(f.normal);
+  const double angle =
+      three ? std::atan2(std::numbers::sqrt3 / 2 * on_b, on_a + on_b / 2) : std::atan2(on_b, on_a);
+  return std::pow(std::sin((three ? 3 : 2) * angle), 2);
+}
+
+// N m: the rigidity of the softer direction.
+double rigidity(const section::Section& section) {
+  if (section.bends_apart) return std::min(section.bending[0].rigidity, section.bending[1].rigidity);
+  double B[2] = {0, 0};
+  for (const section::Point& p : section.points) {
+    const double z = section.thickness / 2 * (p.zeta - section.offset);
+    for (int i = 0; i < 2; ++i)
+      B[i] += p.weight / 2 * section.thickness * z * z * law::backbone_modulus(*p.law, i + 1, 0);
+  }
+  return std::min(B[0], B[1]);
+}
+
+// Of both yarns over shear, also where elements do not ease them.
+std::array<double, 2> stiffness_of(const section::Section& section) {
+  if (section.yarns_over_shear[0] > 0 || section.points.empty()) return section.yarns_over_shear;
+  const law::ByDirection of = law::by_direction(*section.points.front().law);
+  return {of.axis[0] / of.shear, of.axis[1] / of.shear};
+}
+
+Outlook outlook_of(const Model& model, std::size_t region) {
+  const section::Section& section = model.sections()[region];
+  const auto ratio = stiffness_of(section);
+  const bool eased = section.yarns_over_shear[0] > 0;
+  Outlook out;
+  out.region = model.regions()[region].name;
+  out.yarns.stiffness = std::max(ratio[0], ratio[1]);
+  double area = 0, worst = 0;
+  std::vector<std::pair<double, double>> locking;  // the stiffness that counts, and the area
+  Index count = 0;
+  for (Index e = 0; e < static_cast<Index>(model.mesh().elements.size()); ++e) {
+    if (static_cast<std::size_t>(model.region_of(e)) != region) continue;
+    const Flat f = flat_of(model, e);
+    const bool three = f.corner.size() == 3;
+    area += f.area;
+    ++count;
+    if (three) out.yarns.triangles += f.area;
+    double held = 0, angle = 0;
+    for (std::size_t i = 0; i < 2; ++i) {
+      angle = std::max(angle, to_side(f, f.yarn[i]));
+      if (three || !eased) held = std::max(held, ratio[i] * obliqueness(f, f.yarn[i]));
+    }
+    out.yarns.degrees += angle * f.area;
+    out.yarns.most = std::max(out.yarns.most, angle);
+    locking.emplace_back(held, f.area);
+    if (held > worst) {
+      worst = held;
+      out.yarns.worst = e;
+    }
+  }
+  if (count == 0 || !(area > 0)) return out;
+  out.yarns.across = std::sqrt(static_cast<double>(count) / (out.yarns.triangles > area / 2 ? 2 : 1));
+  for (const auto& [held, of] : locking)
+    if (held > kLocks * out.yarns.across) out.yarns.locking += of / area;
+  out.yarns.degrees /= area;
+  out.yarns.triangles /= area;
+  out.folds.element = std::sqrt(area) / out.yarns.across;
+  out.folds.length = 2 * std::numbers::pi * std::cbrt(rigidity(section) / (section.areal_mass * kGravity));
+  return out;
+}
+
+std::string percent(double share) { return number(std::round(100 * share), 3) + " %"; }
+std::string degrees(double angle) { return number(std::round(angle), 3); }
+std::string mm(double length) { return number(1e3 * length, 3) + " mm"; }
+
+}  // namespace
+
+std::vector<Outlook> outlook(const Model& model) {
+  std::vector<Outlook> all;
+  for (std::size_t r = 0; r < model.regions().size(); ++r) all.push_back(outlook_of(model, r));
+  return all;
+}
+
+std::array<std::string, 2> words(const Outlook& o) {
+  const YarnsAcross& y = o.yarns;
+  const std::string of = o.region.empty() ? "" : o.region + ": ";
+  std::string yarns = of + "yarns are " + degrees(y.degrees) +
+                      " degrees from the sides of elements in the mean, " + degrees(y.most) +
+                      " at most, and " + number(y.stiffness, 3) + " times as stiff as shear: ";
+  if (y.locking > 0)
+    yarns += percent(y.locking) + " of the cloth, such as element " + std::to_string(y.worst + 1) +
+             ", locks where yarns are pulled or sheared unevenly (5 % too stiff at " +
+             number(kLocks * y.across, 2) + " times)";
+  else
+    yarns += "no element locks";
+  const double elements = o.folds.element > 0 ? o.folds.length / o.folds.element : 0;
+  std::string folds = of + "folds by its own weight are about " + mm(o.folds.length) +
+                      " from one to the next, " + number(elements, 2) + " elements: ";
+  if (elements >= kWell)
+    folds += "the mesh shows them";
+  else
+    folds += "for draping and crumpling elements of " + mm(o.folds.length / kWell) +
+             " show them, coarser ones hang too straight; pulls in the plane do not need that";
+  return {yarns, folds};
+}
+
+std::string warning_of(const Outlook& o) {
+  if (o.yarns.locking < kMuch) return {};
+  return words(o)[0] +
+         (o.yarns.triangles > 0.5 ? "; quadrilaterals do not lock: mesh:pair() joins triangles to them" : "");
+}
+
+}  // namespace fabricsh::model

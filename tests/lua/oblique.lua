@@ -1,0 +1,59 @@
+-- Stiff yarns that run obliquely across a mesh: quadrilaterals of any shape give the force of a mesh along the yarns,
+-- aligned ones are as they were, and a run on triangles says that they lock.
+local fabric = require "fabric"
+local mm, MPa = fabric.units.mm, fabric.units.MPa
+local card = fabric.woven { name = "stiff", density = 900, thickness = 0.3 * mm, warp = { loading = { 900 * MPa }, unloading = 900 * MPa, poisson = 0 },
+  weft = { loading = { 700 * MPa }, unloading = 700 * MPa, poisson = 0 }, shear = { loading = { 0.2 * MPa, 0, 3 * MPa }, unloading = 2 * MPa, measure = "tensor" },
+  bending = { warp = 1e-5, weft = 1e-5, twist = 1e-5 }, tested = { warp = .05, weft = .05, shear = .5 } }
+local W, H, pull = 40 * mm, 110 * mm, 15 * mm
+
+local function moved(mesh, n)
+  local h = 0.2 * W / n
+  return mesh:map(function(x, y)
+    local inside = math.min(1, 16 * x * (W - x) / W ^ 2, 40 * y * (H - y) / H ^ 2)
+    return x + h * inside * math.sin(301 * x + 777 * y), y + h * inside * math.cos(613 * x - 401 * y), 0
+  end)
+end
+
+-- N: the force of a strip with clamped ends, and the codes of the run's warnings.
+local function force(n, angle, kind, yarns)
+  local mesh = fabric.mesh.rectangle { width = W, height = H, nx = n, ny = math.floor(n * H / W + 0.5), triangles = kind == "triangles" or kind == "pairs" }
+  if kind == "pairs" then mesh:pair() end
+  if kind == "moved" then moved(mesh, n) end
+  local m = fabric.model { mesh = mesh, card = card, warp = angle, yarns = yarns }
+  m:fix("all", "z rotation"):fix("bottom", "x y"):fix("top", "x"):move("top", { y = fabric.ramp(pull, 1) })
+  local run = fabric.static { model = m, duration = 1, step = 0.1 }:solve()
+  local codes = {}
+  for _, w in ipairs(run.warnings) do codes[#codes + 1] = w.code end
+  return select(2, run:reaction "top"), table.concat(codes, " "), mesh
+end
+
+local along = fabric.lab.bias_extension { card = card, width = W, length = H, displacement = pull, cells = 8, steps = 10 }
+local limit = along.curve[#along.curve].force
+local coarse, silent = force(3, 45)
+local fine = force(8, 45)
+local pairs_of, no_word = force(6, 31, "pairs")
+local quads = force(6, 31)
+local locked, said, mesh = force(6, 31, "triangles")
+print("45 degrees: limit", limit, "3 across", coarse, "8 across", fine, "full", force(3, 45, nil, "full"), "moved", force(8, 45, "moved"))
+print("31 degrees: 6", quads, "12", force(12, 31), "pairs", pairs_of, "triangles", locked)
+local report = mesh:check(card, 31)
+print(report)
+
+fabric.expect {
+  { "45 degrees, 3 across, over a mesh along the yarns", coarse / limit, 1, relative = 0.25 },
+  { "45 degrees, 8 across", fine / limit, 1, relative = 0.08 },
+  { "45 degrees, 8 across, nodes moved", force(8, 45, "moved") / limit, 1, relative = 0.10 },
+  { "as interpolated it locks (1: yes)", force(3, 45, nil, "full") > 5 * limit and 1 or 0, 1, relative = 1e-12 },
+  { "31 degrees: 6 across over 12", quads / force(12, 31), 1, relative = 0.10 },
+  { "triangles in pairs are those quadrilaterals", pairs_of, quads, relative = 1e-6 },
+  { "along the warp: as interpolated", force(4, 90), force(4, 90, nil, "full"), relative = 1e-12 },
+  { "along the weft: as interpolated", force(4, 0), force(4, 0, nil, "full"), relative = 1e-12 },
+  { "triangles lock (1: yes)", locked > 1.5 * quads and 1 or 0, 1, relative = 1e-12 },
+  { "and the run says so (1: yes)", said:find "oblique" and 1 or 0, 1, relative = 1e-12 },
+  { "quadrilaterals say nothing (1: yes)", (silent .. no_word):find "oblique" and 0 or 1, 1, relative = 1e-12 },
+  { "check: stiffness over shear", report.yarns.stiffness, 900 / 0.1, relative = 1e-9 },
+  { "check: all triangles lock", report.yarns.locking, 1, relative = 1e-9 },
+  { "check: own folds, m", report.folds.length, 2 * math.pi * (1e-5 / (900 * 0.3e-3 * 9.81)) ^ (1 / 3), relative = 1e-9 },
+  { "check: element, m", report.folds.element, (W * H / #mesh.elements * 2) ^ 0.5, relative = 1e-9 },
+}
