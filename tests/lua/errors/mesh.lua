@@ -129,9 +129,9 @@ wrong("mesh:check", "mesh:check(7)",
 wrong("mesh:check", "mesh:check(mesh)",
   "deck.lua:1: check: argument 'card': expected a card, got a mesh")
 wrong("mesh:check", "mesh:check(card, 'x')",
-  "deck.lua:1: check: argument 'warp': expected a number in degrees or a list of numbers, got 'x'")
+  "deck.lua:1: check: argument 'warp': expected a number in degrees or a table of numbers in degrees, got 'x'")
 wrong("mesh:check", "mesh:check(card, {1, 2})",
-  "deck.lua:1: check: field 'warp': expected three numbers, got 2")
+  "deck.lua:1: check: field 'warp': expected {x, y, z}, got 2 numbers")
 
 -- mesh:orient
 wrong("mesh:orient", "mesh:orient({1, 'two'})",
