@@ -16,7 +16,7 @@
 // Yarns that cross an element obliquely would lock it: their strain eps_f = m_f.eps m_f (f: warp, weft)
 // varies along them, and in cloth only shear, which is far softer, could hold such a change of tension along
 // a yarn. Of the deviation of eps_f from its mean over the element only a share is kept,
-//   share^2 = 1 / (1 + sin^2(2 phi) <E_f / (10 G) - 1>),
+//   share^2 = 1 / (1 + sin^2(2 phi) <E_f / (20 G) - 1>),
 // where phi is the angle in (xi, eta) between the yarn and the element's sides: the modulus of the yarn in
 // series with what shear can hold. It is one for yarns along the sides at all points and for isotropic sheets
 // (E / G up to four). Curvatures keep their variation. The strain is a linear function of the assumed one, so

@@ -174,7 +174,7 @@ Modes enhanced_modes(const Mat3& C, const Eigen::Vector2d& w) {
 
 // The stiffness of a yarn over that of shear up to which its strain varies within any element. For isotropic
 // sheets it is at most four.
-constexpr double kHeldByShear = 10;
+constexpr double kHeldByShear = 20;
 
 // Writes samples, distortion and enhanced modes of the assumed membrane field.
 void put_membrane(const Edges& e, const Mat3& C, const std::function<void(int, double)>& put) {
