@@ -117,13 +117,9 @@ TEST_CASE("strips that are one element wide, and single elements, have means at 
 
 TEST_CASE("fields that are none of elements, and regions that are not there, are refused") {
   const auto a = halves(shaken(0));
-  says(message_of([&] {
-          run::recovered(*a, run::find_field(*a, "uz"));
-        }), "has its values at the nodes");
-  says(message_of([&] {
-          run::recovered(*a, run::find_field(*a, "region"));
-        }), "jumps from element to element");
-  says(message_of([&] {
-          run::recovered(*a, run::find_field(*a, "S11"), 2);
-        }), "expected a region from 1 to 2, got 3");
+  says(message_of([&] { run::recovered(*a, run::find_field(*a, "uz")); }), "has its values at the nodes");
+  says(message_of([&] { run::recovered(*a, run::find_field(*a, "region")); }),
+       "jumps from element to element");
+  says(message_of([&] { run::recovered(*a, run::find_field(*a, "S11"), 2); }),
+       "expected a region from 1 to 2, got 3");
 }
