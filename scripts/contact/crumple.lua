@@ -5,6 +5,7 @@
 --   fabricsh scripts/contact/crumple.lua 40 out        40 x 40, with a series for ParaView in out
 -- warns: is turned over: it is more than 90 degrees
 -- warns: turned inside out
+-- warns: carries without folding within it
 local fabric = require "fabric"
 local brute = require "fabric.lab.brute"
 local cells, out = tonumber(arg[1] or 8), arg[2]

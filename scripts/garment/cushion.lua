@@ -1,5 +1,6 @@
 -- Two discs of cloth, one cut into 24 sides and one into 32, are drawn together at the rim, sewn and blown up to a cushion. By symmetry it is twice one
 -- disc whose rim stays in its plane, which a static run computes.
+-- warns: carries without folding within it
 local fabric, out = require "fabric", arg[1] or "out/garment"
 local R, pressure, apart, sewn, blown = 0.1, 100, 0.02, 0.05, 0.15
 local card = fabric.svk { young = 1e6, poisson = 0.3, density = 500, thickness = 0.5e-3 }

@@ -6,6 +6,7 @@
 -- Elements of 6 mm are coarse for the folds beside the fourchettes, where a director turns over as the finger straightens.
 -- warns: is turned over
 -- warns: a finer mesh folds
+-- warns: carries without folding within it
 local fabric = require "fabric"
 local mm = fabric.units.mm
 local cloth, size, bend, stroke, out = arg[1] or "muslin", (tonumber(arg[2]) or 6) * mm, tonumber(arg[3]) or 15, tonumber(arg[4]) or 0.01, arg[5]

@@ -10,6 +10,7 @@
 --
 -- warns: a finer mesh folds
 -- The short form bends by 20 degrees. Elements have to be smaller than the folds at the elbow: beyond about 30 degrees those of 20 mm crease or turn a director over, which the program says.
+-- warns: carries without folding within it
 local fabric = require "fabric"
 local mm = fabric.units.mm
 local cloth, size, bend, stroke, out = arg[1] or "blend", (tonumber(arg[2]) or 20) * mm, tonumber(arg[3]) or 20, tonumber(arg[4]) or 0.02, arg[5] ~= "-" and arg[5] or nil

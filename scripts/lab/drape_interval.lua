@@ -6,6 +6,7 @@
 --   fabricsh scripts/long/drape_interval.lua                             every card but wool, and the table of share/doc/drape.md
 --
 -- A card whose coefficient was measured on a JIS disc [matsudaira2015] has a second row, for that disc, with the measured one.
+-- warns: carries without folding within it
 local fabric = require "fabric"
 local which, samples, cells, write = arg[1] or "worsted", tonumber(arg[2] or 8), tonumber(arg[3] or 3), arg[4] == "write"
 local root = arg[0]:gsub("[^/]*$", "") .. "../../"

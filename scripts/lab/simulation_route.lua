@@ -4,6 +4,7 @@
 --
 -- Each repeat is a simulated clamped bias test, up and partly back, with noise of the load cell; shear coefficients and unloading
 -- modulus are identified through the same simulation, and are to lie in their own 95 % bands.
+-- warns: the card was tested to 0.3
 local fabric = require "fabric"
 local lab, u = fabric.lab, fabric.units
 local random = require "fabric.lab.random"

@@ -6,7 +6,6 @@
 -- takes a millionth of each step's work carries the strip over the snap. Behind the snap the strip is longer than the distance
 -- of the grips by its residual strain, and as cloth bends much more easily than it shortens, its shape is the elastica between
 -- clamped ends: with length L, distance d and modulus k, d / L = 2 E(k) / K(k) - 1 and rise = k L / K(k).
--- warns: the card was tested to 0.3
 local here = arg[0]:gsub("[^/]*$", "")
 local chapter = dofile(here .. "chapter.lua")
 local fabric = require "fabric"

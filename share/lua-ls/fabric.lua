@@ -13,6 +13,7 @@
 ---@field estimate fabric_woven_fields.estimate estimates of what was not measured, used by fabric.card(name, { bending='estimated' })
 ---@field compression table one sheet pressed between two plates, {{gap, pressure}, ...}: gap, m, is its thickness then, which is also how far apart the middles of two such sheets are, pressure in Pa; what contact presses with
 ---@field fibre_density number kg/m^3: of what the yarns are made of; areal mass over it is how thin the sheet can be pressed at most; default 1500 (cotton 1540, polyester 1380)
+---@field folds "resolved"|"within elements"|"free" where compressed cloth folds: resolved, in the shape of the mesh alone; within elements too, which then carry no more than folds of their size would; or free, the same without any force (default "resolved")
 ---@field rupture fabric_woven_fields.rupture where yarns break: in tearable zones of a model, see model:tearable
 ---@field warp fabric_woven_fields.warp along the warp
 ---@field weft fabric_woven_fields.weft along the weft
@@ -58,7 +59,7 @@ local history = {}
 ---@field steps table[] Of each committed step: time, step, iterations, cuts, residuals, negative_pivots (none on a stable path), stable: true, false, or "unchecked" in motion and where loads have no potential.
 ---@field stopped string|false The reason it was stopped for, or false.
 ---@field time number Where the run is, s.
----@field warnings any What the run has said about how far its results can be trusted, in order: a list of {code, text, time (s), element (nil: no particular one), serious}. Also in run.json. Under --strict the serious ones raise a numerical failure. The codes: ledger (energy appears or is lost beyond what the steps explain), inverted (an element is turned inside out), director (a director has turned over to the other side of the sheet), beyond (the strain is beyond what the card was tested to; serious with limit="stop"), unstable (a step of a static run has ended in a shape that is not stable), pivots (a static run has passed a limit or bifurcation point, or left an unstable shape), relaxed (relaxation took a noticeable part of a static run's work, or its first step), stabilise (stabilisation has taken a noticeable part of the work), jump (a load or motion is at full value at once, not ramped), step (the explicit step is near the stable one, or is split because stretch has shortened that), inertia (much of the kinetic energy is in rotary inertia that is scaled up for the step), guard (contact is pressed so far that a barrier keeps the surfaces apart), fold (cloth turns sharply between two elements where contact presses on it), seam (edges that are sewn had not met when their time was over), held (the cloth pulls on yarns beyond their strength where a support holds them, and none breaks there), dropped (an initial velocity is dropped along supports), idle (supports take up the whole of a load, or nothing loads or moves the cloth at all), bending (the bending rigidity of the card is far from that of cloth), card (the check of the card has a warning), units (a value of the deck is far outside the usual), mesh (the file of a mesh was cut short or holds what is left out), restart (the run was continued from the checkpoint of another deck), lost (an output of the restarted run is gone), retired (an argument of an earlier release has no effect any more), deck (the deck or a virtual test has said it with fabric.warn).
+---@field warnings any What the run has said about how far its results can be trusted, in order: a list of {code, text, time (s), element (nil: no particular one), serious}. Also in run.json. Under --strict the serious ones raise a numerical failure. The codes: ledger (energy appears or is lost beyond what the steps explain), inverted (an element is turned inside out), director (a director has turned over to the other side of the sheet), beyond (the strain is beyond what the card was tested to; serious with limit="stop"), unstable (a step of a static run has ended in a shape that is not stable), compressed (elements carry compression under which the cloth within them would fold), pivots (a static run has passed a limit or bifurcation point, or left an unstable shape), relaxed (relaxation took a noticeable part of a static run's work, or its first step), stabilise (stabilisation has taken a noticeable part of the work), jump (a load or motion is at full value at once, not ramped), step (the explicit step is near the stable one, or is split because stretch has shortened that), inertia (much of the kinetic energy is in rotary inertia that is scaled up for the step), guard (contact is pressed so far that a barrier keeps the surfaces apart), fold (cloth turns sharply between two elements where contact presses on it), seam (edges that are sewn had not met when their time was over), held (the cloth pulls on yarns beyond their strength where a support holds them, and none breaks there), dropped (an initial velocity is dropped along supports), oblique (yarns cross elements so obliquely, and are so stiff, that these lock), idle (supports take up the whole of a load, or nothing loads or moves the cloth at all), bending (the bending rigidity of the card is far from that of cloth), card (the check of the card has a warning), units (a value of the deck is far outside the usual), mesh (the file of a mesh was cut short or holds what is left out), restart (the run was continued from the checkpoint of another deck), lost (an output of the restarted run is gone), retired (an argument of an earlier release has no effect any more), deck (the deck or a virtual test has said it with fabric.warn).
 local analysis = {}
 
 ---The whole state of a run.
@@ -117,7 +118,7 @@ function analysis:checkpoint(path, options) end
 ---@return any
 function analysis:cut(fields) end
 
----Averages over the element's reference volume, material axes: a table of rupture_warp (warp force over strength at the joints of the element, the largest; 1 where it has broken), rupture_weft (weft force over strength at the joints of the element, the largest; 1 where it has broken), E11 E22 E23 E13 E12 (Green-Lagrange strain, tensor components), S11 S22 S23 S13 S12 (2nd Piola-Kirchhoff stress; Pa), residual1 residual2 (strain that a yarn keeps when it is unloaded), slack1 slack2 (strain by which a slack yarn is below its residual strain), stored dissipated (per reference volume: stored, and dissipated so far; J/m^3), dissipated_warp (per reference volume: dissipated so far in warp; J/m^3), dissipated_weft (per reference volume: dissipated so far in weft; J/m^3), dissipated_shear (per reference volume: dissipated so far in shear; J/m^3), dissipated_damage (per reference volume: dissipated so far in damage; J/m^3), shear_angle (90 degrees less the angle between warp and weft; has the sign of E12; degrees), tension_warp (force along the warp yarns per reference width; N/m), tension_weft (force along the weft yarns per reference width; N/m), nominal_strain_warp (change of length along the warp over the reference length), nominal_strain_weft (change of length along the weft over the reference length), nominal_stress_warp (force along the warp yarns over the reference area; Pa), nominal_stress_weft (force along the weft yarns over the reference area; Pa), cauchy_11 (Cauchy stress along the deformed warp (current width, reference thickness); Pa), cauchy_22 (Cauchy stress across the deformed warp, in the surface; Pa), cauchy_12 (Cauchy shear stress, along and across the deformed warp; Pa), beyond (largest strain so far over the tested strain of the card: 1.2 is 20 % beyond; 0 where the card states none), region (number of the body or region that the element belongs to, in their order).
+---Averages over the element's reference volume, material axes: a table of rupture_warp (warp force over strength at the joints of the element, the largest; 1 where it has broken), rupture_weft (weft force over strength at the joints of the element, the largest; 1 where it has broken), E11 E22 E23 E13 E12 (Green-Lagrange strain, tensor components), S11 S22 S23 S13 S12 (2nd Piola-Kirchhoff stress; Pa), residual1 residual2 (strain that a yarn keeps when it is unloaded), slack1 slack2 (strain by which a slack yarn is below its residual strain), folded (part of the compression that folds within the element have taken, 0 to 1; 0 in a model whose folds are resolved), stored dissipated (per reference volume: stored, and dissipated so far; J/m^3), dissipated_warp (per reference volume: dissipated so far in warp; J/m^3), dissipated_weft (per reference volume: dissipated so far in weft; J/m^3), dissipated_shear (per reference volume: dissipated so far in shear; J/m^3), dissipated_damage (per reference volume: dissipated so far in damage; J/m^3), shear_angle (90 degrees less the angle between warp and weft; has the sign of E12; degrees), tension_warp (force along the warp yarns per reference width; N/m), tension_weft (force along the weft yarns per reference width; N/m), nominal_strain_warp (change of length along the warp over the reference length), nominal_strain_weft (change of length along the weft over the reference length), nominal_stress_warp (force along the warp yarns over the reference area; Pa), nominal_stress_weft (force along the weft yarns over the reference area; Pa), cauchy_11 (Cauchy stress along the deformed warp (current width, reference thickness); Pa), cauchy_22 (Cauchy stress across the deformed warp, in the surface; Pa), cauchy_12 (Cauchy shear stress, along and across the deformed warp; Pa), beyond (largest strain so far over the tested strain of the card: 1.2 is 20 % beyond; 0 where the card states none), region (number of the body or region that the element belongs to, in their order).
 ---@param number integer of the element
 ---@return table<string, any>
 function analysis:element(number) end
@@ -138,10 +139,15 @@ function analysis:event(fields) end
 ---@return analysis
 function analysis:every(interval, action) end
 
+---@class analysis_field_fields.options
+---@field at? "nodes" fields of elements at all nodes: fitted to the elements around each node, by superconvergent patch recovery, apart in each region
+---@field region? integer with at: the values of this region alone, its number as in the field region; nan at nodes outside. Default: on the border of regions their mean, by the areas of their elements there
+
 ---Values of all elements or nodes, in their order: a list of numbers; for a whole field a list of lists. Units are SI: stresses in Pa, energies in J/m^3.
----@param name "rupture_warp"|"rupture_weft"|"E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"stored"|"dissipated"|"dissipated_warp"|"dissipated_weft"|"dissipated_shear"|"dissipated_damage"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region"|"ux"|"uy"|"uz"|"vx"|"vy"|"vz"|"nx"|"ny"|"nz"|"x"|"y"|"z"|"X"|"Y"|"Z"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure"|"joint_open"|"displacement"|"velocity"|"director"|"position"|"reference"|"reaction"|"E"|"S"|"residual"|"slack"|"energy"|"warp"|"weft" of a number, or of a field: see the table of fields of a run; of a ply ply2.E11, or by the ply's name
+---@param name "rupture_warp"|"rupture_weft"|"E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"folded"|"stored"|"dissipated"|"dissipated_warp"|"dissipated_weft"|"dissipated_shear"|"dissipated_damage"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region"|"ux"|"uy"|"uz"|"vx"|"vy"|"vz"|"nx"|"ny"|"nz"|"x"|"y"|"z"|"X"|"Y"|"Z"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure"|"joint_open"|"displacement"|"velocity"|"director"|"position"|"reference"|"reaction"|"E"|"S"|"residual"|"slack"|"energy"|"warp"|"weft"|"error" of a number, or of a field: see the table of fields of a run; of a ply ply2.E11, or by the ply's name
+---@param options? analysis_field_fields.options where
 ---@return number[]
-function analysis:field(name) end
+function analysis:field(name, options) end
 
 ---Smallest distance of surfaces that may touch, less the smallest distance that contact allows, m, and which surfaces these are; where none are near: the reach of contact, and nil.
 ---@return number, string?
@@ -158,7 +164,7 @@ function analysis:gap() end
 function analysis:join(fields) end
 
 ---The mean of a value over elements, or over nodes, each with the same weight. Stresses in Pa, energies in J/m^3.
----@param name "rupture_warp"|"rupture_weft"|"E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"stored"|"dissipated"|"dissipated_warp"|"dissipated_weft"|"dissipated_shear"|"dissipated_damage"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region"|"ux"|"uy"|"uz"|"vx"|"vy"|"vz"|"nx"|"ny"|"nz"|"x"|"y"|"z"|"X"|"Y"|"Z"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure"|"joint_open" of a number that elements or nodes have, see a:element and a:node; of a ply ply2.E11, or by the ply's name
+---@param name "rupture_warp"|"rupture_weft"|"E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"folded"|"stored"|"dissipated"|"dissipated_warp"|"dissipated_weft"|"dissipated_shear"|"dissipated_damage"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region"|"ux"|"uy"|"uz"|"vx"|"vy"|"vz"|"nx"|"ny"|"nz"|"x"|"y"|"z"|"X"|"Y"|"Z"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure"|"joint_open" of a number that elements or nodes have, see a:element and a:node; of a ply ply2.E11, or by the ply's name
 ---@param set? string elements all of whose nodes are in it; or its nodes (default "all")
 ---@return number
 function analysis:mean(name, set) end
@@ -239,7 +245,7 @@ function analysis:stop(reason) end
 ---@field every? number|"step" s: time between rows or frames, or 'step'
 ---@field fields? table names of fields, or of single numbers: see the table of fields of a run; default: displacement velocity director reference reaction E S residual slack energy warp weft. Displacement and reference are always there
 ---@field points? "deformed"|"reference" where the nodes are now, or where they were: with reference, ParaView's Warp By Vector by displacement shows the sheet as it is (default "deformed")
----@field averaged? boolean fields of elements also on the nodes, under the same names: means of the elements that meet there, by area (default false)
+---@field averaged? boolean fields of elements also on the nodes, under the same names, as a:field finds them with at='nodes' (default false)
 
 ---Writes a series for ParaView as the run goes; the .pvd is valid at any moment. Node sets are arrays of 0 and 1 on the points, E and S symmetric tensors in material axes (11 22 33 12 23 13; those of 33 are 0), units stand with the arrays.
 ---@param stem string out/drape writes out/drape.pvd and numbered .vtu files
@@ -254,7 +260,7 @@ function analysis:why() end
 ---@class analysis_write_fields.options
 ---@field fields? table names of fields, or of single numbers: see the table of fields of a run; default: displacement velocity director reference reaction E S residual slack energy warp weft. Displacement and reference are always there
 ---@field points? "deformed"|"reference" where the nodes are now, or where they were: with reference, ParaView's Warp By Vector by displacement shows the sheet as it is (default "deformed")
----@field averaged? boolean fields of elements also on the nodes, under the same names: means of the elements that meet there, by area (default false)
+---@field averaged? boolean fields of elements also on the nodes, under the same names, as a:field finds them with at='nodes' (default false)
 
 ---Writes the sheet as it is now, or as it was in the reference, for another program: with fields as a frame of a:vtk into a .vtu, else as mesh:write does.
 ---@param file string ends in .msh, .vtu, .obj, .stl, .ply, .inp, .k or .rad
@@ -382,7 +388,7 @@ function fabric.export.card(fields) end
 ---@field file string to write; ends in .glb
 ---@field series? string a .pvd that a:vtk wrote: every frame of it
 ---@field run? analysis in place of a series: the run as it stands
----@field field? "none"|"displacement"|"ux"|"uy"|"uz"|"velocity"|"vx"|"vy"|"vz"|"director"|"nx"|"ny"|"nz"|"position"|"x"|"y"|"z"|"reference"|"X"|"Y"|"Z"|"reaction"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure"|"joint_open"|"rupture_warp"|"rupture_weft"|"E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"stored"|"dissipated"|"dissipated_warp"|"dissipated_weft"|"dissipated_shear"|"dissipated_damage"|"warp"|"weft"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region" what the colours show, on the nodes: a number of a field, or a vector's length (default "none")
+---@field field? "none"|"displacement"|"ux"|"uy"|"uz"|"velocity"|"vx"|"vy"|"vz"|"director"|"nx"|"ny"|"nz"|"position"|"x"|"y"|"z"|"reference"|"X"|"Y"|"Z"|"reaction"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure"|"joint_open"|"rupture_warp"|"rupture_weft"|"E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"folded"|"stored"|"dissipated"|"dissipated_warp"|"dissipated_weft"|"dissipated_shear"|"dissipated_damage"|"warp"|"weft"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region" what the colours show, on the nodes: a number of a field, or a vector's length (default "none")
 ---@field range? number[] {low, high} of the colours; default: those of all frames
 ---@field every? number s: at least between two frames; default: all that there are
 ---@field duration? number s: of the animation; default: that of the series
@@ -565,6 +571,7 @@ function fabric.lab.band(fields) end
 ---@field width? number m: of the strip (default 0.0254)
 ---@field length? number m: between the grips (default 0.0762)
 ---@field thickness? number m: default: the card's
+---@field yarns? "eased"|"full" as for fabric.model (default "eased")
 ---@field out? string folder for curve.csv and the VTK series strip.pvd
 
 ---A strip pulled off the yarns' axes and let go. Returns curve (a list of time, displacement, force, E, S = force over area, E_lateral, and E and S along the pull as _average over the elements and at the _centre, E12_average, E12_centre, S12_centre), peak (its row of largest displacement), zones (element numbers of the bias test's three zones), analysis, model, mesh, displacement, volume, and the method mesh_error(). And zone_mean(name): the means of a field in zones 1, 2, 3 at the present time.
@@ -982,7 +989,7 @@ function fabric.lab.identifiability(fields) end
 ---@field settle? integer rounds at the end, with central differences over a standard deviation along combinations of parameters (default 8)
 ---@field progress? boolean prints the progress on stderr (default false)
 
----Card parameters by bounded least squares through simulation. Returns parameters (by name), deviation (nan on a bound), on_bound (the bound, by name), known (by name), correlation, weakest, misses (per test: rms and worst over the largest measured value, deviations), chi2 (per degree of freedom), further (ranked), simulations, text, card(self, function(p) return card end): the card with the parameters' 95 % bands propagated to its numbers, for card:sample.
+---Card parameters by bounded least squares through simulation. Returns parameters (by name), deviation (nan on a bound), on_bound (the bound, by name), known (by name), correlation, weakest, misses (per test: rms and worst over the largest measured value, deviations), chi2 (per degree of freedom), discrepancy (nil, or what the model may miss smoothly: deviation over the noise, ratio of likelihoods, told), of_noise (deviation and correlation by the stated noise alone), further (ranked), simulations, text, card(self, function(p) return card end): the card with the parameters' 95 % bands propagated to its numbers, for card:sample.
 ---@param fields fabric_lab_identify_fields
 ---@return table<string, any>
 function fabric.lab.identify(fields) end
@@ -1568,10 +1575,9 @@ function fabric.lab.tear(fields) end
 function fabric.lab.tensile(fields) end
 
 ---@class fabric_lab_tension_field_fields
----@field card card a woven card
----@field slack? number strain up to which a yarn carries next to nothing; at five times that it carries what it did (default 0.001)
+---@field card card a card of the woven law, or an elastic one
 
----A card whose yarns carry next to nothing where they are shortened, as cloth that folds: for garments and drapes on elements larger than the folds. In tension nothing changes from five times `slack` on.
+---A card whose cloth folds without any force where it is shortened, in whatever direction: `folds="free"`. In tension nothing changes.
 ---@param fields fabric_lab_tension_field_fields
 ---@return card
 function fabric.lab.tension_field(fields) end
@@ -1649,6 +1655,7 @@ function fabric.lab.twist(fields) end
 ---@field width? number m: of the strip (default 0.0254)
 ---@field length? number m: between the grips (default 0.0762)
 ---@field thickness? number m: default: the card's
+---@field yarns? "eased"|"full" as for fabric.model (default "eased")
 ---@field out? string folder for curve.csv and the VTK series strip.pvd
 
 ---A strip pulled and let go. Returns curve (a list of time, displacement, force, E, S = force over area, E_lateral, and E and S along the pull as _average over the elements and at the _centre, E12_average, E12_centre, S12_centre), peak (its row of largest displacement), zones (element numbers of the bias test's three zones), analysis, model, mesh, displacement, volume, and the method mesh_error().
@@ -1781,6 +1788,7 @@ function fabric.latin_hypercube(inputs) end
 ---@field estimate? fabric_linear_fields.estimate estimates of what was not measured, used by fabric.card(name, { bending='estimated' })
 ---@field compression? table one sheet pressed between two plates, {{gap, pressure}, ...}: gap, m, is its thickness then, which is also how far apart the middles of two such sheets are, pressure in Pa; what contact presses with
 ---@field fibre_density? number kg/m^3: of what the yarns are made of; areal mass over it is how thin the sheet can be pressed at most; default 1500 (cotton 1540, polyester 1380)
+---@field folds? "resolved"|"within elements"|"free" where compressed cloth folds: resolved, in the shape of the mesh alone; within elements too, which then carry no more than folds of their size would; or free, the same without any force (default "resolved")
 ---@field rupture? fabric_linear_fields.rupture where yarns break: in tearable zones of a model, see model:tearable
 ---@field warp number Pa: modulus along the warp
 ---@field weft number Pa: modulus along the weft
@@ -1875,10 +1883,11 @@ function fabric.mesh.of(fields) end
 ---@return mesh
 function fabric.mesh.panel(fields) end
 
----Reads a mesh of triangles and quadrilaterals, lengths in m: Gmsh 2 and 4.1, VTK's .vtu and legacy .vtk, Wavefront .obj, .stl and .ply (text and binary; equal vertices of an .stl are joined), .inp of Abaqus and CalculiX, .k of LS-DYNA. Physical groups and groups become node sets, sets of elements those of their nodes; so do integer arrays: those of 0 and 1 by their name, others as name_value; parts and solids where there are several. Nodes in no element are left out; the sets all and boundary are added.
+---Reads a mesh of triangles and quadrilaterals, lengths in m: Gmsh 2 and 4.1, VTK's .vtu and legacy .vtk, Wavefront .obj, .stl and .ply (text and binary; equal vertices of an .stl are joined), .inp of Abaqus and CalculiX, .k of LS-DYNA. Physical groups and groups become node sets, sets of elements those of their nodes; so do integer arrays: those of 0 and 1 by their name, others as name_value; parts and solids where there are several. Nodes in no element are left out; the sets all and boundary are added. Also with named fields: fabric.mesh.read{ file=, join=true }.
 ---@param file string ends in .msh, .vtu, .vtk, .obj, .stl, .ply, .inp, .k or .key; a bare name may be a mesh shipped with the program
+---@param join? boolean make one node of those at one place (within 1e-6 of the mesh's size) (default false)
 ---@return mesh
-function fabric.mesh.read(file) end
+function fabric.mesh.read(file, join) end
 
 ---@class fabric_mesh_rectangle_fields.grading
 ---@field x? number[] m: of the lines of nodes across x, from 0 to the width, ascending
@@ -1909,6 +1918,8 @@ function fabric.mesh.rectangle(fields) end
 ---@field regions? table { set = {card=, thickness=, warp=, ...}, ... }: sets of elements with a card or section of their own
 ---@field bodies? table { {name=, mesh=, card=, regions=, ...}, ... }: several meshes in place of one; their sets are then name.left
 ---@field membrane? boolean cloth without bending and transverse shear, whose directors are held: for sheets that are taut, or fold more sharply than an element can show (default false)
+---@field folds? "resolved"|"within elements"|"free" where compressed cloth folds: resolved, in the shape of the mesh alone; within elements too, which then carry no more compression than folds of their size; free, the same without any force; default: that of each card
+---@field yarns? "eased"|"full" eased: the strain of yarns that cross quadrilaterals obliquely varies in an element only as far as shear can hold it, so that stiff yarns do not lock a mesh; full: as interpolated, as in the thesis (default "eased")
 
 ---The declared problem: a mesh of a fabric, or several, to be held, moved and loaded.
 ---@param fields fabric_model_fields
@@ -1967,7 +1978,7 @@ function fabric.ramp(value, duration) end
 ---@field file string to write; ends in .png
 ---@field vtu? string|table file of a:vtk, or a list of them: panels of one scale
 ---@field run? table|analysis in place of files: the run as it stands, with its rigid bodies, or a list of runs
----@field field? "none"|"displacement"|"ux"|"uy"|"uz"|"velocity"|"vx"|"vy"|"vz"|"nx"|"ny"|"nz"|"position"|"x"|"y"|"z"|"reference"|"X"|"Y"|"Z"|"reaction"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure"|"joint_open"|"rupture_warp"|"rupture_weft"|"E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"stored"|"dissipated"|"dissipated_warp"|"dissipated_weft"|"dissipated_shear"|"dissipated_damage"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region" what the colours show (default "none")
+---@field field? "none"|"displacement"|"ux"|"uy"|"uz"|"velocity"|"vx"|"vy"|"vz"|"nx"|"ny"|"nz"|"position"|"x"|"y"|"z"|"reference"|"X"|"Y"|"Z"|"reaction"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure"|"joint_open"|"rupture_warp"|"rupture_weft"|"E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"folded"|"stored"|"dissipated"|"dissipated_warp"|"dissipated_weft"|"dissipated_shear"|"dissipated_damage"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region" what the colours show (default "none")
 ---@field title? string on top (default "")
 ---@field labels? string|table above the panels
 ---@field bar? string title of the colour bar; default: the field with its unit (MPa, mm)
@@ -2222,6 +2233,7 @@ function fabric.study(fields) end
 ---@field estimate? fabric_svk_fields.estimate estimates of what was not measured, used by fabric.card(name, { bending='estimated' })
 ---@field compression? table one sheet pressed between two plates, {{gap, pressure}, ...}: gap, m, is its thickness then, which is also how far apart the middles of two such sheets are, pressure in Pa; what contact presses with
 ---@field fibre_density? number kg/m^3: of what the yarns are made of; areal mass over it is how thin the sheet can be pressed at most; default 1500 (cotton 1540, polyester 1380)
+---@field folds? "resolved"|"within elements"|"free" where compressed cloth folds: resolved, in the shape of the mesh alone; within elements too, which then carry no more than folds of their size would; or free, the same without any force (default "resolved")
 ---@field rupture? fabric_svk_fields.rupture where yarns break: in tearable zones of a model, see model:tearable
 ---@field warp? number Pa: modulus along the warp
 ---@field weft? number Pa: modulus along the weft
@@ -2424,6 +2436,7 @@ function fabric.why() end
 ---@field estimate? fabric_woven_fields.estimate estimates of what was not measured, used by fabric.card(name, { bending='estimated' })
 ---@field compression? table one sheet pressed between two plates, {{gap, pressure}, ...}: gap, m, is its thickness then, which is also how far apart the middles of two such sheets are, pressure in Pa; what contact presses with
 ---@field fibre_density? number kg/m^3: of what the yarns are made of; areal mass over it is how thin the sheet can be pressed at most; default 1500 (cotton 1540, polyester 1380)
+---@field folds? "resolved"|"within elements"|"free" where compressed cloth folds: resolved, in the shape of the mesh alone; within elements too, which then carry no more than folds of their size would; or free, the same without any force (default "resolved")
 ---@field rupture? fabric_woven_fields.rupture where yarns break: in tearable zones of a model, see model:tearable
 ---@field warp fabric_woven_fields.warp along the warp
 ---@field weft fabric_woven_fields.weft along the weft
@@ -2456,9 +2469,11 @@ function history:points() end
 ---@return number
 function history:value(time) end
 
----What is wrong with the mesh or worth knowing: a table {ok, text, items, area, shortest, longest, aspect, warping, least_angle, triangles, quadrilaterals, parts, borders}, which prints as its text; an item has key (degenerate, inverted, fold, repeated, orientation, one_sided, unused, duplicate, nonmanifold, aspect, warping, angle, wide, taper, hanging, free), severity (note, warning, error), text, elements, nodes.
+---What is wrong with the mesh or worth knowing: a table {ok, text, items, area, shortest, longest, aspect, warping, least_angle, triangles, quadrilaterals, parts, borders}, which prints as its text; an item has key (degenerate, inverted, fold, repeated, orientation, one_sided, apart, unused, duplicate, nonmanifold, aspect, warping, angle, wide, taper, hanging, free), severity (note, warning, error), text, elements, nodes. With a card two lines more, and yarns (degrees from the sides of elements, most, stiffness over shear, locking: share of the cloth whose elements lock) and folds (length: from one to the next, element: its side, m).
+---@param card? card of the cloth that the mesh is for
+---@param warp? number|number[] degrees: as for fabric.model
 ---@return table<string, any>
-function mesh:check() end
+function mesh:check(card, warp) end
 
 ---The nodes, elements and sets of nodes as lines of a deck, to which the rest of a deck is added; see fabric.export.model for whole decks.
 ---@param format "inp"|"k"|"rad" of Abaqus, LS-DYNA or OpenRadioss
@@ -2488,6 +2503,10 @@ function mesh:map(f) end
 ---@param direction? number[] {x, y, z}: the mean normal of each part points along it
 ---@return integer
 function mesh:orient(direction) end
+
+---Joins triangles in pairs to quadrilaterals where these have corners of 30 to 150 degrees and are flat; returns how many triangles are left. Stiff yarns that cross triangles obliquely lock them.
+---@return any
+function mesh:pair() end
 
 ---Makes or replaces a named set of nodes; with the name alone gives its node numbers.
 ---@param name string of the set
@@ -2547,6 +2566,10 @@ function mesh:write(file) end
 ---@param fields model_band_fields
 ---@return model
 function model:band(fields) end
+
+---What the mesh can show of this cloth, as two lines for each region: how yarns cross its elements, and how large folds are beside elements.
+---@return model
+function model:check() end
 
 ---@class model_contact_fields.friction
 ---@field static number of what sticks, at least the kinetic one

@@ -85,7 +85,8 @@ TEST_CASE(
     Turned eased(test::duck(), angle, true), full(test::duck(), angle, false);
     deform_alike(eased, full);
     for (const int axis : {0, 1}) {
-      const double excess = eased.section.yarns_over_shear[static_cast<std::size_t>(axis)] / kHeld - 1;
+      const double excess =
+          std::max(0.0, eased.section.yarns_over_shear[static_cast<std::size_t>(axis)] / kHeld - 1);
       const double share = 1 / std::sqrt(1 + obliqueness(angle) * excess);
       const auto got = eased.strain(axis), all = full.strain(axis);
       for (std::size_t g = 0; g < 4; ++g)
