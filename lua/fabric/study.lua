@@ -284,7 +284,7 @@ local function run(t)
     return { folder = t.folder, missing = #cases, failed = 0, complete = false, parameters = {}, results = {} }
   end
   claim(t.folder, identity(t.run))
-  local held <close> = alone(t)
+  local _ <close> = alone(t)
   local study = collect(t, cases, compute(t, cases))
   if study.complete then fabric.write(study.file, csv(study)) end
   return study

@@ -194,16 +194,11 @@ Vec3 Contact::of_body(const Candidate& c, std::span<const Vec3> by_point) const 
 // How many parts of a model that planes of symmetry cut share the pair: 1, or 2 for each plane that all of
 // its nodes lie in.
 double Contact::images(const Candidate& c, std::span<const unsigned char> planes) const {
-  return planes.empty() ? 1 : double(1u << shared_planes(c.point, planes));
-}
-
-// The number of planes of symmetry that all nodes of a pair lie in.
-unsigned Contact::shared_planes(const std::array<std::int32_t, 4>& points,
-                                std::span<const unsigned char> planes) const {
+  if (planes.empty()) return 1;
   unsigned in = 7;
-  for (const std::int32_t p : points)
+  for (const std::int32_t p : c.point)
     if (p >= 0 && !rigid(p)) in &= planes[std::size_t(p)];
-  return unsigned(std::popcount(in));
+  return double(1u << std::popcount(in));
 }
 
 // The first rigid corner of a pair holds its torque.
@@ -295,7 +290,6 @@ class Contact::OfSlot final : public SlipSource {
 Totals Contact::add_forces(std::span<const Vec3> x, std::span<Vec3> force, const Way& way,
                            std::span<Vec3> torque) {
   prepare(x);
-  if (!rubbing_counted_ && !way.inverse_mass.empty()) count_rubbing(way.planes);
   Totals totals;
   double least = narrowest_;
   const double change = change_ + rounding * skins_.inner;

@@ -141,8 +141,6 @@ class Contact {
   void note_slips(std::span<const Vec3> x, const Way& way);
   bool passes_on(const Candidate& c) const;
   bool holds_torque(std::uint32_t slot_and_corner) const;
-  unsigned shared_planes(const std::array<std::int32_t, 4>& points,
-                         std::span<const unsigned char> planes) const;
   double images(const Candidate& c, std::span<const unsigned char> planes) const;
   double margin(const Candidate& c, std::span<const Vec3> x) const;
   void mark_checked(std::span<const Vec3> x, double change);
@@ -208,12 +206,9 @@ class Contact {
     std::vector<Held> held;
   };
   static void join(std::span<Held> of_one_point);
-  // How many of the committed slips act at each point, those of mirrored parts among them. Their resistances
-  // add up there.
-  std::vector<int> rubbing_at_;
-  bool rubbing_counted_ = false;
-  void count_rubbing(std::span<const unsigned char> planes);
-  void forget_rubbing();
+  // How many of the committed slips act at each point. Their resistances add up there.
+  std::vector<std::uint16_t> rubbing_at_;
+  void count_rubbing(bool come);
   std::vector<Held> held_;
   std::optional<Tried> tried_;
   std::vector<std::int32_t> known_;  // by slot: which of held_ its slip is, or one of the following

@@ -176,30 +176,14 @@ void Contact::note_slips(std::span<const Vec3> x, const Way& way) {
   }
 }
 
-void Contact::forget_rubbing() {
-  rubbing_counted_ = false;
-  if (rubbing_at_.empty()) return;
+void Contact::count_rubbing(bool come) {
+  rubbing_at_.resize(scene_->reference().size());
   for (const Held& h : held_)
     for (const std::int32_t p : h.point)
-      if (p >= 0) rubbing_at_[std::size_t(p)] = 0;
-}
-
-// A part between planes of symmetry has the counts of the whole: a pair acts at a point once for each of its
-// mirror images there. Bodies that planes cut have pairs on all sides.
-void Contact::count_rubbing(std::span<const unsigned char> planes) {
-  rubbing_at_.resize(scene_->reference().size());
-  unsigned all = 0;
-  for (const unsigned char p : planes) all |= p;
-  for (const Held& h : held_) {
-    const unsigned shared = planes.empty() ? 0 : shared_planes(h.point, planes);
-    for (const std::int32_t p : h.point) {
-      if (p < 0) continue;
-      const unsigned at = planes.empty() ? 0 : rigid(p) ? all : planes[std::size_t(p)];
-      const unsigned mirrored = unsigned(std::popcount(at));
-      rubbing_at_[std::size_t(p)] += 1 << (mirrored > shared ? mirrored - shared : 0);
-    }
-  }
-  rubbing_counted_ = true;
+      if (p >= 0) {
+        auto& count = rubbing_at_[std::size_t(p)];
+        count = come ? std::uint16_t(std::min(int(count) + 1, 0xffff)) : std::uint16_t(0);
+      }
 }
 
 Contact::Rubbing Contact::held_friction() const {
@@ -222,8 +206,9 @@ Contact::Rubbing Contact::held_friction() const {
 
 void Contact::commit() {
   if (!tried_) return;
-  forget_rubbing();
+  count_rubbing(false);
   std::swap(held_, tried_->held);
+  count_rubbing(true);
   std::fill(known_.begin(), known_.end(), unknown);
   if (tried_->version == version_)
     for (std::size_t i = 0; i < held_.size(); ++i) known_[held_[i].slot] = std::int32_t(i);
@@ -234,7 +219,7 @@ void Contact::keep(Archive& archive) {
   archive(held_);
   if (!archive.reading()) return;
   rubbing_at_.clear();
-  rubbing_counted_ = false;
+  count_rubbing(true);
   tried_.reset();
   std::fill(known_.begin(), known_.end(), unknown);
 }

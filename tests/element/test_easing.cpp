@@ -49,7 +49,8 @@ void deform_alike(Turned& one, Turned& other) {
   other.basis();
 }
 
-// sin^2 of twice the angle that the warp has in the square to which the rectangle is mapped.
+// sin^2 of twice the angle that a yarn at an angle to the first side has in the square to which the rectangle
+// is mapped.
 double obliqueness(double angle) {
   const double a = angle * std::numbers::pi / 180, on_square = std::atan2(std::sin(a) / 6, std::cos(a) / 10);
   return std::pow(std::sin(2 * on_square), 2);
@@ -87,7 +88,7 @@ TEST_CASE(
     for (const int axis : {0, 1}) {
       const double excess =
           std::max(0.0, eased.section.yarns_over_shear[static_cast<std::size_t>(axis)] / kHeld - 1);
-      const double share = 1 / std::sqrt(1 + obliqueness(angle) * excess);
+      const double share = 1 / std::sqrt(1 + obliqueness(angle + 90 * axis) * excess);
       const auto got = eased.strain(axis), all = full.strain(axis);
       for (std::size_t g = 0; g < 4; ++g)
         CHECK_THAT(got[g], Catch::Matchers::WithinAbs(mean(all) + share * (all[g] - mean(all)), 1e-14));

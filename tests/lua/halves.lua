@@ -48,7 +48,8 @@ for _, case in ipairs { { "rod, explicit", "explicit", rod }, { "rod, implicit",
   if make == rod then assert(x == 0, x) else assert(math.abs(x - 0.004) < 1e-12) end
   assert(vx == 0 and wy == 0 and wz == 0 and (make == bar or math.abs(X) < 1e-9))
   -- The whole loses its symmetry by rounding alone. Contact with the facets of a whole bar is itself not quite symmetric: it moves sideways by some um.
-  local near = make == bar and 0.1 or 1e-6
+  -- In explicit steps the resistances of more than four pairs at a node share what four have; a half model has other pairs at its plane.
+  local near = make == bar and 0.1 or scheme == "explicit" and 1e-3 or 1e-6
   fabric.expect {
     { name .. ": y, m", y, Y, relative = near },
     { name .. ": z, m", z, Z, relative = near },

@@ -4,7 +4,7 @@ local fails = dofile((arg[0]:gsub("[^/]*$", "common/check.lua"))).fails
 
 -- A strip of n x m quads, each with vertices of its own; `off` moves them about by that much of the size.
 local function file(n, m, off, gap)
-  local out, count = {}, 0
+  local out = {}
   for j = 0, m - 1 do
     for i = 0, n - 1 do
       for k, c in ipairs { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } } do

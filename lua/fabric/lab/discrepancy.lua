@@ -3,7 +3,6 @@
 -- Residuals over their noise after the fit, r = M (d + e): e is independent with variance v, at least 1; d = sum_j c_j phi_j, cosines along the points of each test, var(c_j) = s^2 / (1 + j^2/4).
 -- M takes away what the parameters explain. v and s^2 follow from the restricted likelihood [patterson1971]. Where the parameters would have followed d, nothing of it is in the residuals; that
 -- part has the same s^2, averaged over its likelihood (prior of s: half of it below half the noise, since what the residuals do not show may be there), and so the parameters' covariance is C J^T (v I + s^2 Phi W Phi^T) J C with C = (J^T J)^-1 [kennedy2001].
-local fabric = require "fabric"
 local discrepancy = {}
 
 local modes, fewest = 6, 8 -- of a test; points of a test of which smooth differences can be told from noise
@@ -113,8 +112,8 @@ function discrepancy.of(residuals, counts, jacobian, C)
   end
   local u, g, rest = {}, {}, squares
   if #phi > 0 then
-    local largest, values, V = 0, nil, nil
-    values, V = eigen(G)
+    local largest = 0
+    local values, V = eigen(G)
     for _, x in ipairs(values) do largest = math.max(largest, x) end
     for i, x in ipairs(values) do
       if x > 1e-6 * largest then
