@@ -334,7 +334,7 @@ bool yarns_are_dissipative(const model::Model& model) {
 }  // namespace
 
 void Run::watch_accounts(const EnergyAccount& energies, double scale, double of_scheme) {
-  constexpr double rounding = 1e-4;  // of the trapezoidal rule, too, by which explicit friction is summed
+  constexpr double rounding = 5e-4;  // of the trapezoidal rule, too, by which explicit friction is summed
   EnergyAccount rising = energies;
   if (!yarns_are_dissipative(*model_))
     std::erase_if(rising.lost, [](const EnergyPart& part) {

@@ -400,6 +400,7 @@ bool Static::settle_jump(double size, StepReport& report) {
 }
 
 bool Static::rescue(double size, StepReport& report) {
+  if (descent_ == nullptr && relaxation_ == nullptr) return false;  // along an arc
   if (options_.method != Method::either && options_.method != Method::automatic) return false;
   // What moves freely does so in relaxation, too, without end.
   if (options_.method == Method::automatic && step_.last.status == solver::NewtonStatus::singular)

@@ -44,8 +44,10 @@ std::shared_ptr<mesh::Mesh> shaken(double noise) {
 
 // Of two regions, left and right of x = 3.
 std::shared_ptr<run::Static> halves(std::shared_ptr<mesh::Mesh> mesh) {
-  model::BodyGiven body{"", std::move(mesh), blend(), {}, {}};
-  body.regions.push_back({"right", duck(), {}});
+  model::Options along;
+  along.warp = [](const Vec3&) { return model::Direction(0.0); };
+  model::BodyGiven body{"", std::move(mesh), blend(), along, {}};
+  body.regions.push_back({"right", duck(), along});
   auto m = std::make_shared<model::Model>(std::vector<model::BodyGiven>{body});
   m->fix("all", model::parse_freedoms("x y z rotation"));
   return std::make_shared<run::Static>(m, run::StaticOptions{.duration = 1, .step = 1}, quiet());
@@ -102,7 +104,9 @@ TEST_CASE("a linear field is recovered exactly at all nodes, inside and on borde
 TEST_CASE("strips that are one element wide, and single elements, have means at their nodes") {
   for (const int cells : {1, 4}) {
     const auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(cells, 1, cells, 1));
-    auto m = std::make_shared<model::Model>(mesh, blend(), model::Options{});
+    model::Options along;
+    along.warp = [](const Vec3&) { return model::Direction(0.0); };
+    auto m = std::make_shared<model::Model>(mesh, blend(), along);
     m->fix("all", model::parse_freedoms("x y z rotation"));
     const run::Static a(m, {.duration = 1, .step = 1}, quiet());
     std::vector<double> values;

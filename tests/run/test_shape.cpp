@@ -25,7 +25,7 @@ std::shared_ptr<model::Model> make_sheet(const std::function<void(model::Model&)
 
 // What a run says as it refuses to go on.
 std::string refused(const std::shared_ptr<model::Model>& m) {
-  run::Static a(m, {.duration = 1, .step = 0.1}, std::make_shared<Notices>());
+  run::Static a(m, {.duration = 1, .step = 0.1, .method = run::Method::newton}, std::make_shared<Notices>());
   try {
     a.solve();
   } catch (const NumericalFailure& failure) {

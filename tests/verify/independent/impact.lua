@@ -15,8 +15,7 @@ for _, v in ipairs { 20, 60, 80, 120, 160, 200 } do
   local test = shot(v)
   local e = test.curve[#test.curve]
   local lost = mass * (v ^ 2 - test.residual ^ 2) / 2
-  -- `dissipated` has what breaking, friction and the loops of the law took. The balance of the fastest shot is off by 0.2 %: most of it arises
-  -- where the ball drives the cloth into the barrier within a few steps.
+  -- `dissipated` has what breaking, friction and the loops of the law took. The fastest shot's balance is off by 0.2 %.
   checks(("%g m/s: energy that the ball lost, J"):format(v), e.kinetic - e.rigid + e.stored + e.dissipated, lost, { relative = 2.5e-3 })
   assert(test.through == (v > 40) and test.residual > last - (v == 20 and math.huge or 0) and test.fracture > 0)
   last = test.residual
