@@ -74,16 +74,18 @@ TEST_CASE("a linear field is recovered exactly at all nodes, inside and on borde
     const auto mesh = shaken(noise);
     const auto a = halves(mesh);
     std::vector<double> values;
+    const int on_left = a->model().region_of(0);
     for (std::size_t e = 0; e < mesh->elements.size(); ++e) {
       const Vec3 at = centre_of_area(*mesh, mesh->elements[e]);
-      const bool on_right = a->model().region_of(static_cast<mesh::Index>(e)) == 0;
+      const bool on_right = a->model().region_of(static_cast<mesh::Index>(e)) != on_left;
+      INFO("element " << e << " at " << at.transpose());
       REQUIRE(on_right == (at.x() > 3));
       values.push_back(on_right ? right(at) : left(at));
       values.push_back(7);
     }
     const run::Recovery recovery(*a);
-    const auto of_right = recovery.at_nodes(values, 2, 0), of_left = recovery.at_nodes(values, 2, 1),
-               of_both = recovery.at_nodes(values, 2);
+    const auto of_right = recovery.at_nodes(values, 2, 1 - on_left),
+               of_left = recovery.at_nodes(values, 2, on_left), of_both = recovery.at_nodes(values, 2);
     for (std::size_t n = 0; n < mesh->nodes.size(); ++n) {
       const Vec3& X = mesh->nodes[n];
       INFO("noise " << noise << ", node at " << X.transpose());
