@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "contact/places.hpp"
+#include "geometry/turning.hpp"
 
 namespace fabricsh::contact {
 namespace {
@@ -232,12 +233,6 @@ Matrix12 positive_part(const Matrix12& hessian) {
 }
 
 namespace {
-
-Mat3 cross_matrix(const Vec3& a) {
-  Mat3 m;
-  m << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
-  return m;
-}
 
 // Derivatives by one corner of all quantities in the friction at a place.
 struct Place3 {

@@ -18,7 +18,7 @@ std::string line(std::initializer_list<std::int64_t> numbers) {
 
 std::int64_t size_of(std::size_t count) { return static_cast<std::int64_t>(count); }
 
-std::string place(const Vec3& x) {
+std::string node_line(const Vec3& x) {
   return exact_number(x.x()) + " " + exact_number(x.y()) + " " + exact_number(x.z());
 }
 
@@ -46,11 +46,11 @@ std::string entities(const mesh::Mesh& mesh) {
   std::int64_t group = 0;
   for (const auto& [name, ids] : mesh.sets) {
     ++group;
-    text += std::to_string(group) + " " + place(mesh.nodes[static_cast<std::size_t>(ids.front())]) + " 1 " +
-            std::to_string(group) + "\n";
+    text += std::to_string(group) + " " + node_line(mesh.nodes[static_cast<std::size_t>(ids.front())]) +
+            " 1 " + std::to_string(group) + "\n";
   }
   const BoundingBox box = box_of(mesh.nodes);
-  return text + "1 " + place(box.low) + " " + place(box.high) + " 1 " + std::to_string(group + 1) +
+  return text + "1 " + node_line(box.low) + " " + node_line(box.high) + " 1 " + std::to_string(group + 1) +
          " 0\n$EndEntities\n";
 }
 
@@ -58,7 +58,7 @@ std::string nodes(const mesh::Mesh& mesh) {
   const auto n = size_of(mesh.nodes.size());
   std::string text = "$Nodes\n" + line({1, n, 1, n}) + line({2, 1, 0, n});
   for (std::int64_t i = 1; i <= n; ++i) text += std::to_string(i) + "\n";
-  for (const Vec3& x : mesh.nodes) text += place(x) + "\n";
+  for (const Vec3& x : mesh.nodes) text += node_line(x) + "\n";
   return text + "$EndNodes\n";
 }
 

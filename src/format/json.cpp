@@ -31,7 +31,7 @@ std::string escaped(char c) {
   return buffer;
 }
 
-std::string quoted(std::string_view text) {
+std::string json_string(std::string_view text) {
   std::string out = "\"";
   while (!text.empty()) {
     const std::size_t length = utf8_length(text);
@@ -92,7 +92,7 @@ void Json::write(std::string& out, std::size_t depth) const {
   else if (const auto* real = std::get_if<double>(&value_))
     out += std::isfinite(*real) ? exact_number(*real) : "null";
   else if (const auto* string = std::get_if<std::string>(&value_))
-    out += quoted(*string);
+    out += json_string(*string);
   else if (const auto* items = std::get_if<Items>(&value_))
     write_items(out, *items, depth);
   else if (const auto* members = std::get_if<Members>(&value_))
@@ -119,7 +119,7 @@ void Json::write_members(std::string& out, const Members& members, std::size_t d
   for (std::size_t i = 0; i < members.size(); ++i) {
     if (i > 0) out += ",";
     new_line(out, depth + 1);
-    out += quoted(members[i].first) + ": ";
+    out += json_string(members[i].first) + ": ";
     members[i].second.write(out, depth + 1);
   }
   if (!members.empty()) new_line(out, depth);

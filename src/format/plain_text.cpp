@@ -8,7 +8,7 @@ namespace fabricsh::format {
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& name, const std::string& got) {
+[[noreturn]] void refuse_text(const std::string& name, const std::string& got) {
   throw Error(name + ":1: expected plain text, got " + got);
 }
 
@@ -62,15 +62,16 @@ void refuse_long_lines(const std::string& name, std::string_view bytes) {
 
 std::string_view plain_text(const std::string& name, std::string_view bytes, std::string& made) {
   if (bytes.starts_with("PK\x03\x04"))
-    refuse(name, "a spreadsheet (.xlsx, .ods) or another archive; save the sheet as CSV");
-  if (bytes.starts_with("\xD0\xCF\x11\xE0")) refuse(name, "a spreadsheet (.xls); save the sheet as CSV");
+    refuse_text(name, "a spreadsheet (.xlsx, .ods) or another archive; save the sheet as CSV");
+  if (bytes.starts_with("\xD0\xCF\x11\xE0")) refuse_text(name, "a spreadsheet (.xls); save the sheet as CSV");
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
   if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"))
     bytes = made = from_utf16(bytes.substr(2), bytes[0] == '\xFE');
   const std::string_view start = bytes.substr(0, 4096);
   if (start.find('\0') != start.npos)
-    refuse(name, "bytes of value zero: a binary file, or UTF-16 without its mark; save it as text, UTF-8");
-  if (bytes.find_first_not_of(" \t\r\n\f\v") == bytes.npos) refuse(name, "an empty file");
+    refuse_text(name,
+                "bytes of value zero: a binary file, or UTF-16 without its mark; save it as text, UTF-8");
+  if (bytes.find_first_not_of(" \t\r\n\f\v") == bytes.npos) refuse_text(name, "an empty file");
   if (bytes.find('\n') == bytes.npos && bytes.find('\r') != bytes.npos) {
     std::string lines(bytes);
     std::replace(lines.begin(), lines.end(), '\r', '\n');

@@ -6,18 +6,18 @@ namespace fabricsh::format {
 
 namespace {
 
-std::string place(const Vec3& x) {
+std::string surface_point(const Vec3& x) {
   return exact_number(x.x()) + " " + exact_number(x.y()) + " " + exact_number(x.z());
 }
 
-std::size_t corners(const std::array<mesh::Index, 4>& ids) { return ids[3] < 0 ? 3 : 4; }
+std::size_t corners_of(const std::array<mesh::Index, 4>& ids) { return ids[3] < 0 ? 3 : 4; }
 
 std::string facet(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 across = (b - a).cross(c - a);
   const double length = across.norm();
   const Vec3 normal = length > 0 ? Vec3(across / length) : Vec3(Vec3::Zero());
-  std::string text = "facet normal " + place(normal) + "\nouter loop\n";
-  for (const Vec3& x : {a, b, c}) text += "vertex " + place(x) + "\n";
+  std::string text = "facet normal " + surface_point(normal) + "\nouter loop\n";
+  for (const Vec3& x : {a, b, c}) text += "vertex " + surface_point(x) + "\n";
   return text + "endloop\nendfacet\n";
 }
 
@@ -25,10 +25,10 @@ std::string facet(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 std::string obj_text(const mesh::Mesh& mesh) {
   std::string text;
-  for (const Vec3& x : mesh.nodes) text += "v " + place(x) + "\n";
+  for (const Vec3& x : mesh.nodes) text += "v " + surface_point(x) + "\n";
   for (const auto& ids : mesh.elements) {
     text += "f";
-    for (std::size_t k = 0; k < corners(ids); ++k) text += " " + std::to_string(ids[k] + 1);
+    for (std::size_t k = 0; k < corners_of(ids); ++k) text += " " + std::to_string(ids[k] + 1);
     text += "\n";
   }
   return text;
@@ -39,10 +39,10 @@ std::string ply_text(const mesh::Mesh& mesh) {
                      "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
                      std::to_string(mesh.elements.size()) +
                      "\nproperty list uchar int vertex_indices\nend_header\n";
-  for (const Vec3& x : mesh.nodes) text += place(x) + "\n";
+  for (const Vec3& x : mesh.nodes) text += surface_point(x) + "\n";
   for (const auto& ids : mesh.elements) {
-    text += std::to_string(corners(ids));
-    for (std::size_t k = 0; k < corners(ids); ++k) text += " " + std::to_string(ids[k]);
+    text += std::to_string(corners_of(ids));
+    for (std::size_t k = 0; k < corners_of(ids); ++k) text += " " + std::to_string(ids[k]);
     text += "\n";
   }
   return text;
@@ -54,7 +54,7 @@ std::string stl_text(const mesh::Mesh& mesh) {
   const auto at = [&mesh](mesh::Index id) -> const Vec3& { return mesh.nodes[static_cast<std::size_t>(id)]; };
   for (const auto& ids : mesh.elements) {
     text += facet(at(ids[0]), at(ids[1]), at(ids[2]));
-    if (corners(ids) == 4) text += facet(at(ids[0]), at(ids[2]), at(ids[3]));
+    if (corners_of(ids) == 4) text += facet(at(ids[0]), at(ids[2]), at(ids[3]));
   }
   return text + "endsolid cloth\n";
 }

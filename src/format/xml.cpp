@@ -2,17 +2,13 @@
 
 #include <algorithm>
 
+#include "format/table_line.hpp"
+
 namespace fabricsh::format {
 
 namespace {
 
 constexpr std::string_view blanks = " \t\r\n";
-
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
 
 // The position of the > that ends a tag; a > between quotes does not count.
 std::size_t end_of_tag(std::string_view text) {

@@ -78,7 +78,7 @@ Tension thinned(const Tension& t) {
   return out;
 }
 
-struct Points {
+struct Record {
   Tension t;
   Vector weight;  // relative
   double scale;   // largest strain as recorded
@@ -101,7 +101,7 @@ struct Solution {
   bool rising = false;
 };
 
-Solution solved(const Points& p, const Law& law, double slack, const Known& known = {}) {
+Solution solved(const Record& p, const Law& law, double slack, const Known& known = {}) {
   const Index n = static_cast<Index>(p.t.E.size()), m = law.size();
   Matrix A(n + m, m);
   Vector b(n + m), row(m);
@@ -164,7 +164,7 @@ struct Range {
   }
 };
 
-Range contact_range(const Points& p, double noise, double earliest) {
+Range contact_range(const Record& p, double noise, double earliest) {
   const auto& [E, S] = p.t;
   const std::size_t n = E.size();
   std::size_t i = 0;
@@ -200,7 +200,7 @@ struct Averaged {
   bool found() const { return best != nullptr; }
 };
 
-Known known_of(const Points& p, const Law& law, const Solution& s) {
+Known known_of(const Record& p, const Law& law, const Solution& s) {
   Known out;
   const Index m = law.size();
   const double top = s.reach / p.scale;
@@ -223,7 +223,7 @@ Known known_of(const Points& p, const Law& law, const Solution& s) {
   return out;
 }
 
-double neighbours(const Points& p, const Law& law, const Solution& s) {
+double neighbours(const Record& p, const Law& law, const Solution& s) {
   Vector row(law.size());
   double last = 0, together = 0, squares = 0;
   int n = 0;
@@ -239,7 +239,7 @@ double neighbours(const Points& p, const Law& law, const Solution& s) {
   return squares > 0 ? std::clamp(together / squares, 0.0, 0.95) : 0;
 }
 
-Averaged average(const Points& p, const Law& law, const Range& range) {
+Averaged average(const Record& p, const Law& law, const Range& range) {
   const double none = range.none;
   std::vector<Solution> coarse;
   const bool open = range.high > range.low;
@@ -293,7 +293,7 @@ Averaged average(const Points& p, const Law& law, const Range& range) {
 
 // Mean of a law's curve at the strains over all places of contact, and its covariances by noise and by these
 // places.
-void moments(const Law& law, const Points& p, const Averaged& a, const std::vector<double>& strains,
+void moments(const Law& law, const Record& p, const Averaged& a, const std::vector<double>& strains,
              Vector& mean, Matrix& noise, Matrix& contact) {
   const auto G = static_cast<Index>(strains.size());
   Matrix B(G, law.size());
@@ -325,8 +325,8 @@ void moments(const Law& law, const Points& p, const Averaged& a, const std::vect
 }
 
 // Relative weights of the points, from the scatter about a spline where contact fits best.
-Points weighted(const Tension& t, const AveragingOptions& options) {
-  Points p{thinned(t), {}, 0};
+Record weighted(const Tension& t, const AveragingOptions& options) {
+  Record p{thinned(t), {}, 0};
   const auto n = p.t.E.size();
   p.weight = Vector::Ones(static_cast<Index>(n));
   p.scale = std::max(1e-12, *std::max_element(p.t.E.begin(), p.t.E.end()));
@@ -360,7 +360,7 @@ Points weighted(const Tension& t, const AveragingOptions& options) {
 }
 
 // alike: the correlation of neighbouring residuals that no law avoids.
-double criterion(const Points& p, const Law& law, const Averaged& a, double alike) {
+double criterion(const Record& p, const Law& law, const Averaged& a, double alike) {
   const double likeness = (1 - alike) / (1 + alike);
   const double n = static_cast<double>(p.t.E.size());
   const double k = static_cast<double>(law.size()) + 2;
@@ -408,7 +408,7 @@ AveragedCurves average_curves(const std::vector<Tension>& loading, const Averagi
   for (const Tension& t : loading) fewest = std::min(fewest, t.E.size());
   std::erase_if(
       laws, [&](const Law& law) { return laws.size() > 1 && law.size() + 4 > static_cast<Index>(fewest); });
-  std::vector<Points> points;
+  std::vector<Record> points;
   std::vector<Range> ranges;
   std::vector<std::vector<Averaged>> averaged(laws.size());
   for (const Tension& t : loading) {

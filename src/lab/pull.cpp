@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "lab/statistics.hpp"
+
 namespace fabricsh::lab {
 
 std::vector<double> end_displacement(std::span<const double> displacement, std::span<const double> force,
@@ -58,12 +60,6 @@ std::vector<std::size_t> reversals(std::span<const double> u, double tolerance) 
     }
   }
   return turns;
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 // Within this width of an extreme a displacement does not show whether the machine moves: half a usual step

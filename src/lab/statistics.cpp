@@ -20,6 +20,12 @@ double student(double x, double freedom) {
 
 }  // namespace
 
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
 double student_quantile(double p, double freedom) {
   double low = -1, high = 1;
   while (student(low, freedom) > p) low *= 2;

@@ -6,6 +6,9 @@
 
 namespace fabricsh::lab {
 
+// The median of at least one value; of an even number the upper of the two in the middle.
+double median(std::vector<double> values);
+
 // Quantile of Student's t: P(t <= x) = p, p in (0, 1), degrees of freedom > 0.
 double student_quantile(double p, double freedom);
 

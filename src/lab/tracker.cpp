@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "base/error.hpp"
+#include "lab/statistics.hpp"
 
 namespace fabricsh::lab {
 
@@ -23,12 +24,6 @@ struct DotStep {
   double x, y;
   double length() const { return std::hypot(x, y); }
 };
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 // The vector from a dot to its nearest neighbour within 45 degrees of a direction (of length one): the median
 // over all dots that have such a neighbour; empty if none has.

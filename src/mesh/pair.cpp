@@ -18,12 +18,12 @@ struct Pair {
   std::array<Index, 4> ids;
 };
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+std::size_t place_of(Index i) { return static_cast<std::size_t>(i); }
 
 // The sine of the worst corner about the mean normal, in thousandths, so that rounding does not decide; 0 if
 // the four are no good quadrilateral.
 std::int64_t goodness(const Mesh& mesh, const std::array<Index, 4>& ids) {
-  const auto x = [&](std::size_t k) -> const Vec3& { return mesh.nodes[at(ids[k % 4])]; };
+  const auto x = [&](std::size_t k) -> const Vec3& { return mesh.nodes[place_of(ids[k % 4])]; };
   const Vec3 one = (x(1) - x(0)).cross(x(2) - x(0)).normalized(),
              other = (x(2) - x(0)).cross(x(3) - x(0)).normalized();
   if (!(one.dot(other) > kLeastFlat)) return 0;
@@ -41,16 +41,16 @@ std::vector<Pair> pairs_of(const Mesh& mesh) {
   for_each_edge(edges(mesh), [&](const Edge* begin, const Edge* end) {
     if (end - begin != 2 || begin[0].forward == begin[1].forward) return;
     for (const Edge* e : {begin, begin + 1})
-      if (mesh.elements[at(e->element)][3] >= 0) return;
+      if (mesh.elements[place_of(e->element)][3] >= 0) return;
     const auto third = [&](const Edge& edge) {
-      for (const Index id : mesh.elements[at(edge.element)])
+      for (const Index id : mesh.elements[place_of(edge.element)])
         if (id != edge.first && id != edge.second) return id;
       return Index{-1};
     };
     const Edge &one = begin[0].forward ? begin[0] : begin[1], &other = begin[0].forward ? begin[1] : begin[0];
     const std::array<Index, 4> ids{one.first, third(other), one.second, third(one)};
     if (const auto good = goodness(mesh, ids); good > 0)
-      pairs.push_back({good, at(one.element), at(other.element), ids});
+      pairs.push_back({good, place_of(one.element), place_of(other.element), ids});
   });
   std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.rank > b.rank; });
   return pairs;

@@ -25,7 +25,7 @@ constexpr double kTooMuch = 0.2;  // share of the ledger's limit from which on h
 // A step whose error is more than this share of the ledger's limit is repeated at half its size, so many
 // times.
 constexpr double kErrorOfStep = 0.1;
-constexpr int kHalvings = 3;
+constexpr int kMostHalvings = 3;
 // Yarns of a cloth at rest switch between branches within any step. A residual that still is within so many
 // tolerances when the iterations are over is of such, and shorter steps would not change it.
 constexpr double kStanding = 100;
@@ -291,7 +291,7 @@ void Implicit::watch_hht() {
 // Where stiff elements turn far within a step, its error falls with its size.
 bool Implicit::shortens(double error) {
   const int halved = std::exchange(repeatable_.halved, 0);
-  if (!(std::abs(error) > kErrorOfStep * options_.ledger_limit) || halved == kHalvings || is_young())
+  if (!(std::abs(error) > kErrorOfStep * options_.ledger_limit) || halved == kMostHalvings || is_young())
     return false;
   const double end = committed_time();
   return_to_start(Repeatable::Try::first);

@@ -2,19 +2,10 @@
 #include <algorithm>
 
 #include "geometry/node_view.hpp"
+#include "geometry/turning.hpp"
 #include "mechanics/terms/contact.hpp"
 
 namespace fabricsh::mechanics {
-
-namespace {
-
-Mat3 cross_matrix(const Vec3& a) {
-  Mat3 m;
-  m << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
-  return m;
-}
-
-}  // namespace
 
 using Columns = Eigen::Matrix<double, 12, 6>;
 

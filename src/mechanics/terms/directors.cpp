@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "geometry/node_view.hpp"
+#include "geometry/turning.hpp"
 
 namespace fabricsh::mechanics {
 
@@ -28,12 +29,6 @@ Ramp ramp(double x) {
   if (x <= 0) return {0, 0, 0};
   if (x >= 1) return {x - 0.5, 1, 0};
   return {x * x * x * (1 - x / 2), x * x * (3 - 2 * x), 6 * x * (1 - x)};
-}
-
-Mat3 cross_matrix(const Vec3& v) {
-  Mat3 m;
-  m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-  return m;
 }
 
 // The ends of the two diagonals of an element, 1 to 3 and 2 to 4; a triangle's second leads from 2 to 1. The

@@ -24,7 +24,7 @@ constexpr double kOrigin = 1e-3;
 constexpr double kLast = 1e-3;
 
 // Share of its strength from which a line is measured at each explicit step.
-constexpr double kNear = 0.9;
+constexpr double kNearEdge = 0.9;
 
 const char* const kYarn[] = {"warp", "weft"};
 
@@ -137,7 +137,7 @@ void Tears::set_limits() {
     const Line& line = lines_[i];
     const double strength = line.length * sites_[line.site].strength[static_cast<std::size_t>(line.family)];
     const auto most = static_cast<double>(std::max(line.nodes[0].size(), line.nodes[1].size()));
-    const double limit = kNear * strength / (std::sqrt(3.0) * most);
+    const double limit = kNearEdge * strength / (std::sqrt(3.0) * most);
     for (const auto& side : line.nodes)
       for (const Index n : side) {
         at[static_cast<std::size_t>(n)].push_back(static_cast<std::uint32_t>(i));

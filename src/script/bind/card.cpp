@@ -22,12 +22,12 @@ using card::Card;
 
 namespace {
 
-int push_card(lua_State* L, Card card) {
+int push_new_card(lua_State* L, Card card) {
   push_object(L, std::make_shared<Card>(std::move(card)));
   return 1;
 }
 
-int construct(Call& call) { return push_card(call.L(), card_from(call, last_word(call.entry().name))); }
+int construct(Call& call) { return push_new_card(call.L(), card_from(call, last_word(call.entry().name))); }
 
 const Card* card_at(lua_State* L, int index) { return to_object<Card>(L, index).get(); }
 
@@ -181,7 +181,7 @@ int with(Call& call) {
   Card changed = read_card(L, merged, card::kind(*card));
   if (!states_origin) changed.source = law::with_provenance(changed.source, origins_after(*card, changed));
   warn_old_friction(call, card->bending, changed.bending);
-  return push_card(L, std::move(changed));
+  return push_new_card(L, std::move(changed));
 }
 
 int free_thickness(Call& call) {
@@ -236,14 +236,14 @@ int card_by_name(Call& call) {
   if (card == nullptr) throw Error(path + ": expected the file to return a card, got " + describe(L, -1));
   if (!call.has("options")) return 1;
   const Fields options = call.fields("options");
-  if (!options.has("bending")) return push_card(L, *card);
+  if (!options.has("bending")) return push_new_card(L, *card);
   if (options.text("bending") == "estimated" && card->bending && !card->estimate) {
     const std::string words =
         "card '" + card->name + "': its bending needs no estimate, it is part of the card";
     call.session().notices().remark(words);
-    return push_card(L, *card);
+    return push_new_card(L, *card);
   }
-  return push_card(L, bent(*card, options.text("bending")));
+  return push_new_card(L, bent(*card, options.text("bending")));
 }
 
 int cards(Call& call) {

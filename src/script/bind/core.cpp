@@ -30,7 +30,7 @@ struct Unit {
   const char* name;
   double factor;
 };
-constexpr double gravity = 9.80665;
+constexpr double kGravity = 9.80665;
 constexpr double pound = 0.45359237;
 constexpr double yard = 0.9144;
 constexpr double degrees_per_radian = 57.295779513082320877;
@@ -49,9 +49,9 @@ constexpr Unit units[] = {{"m", 1},
                           {"daN", 10},
                           {"cN", 1e-2},
                           {"mN", 1e-3},
-                          {"kgf", gravity},
-                          {"gf", gravity * 1e-3},
-                          {"lbf", gravity* pound},
+                          {"kgf", kGravity},
+                          {"gf", kGravity * 1e-3},
+                          {"lbf", kGravity* pound},
                           {"kg", 1},
                           {"g", 1e-3},
                           {"lb", pound},

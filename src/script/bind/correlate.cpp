@@ -12,6 +12,12 @@
 
 namespace fabricsh::script {
 
+void set_scaled(lua_State* L, const char* name, std::vector<double> values, double scale) {
+  for (double& v : values) v *= scale;
+  push_numbers(L, values);
+  lua_setfield(L, -2, name);
+}
+
 std::vector<std::string> file_names(const Call& call) {
   lua_State* L = call.L();
   std::vector<std::string> out;
@@ -93,12 +99,6 @@ struct SubsetColumns {
   }
 };
 
-void set_list(lua_State* L, const char* name, std::vector<double> values, double scale = 1) {
-  for (double& v : values) v *= scale;
-  push_numbers(L, values);
-  lua_setfield(L, -2, name);
-}
-
 int correlate(Call& call) {
   lua_State* L = call.L();
   const auto names = file_names(call);
@@ -134,14 +134,14 @@ int correlate(Call& call) {
   set_number(L, "columns", static_cast<double>(columns));
   set_number(L, "frames", static_cast<double>(names.size()));
   set_number(L, "scale", scale);
-  set_list(L, "x", out.x, scale);
-  set_list(L, "y", out.y, scale);
-  set_list(L, "E11", out.E11);
-  set_list(L, "E22", out.E22);
-  set_list(L, "E12", out.E12);
-  set_list(L, "correlation", out.correlation);
-  set_list(L, "deviation", out.deviation, scale);
-  set_list(L, "found", out.found);
+  set_scaled(L, "x", out.x, scale);
+  set_scaled(L, "y", out.y, scale);
+  set_scaled(L, "E11", out.E11);
+  set_scaled(L, "E22", out.E22);
+  set_scaled(L, "E12", out.E12);
+  set_scaled(L, "correlation", out.correlation);
+  set_scaled(L, "deviation", out.deviation, scale);
+  set_scaled(L, "found", out.found);
   return 1;
 }
 

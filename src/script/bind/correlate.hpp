@@ -17,6 +17,9 @@ lab::PixelRegion region_of(const Call& call, const format::Image& image);
 // The names in the argument `files`.
 std::vector<std::string> file_names(const Call& call);
 
+// Sets a field of the table on top of the stack to the values times the scale.
+void set_scaled(lua_State* L, const char* name, std::vector<double> values, double scale = 1);
+
 std::vector<Entry> correlation_rows();
 
 }  // namespace fabricsh::script

@@ -14,13 +14,7 @@ namespace {
 
 constexpr const char* axes[] = {"x", "y", "z"};
 
-void push_numbers(lua_State* L, const Vec3& v) {
-  lua_createtable(L, 3, 0);
-  for (int i = 0; i < 3; ++i) {
-    lua_pushnumber(L, v(i));
-    lua_rawseti(L, -2, i + 1);
-  }
-}
+void push_vector_of(lua_State* L, const Vec3& v) { push_numbers(L, {v[0], v[1], v[2]}); }
 
 // Adds rows to the list on top of the stack; the row under way is above it.
 class Rows {
@@ -58,7 +52,7 @@ class Rows {
     return value ? flag(name, *value) : *this;
   }
   Rows& vector(const char* name, const Vec3& v) {
-    push_numbers(L_, v);
+    push_vector_of(L_, v);
     lua_setfield(L_, -2, name);
     return *this;
   }
@@ -86,7 +80,7 @@ class Rows {
     if (frame.isApprox(model::global_frame())) return *this;
     lua_createtable(L_, 2, 0);
     for (int i = 0; i < 2; ++i) {
-      push_numbers(L_, Vec3(frame.row(i).transpose()));
+      push_vector_of(L_, Vec3(frame.row(i).transpose()));
       lua_rawseti(L_, -2, i + 1);
     }
     lua_setfield(L_, -2, "frame");

@@ -19,7 +19,7 @@ namespace {
 std::string brief_number(double x) { return fabricsh::number(x, 7); }
 
 constexpr const char* model_key = "model";
-constexpr const char* axes[] = {"x", "y", "z"};
+constexpr const char* axis_names[] = {"x", "y", "z"};
 
 // number: index among its kind, from 0; -1: part of the model's construction, which cannot be removed.
 struct Declared {
@@ -61,7 +61,7 @@ std::string component_words(const model::Components& components, const std::stri
   for (std::size_t i = 0; i < 3; ++i) {
     if (!components[i]) continue;
     add_word(words,
-             std::string(axes[i]) + " " +
+             std::string(axis_names[i]) + " " +
                  (plain ? brief_number(components[i]->value(0)) : history_words(*components[i], unit)));
   }
   return plain ? words + " " + unit : words;
@@ -81,8 +81,8 @@ std::string freedom_words(const model::FixedFreedoms& freedoms) {
   const auto add = [&words](bool held, const std::string& word) {
     if (held) words += (words.empty() ? "" : " ") + word;
   };
-  for (std::size_t i = 0; i < 3; ++i) add(freedoms.translation[i], axes[i]);
-  for (std::size_t i = 0; i < 3; ++i) add(freedoms.axis[i], std::string("r") + axes[i]);
+  for (std::size_t i = 0; i < 3; ++i) add(freedoms.translation[i], axis_names[i]);
+  for (std::size_t i = 0; i < 3; ++i) add(freedoms.axis[i], std::string("r") + axis_names[i]);
   add(freedoms.rotation, "rotation");
   return words;
 }
@@ -128,7 +128,8 @@ void add_supports(const Model& m, std::vector<Declared>& all) {
   for (const auto& s : m.springs()) {
     std::string words;
     for (std::size_t i = 0; i < 3; ++i)
-      if (s.stiffness[i] != 0) add_word(words, std::string(axes[i]) + " " + brief_number(s.stiffness[i]));
+      if (s.stiffness[i] != 0)
+        add_word(words, std::string(axis_names[i]) + " " + brief_number(s.stiffness[i]));
     sprung.add(s.set, words + " N/m" + oblique(s.frame));
   }
   DeclaredRows zones(all, "tearable", DeclarationKind::tearable);

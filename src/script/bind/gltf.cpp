@@ -38,7 +38,7 @@ struct Wanted {
   run::FieldPart part{nullptr, -1};
 };
 
-std::vector<std::string> field_words() {
+std::vector<std::string> gltf_fields() {
   std::vector<std::string> words = {"none"};
   for (const run::ResultField& field : run::result_fields()) {
     if (field.shape == run::FieldShape::vector) words.push_back(field.name);
@@ -281,7 +281,7 @@ void bind_gltf(Session& session) {
          value_("field", text,
                 "what the colours show, on the nodes: a number of a field, or a vector's length")
              .or_else("none")
-             .one_of(field_words())
+             .one_of(gltf_fields())
              .owned(),
          value_("range", numbers, "{low, high} of the colours; default: those of all frames").optional(),
          number_("every", "s", positive, "at least between two frames; default: all that there are")

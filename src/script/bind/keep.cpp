@@ -9,7 +9,7 @@ namespace fabricsh::script {
 
 namespace {
 
-int chain(const Call& call) {
+int chain_of(const Call& call) {
   lua_pushvalue(call.L(), 1);
   return 1;
 }
@@ -44,21 +44,21 @@ int checkpoint(Call& call) {
   if (options && options->has("minutes")) minutes = options->number("minutes");
   const bool keeps = options && options->has("keep");
   if (keeps) check_table(*options);
-  if (call.session().options().check) return chain(call);
+  if (call.session().options().check) return chain_of(call);
   const auto keeper = run->job.checkpoint(path, every, minutes);
   if (keeps) store_table(*run, path, *options, *keeper);
   // In a restarted deck the analyses before the restored one are finished: this file does not belong to them.
   const auto& begun = call.session().restart();
   if (begun && run->number() < begun->number) keeper->write_nothing();
-  return chain(call);
+  return chain_of(call);
 }
 
 int restart_run(Call& call) {
   restart(*call.self<DeckRun>(), load_checkpoint(call.text("path")));
-  return chain(call);
+  return chain_of(call);
 }
 
-int set(Call& call) {
+int set_kept(Call& call) {
   run::Run::Settings settings;
   if (call.has("tolerance")) settings.tolerance = call.number("tolerance");
   if (call.has("step")) settings.step = call.number("step");
@@ -66,7 +66,7 @@ int set(Call& call) {
   if (call.has("max_cuts")) settings.max_cuts = call.count("max_cuts");
   const auto run = call.self<DeckRun>();
   if (!repeats_change(*run)) run->analysis->set(settings);
-  return chain(call);
+  return chain_of(call);
 }
 
 int why(Call& call) {
@@ -140,7 +140,7 @@ std::vector<Entry> keep_entries() {
         integer_("max_cuts", not_negative, "halvings of one step, before the run gives up").optional()},
        "Changes settings of a run, also one that is under way or has failed.",
        sample_run() + "a:advance(0.5):set{ tolerance=1e-6, step=0.1 }\nassert(a:solve().time == 1)",
-       set},
+       set_kept},
       {"analysis:why",
        Style::positional,
        {},

@@ -297,12 +297,12 @@ int elements_text(lua_State* L) {
                            std::to_string(mesh.nodes.size()) + ">");
 }
 
-constexpr const char* sample =
+constexpr const char* sample_deck =
     "local fabric = require 'fabric'\n"
     "local mesh = fabric.mesh.rectangle{ width=0.0254, height=0.0762, nx=3, ny=9 }\n";
 
 std::vector<Entry> mesh_entries() {
-  const std::string with_mesh = sample;
+  const std::string with_mesh = sample_deck;
   const std::string ask = "are the lengths in m? (write 25.4*mm)";
   return {
       {"fabric.mesh.rectangle",

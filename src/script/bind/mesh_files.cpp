@@ -113,7 +113,7 @@ void set_outlook(lua_State* L, const model::Outlook& o) {
   lua_setfield(L, -2, "folds");
 }
 
-int check(Call& call) {
+int check_file(Call& call) {
   lua_State* L = call.L();
   const mesh::Report report = mesh::check(*call.self<Mesh>());
   std::string text = report.text();
@@ -229,7 +229,7 @@ Entry check_row() {
       std::string(disk_sample) +
           "local report = mesh:check()\nassert(report.ok and report.borders == 1)\n"
           "assert(tostring(report) == report.text)",
-      check};
+      check_file};
 }
 
 Entry pair_row() {

@@ -25,7 +25,7 @@ int annulus(Call& call) {
                                    call.integer("across"), call.number("angle"), call.flag("slit")}));
 }
 
-int cylinder(Call& call) {
+int cylinder_mesh(Call& call) {
   return give(call, mesh::cylinder({call.number("radius"), call.number("length"), call.integer("around"),
                                     call.integer("along"), call.number("angle")}));
 }
@@ -159,7 +159,7 @@ Entry cylinder_row() {
       "local fabric = require 'fabric'\n"
       "local mesh = fabric.mesh.cylinder{ radius=0.04, length=0.2, around=16, along=10 }\n"
       "assert(#mesh.nodes == 16*11 and #mesh:set 'seam' == 11)",
-      cylinder};
+      cylinder_mesh};
 }
 
 Entry hemisphere_row() {

@@ -198,7 +198,7 @@ int model_text(lua_State* L) {
   return 1;
 }
 
-int check(Call& call) {
+int check_mesh(Call& call) {
   std::string text;
   for (const auto& region : model::outlook(*call.self<Model>()))
     for (const std::string& line : model::words(region)) text += (text.empty() ? "" : "\n") + line;
@@ -254,7 +254,7 @@ std::vector<Entry> model_entries() {
        "and how "
        "large folds are beside elements.",
        sample + "print(m:check())\nassert(m:check():find 'folds')",
-       check},
+       check_mesh},
       {"model.thickness",
        Style::property,
        {},

@@ -22,7 +22,7 @@ constexpr const char* curve_list =
     "high=}, "
     "colour=";
 
-const std::vector<Argument>& curve_rows() {
+const std::vector<Argument>& drawn_rows() {
   static const std::vector<Argument> rows = {
       value_("x", table | text, "abscissas; with rows: the name of their field"),
       value_("y", table | text,
@@ -208,7 +208,7 @@ plot::Ends error_of(const Fields& f, const std::string& path, const char* name,
 
 plot::PlottedCurve read_curve(lua_State* L, const std::string& path) {
   if (!lua_istable(L, -1)) throw Error("field '" + path + "': expected a table, got " + describe(L, -1));
-  const Fields f(L, -1, curve_rows(), path + ".");
+  const Fields f(L, -1, drawn_rows(), path + ".");
   const bool band = f.has("band");
   if (!band && !f.has("y"))
     f.refuse("y", "expected a table or a string, got nil (missing, or a misspelt variable)");

@@ -28,7 +28,7 @@ void push_kinds(lua_State* L, unsigned kinds) {
     }
 }
 
-void push_default(lua_State* L, const Argument& row) {
+void push_row_default(lua_State* L, const Argument& row) {
   if (const double* x = std::get_if<double>(&row.fallback))
     set_text(L, "default", exact_number(*x));
   else if (const std::string* word = std::get_if<std::string>(&row.fallback))
@@ -51,7 +51,7 @@ void push_row(lua_State* L, const Argument& row) {
   lua_setfield(L, -2, "required");
   set_number(L, "low", row.range.low);
   set_number(L, "high", row.range.high);
-  push_default(L, row);
+  push_row_default(L, row);
   push_kinds(L, row.kinds);
   lua_setfield(L, -2, "kinds");
   push_texts(L, row.choices);

@@ -348,7 +348,7 @@ Argument many(std::string name, unsigned kinds, std::string sentence) {
   return value_(std::move(name), kinds, std::move(sentence)).optional();
 }
 
-std::vector<Argument> arguments() {
+std::vector<Argument> render_rows() {
   const Range pixels{100, 8000};
   return {
       value_("file", text, "to write; ends in .png"),
@@ -399,7 +399,7 @@ std::vector<Argument> arguments() {
 void bind_render(Session& session) {
   install(
       session,
-      {{"fabric.render", Style::fields, arguments(),
+      {{"fabric.render", Style::fields, render_rows(),
         "Draws deformed sheets with a field and its colour bar into a PNG, off-screen: on the virtual "
         "display Xvfb, or where "
         "that is not installed on the display of DISPLAY. Returns whether it was drawn: false, with a "

@@ -92,7 +92,7 @@ int seam(Call& call) {
   return return_self(call);
 }
 
-int band(Call& call) {
+int band_of(Call& call) {
   model::EdgeBand band{call.text("set"), call.number("stiffness"), call.number("ease"), {}};
   if (call.has("over")) band.over = call.number("over");
   call.self<Model>()->band(std::move(band));
@@ -134,7 +134,7 @@ std::vector<Entry> seams_entries() {
        "local m = fabric.model{ mesh=mesh, card=fabric.card 'blend', warp=90 }\n"
        "m:band{ set='bottom', stiffness=20, ease=0.2, over=0.1 }\n"
        "assert(m:list()[1].kind == 'band')",
-       band},
+       band_of},
   };
 }
 

@@ -57,12 +57,6 @@ void push_doubts(lua_State* L, const std::vector<lab::DoubtfulMarker>& doubts) {
   }
 }
 
-void set_scaled(lua_State* L, const char* name, std::vector<double> values, double scale) {
-  for (double& v : values) v *= scale;
-  push_numbers(L, values);
-  lua_setfield(L, -2, name);
-}
-
 int track(Call& call) {
   lua_State* L = call.L();
   lab::DotOptions options;

@@ -169,8 +169,8 @@ void warn_unusual(lua_State* L, const UnusualValues& found) {
   Session::of(L).warn("units", words);
 }
 
-void check_value(lua_State* L, int index, const Argument& row, const std::string& path, bool positional,
-                 UnusualValues& unusual);
+void check_one(lua_State* L, int index, const Argument& row, const std::string& path, bool positional,
+               UnusualValues& unusual);
 
 }  // namespace
 
@@ -195,7 +195,7 @@ std::string expected(const Argument& row) {
 
 void check_value(lua_State* L, int index, const Argument& row, const std::string& path, bool positional) {
   UnusualValues unusual;
-  check_value(L, index, row, path, positional, unusual);
+  check_one(L, index, row, path, positional, unusual);
   warn_unusual(L, unusual);
 }
 
@@ -214,7 +214,7 @@ void copy_entries(lua_State* L, int index) {
 
 // Replaces the table with a metatable at index by a plain one: its own entries, and for the rows also what
 // the metatable provides.
-void make_plain(lua_State* L, int index, const std::vector<Argument>& rows) {
+void flatten(lua_State* L, int index, const std::vector<Argument>& rows) {
   if (lua_getmetatable(L, index) == 0) return;
   lua_pop(L, 1);
   copy_entries(L, index);
@@ -230,7 +230,7 @@ void make_plain(lua_State* L, int index, const std::vector<Argument>& rows) {
 void check_rows(lua_State* L, int index, const std::vector<Argument>& rows, const std::string& path,
                 bool positional, UnusualValues& unusual) {
   luaL_checkstack(L, 10, "fields");
-  make_plain(L, index, rows);
+  flatten(L, index, rows);
   // The first in the alphabet: Lua's own order differs from one start to the next.
   std::optional<std::string> wrong;
   lua_pushnil(L);
@@ -253,8 +253,8 @@ void check_rows(lua_State* L, int index, const std::vector<Argument>& rows, cons
   }
   for (const Argument& row : rows) {
     lua_getfield(L, index, row.name.c_str());
-    fabricsh::script::make_plain(L);
-    check_value(L, -1, row, path, positional, unusual);
+    make_plain(L);
+    check_one(L, -1, row, path, positional, unusual);
     lua_pop(L, 1);
   }
 }
@@ -268,8 +268,8 @@ void check_rows(lua_State* L, int index, const std::vector<Argument>& rows, cons
   throw Error(where + ": expected " + expected(row) + ", got " + came(L, index, row));
 }
 
-void check_value(lua_State* L, int index, const Argument& row, const std::string& path, bool positional,
-                 UnusualValues& unusual) {
+void check_one(lua_State* L, int index, const Argument& row, const std::string& path, bool positional,
+               UnusualValues& unusual) {
   index = lua_absindex(L, index);
   if (lua_isnoneornil(L, index) && !row.required) return;
   if (lua_isnoneornil(L, index) || !accepts(L, index, row))
@@ -298,7 +298,7 @@ const Argument& Fields::row(std::string_view name) const {
 int Fields::push(std::string_view name) const {
   luaL_checkstack(L_, 10, "fields");
   const int type = lua_getfield(L_, index_, std::string(name).c_str());
-  if (type == LUA_TTABLE) fabricsh::script::make_plain(L_);
+  if (type == LUA_TTABLE) make_plain(L_);
   return type;
 }
 
@@ -414,7 +414,7 @@ int gather_led(lua_State* L, const Entry& entry, int first) {
                 describe(L, table));
   else
     lua_pushvalue(L, table);
-  fabricsh::script::make_plain(L);
+  make_plain(L);
   const int all = lua_gettop(L);
   lua_newtable(L);  // the deck's own table stays as it is
   for (lua_pushnil(L); lua_next(L, all) != 0;) {
@@ -471,13 +471,13 @@ int gather(lua_State* L, const Entry& entry) {
       throw Error("expected a table with named fields, got " + describe(L, first));
     }
     lua_pushvalue(L, first);
-    fabricsh::script::make_plain(L);
+    make_plain(L);
     drop_retired(L, entry);
     return lua_gettop(L);
   }
   if (takes_a_table(L, entry, first, given)) {
     lua_pushvalue(L, first);
-    fabricsh::script::make_plain(L);
+    make_plain(L);
     return lua_gettop(L);
   }
   const int most = static_cast<int>(entry.arguments.size());

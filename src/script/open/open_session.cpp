@@ -25,13 +25,13 @@ void set_module_path(lua_State* L) {
   lua_pop(L, 1);
 }
 
-constexpr const char* library_file = "lua/fabric/library.lua";
+constexpr const char* kLibraryFile = "lua/fabric/library.lua";
 
 // The message of a program that was copied without its files.
 std::string no_data_text() {
   const char* home = std::getenv("FABRICSH_HOME");
   const bool set = home != nullptr && *home != '\0';
-  return std::string("the program's own files are missing: ") + library_file + " is neither " +
+  return std::string("the program's own files are missing: ") + kLibraryFile + " is neither " +
          (set ? "in FABRICSH_HOME ('" + std::string(home) + "') nor " : "") +
          "in share/fabricsh beside the program nor in the source tree of its build; set FABRICSH_HOME to the "
          "folder "
@@ -41,7 +41,7 @@ std::string no_data_text() {
 // require "fabric": the bindings, and the additions of lua/fabric/library.lua (which may itself require
 // "fabric").
 int open_fabric(lua_State* L) {
-  if (data_file(library_file).empty()) {
+  if (data_file(kLibraryFile).empty()) {
     lua_pushstring(L, no_data_text().c_str());
     return lua_error(L);
   }
