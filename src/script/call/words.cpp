@@ -14,7 +14,9 @@ std::string unknown(const std::string& kind, std::string_view word, const std::v
   if (!guess.empty()) return message + ", did you mean '" + guess + "'?";
   if (known.empty()) return message;
   message += " (known:";
-  for (const std::string& name : known) message += " " + name;
+  // A name that is a method and a property stands twice in the list.
+  for (std::size_t i = 0; i < known.size(); ++i)
+    if (i == 0 || known[i] != known[i - 1]) message += " " + known[i];
   return message + ")";
 }
 
