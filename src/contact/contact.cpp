@@ -33,7 +33,7 @@ double grown(double apart, const ContactLaw& law) {
 }
 
 // The corners of a pair move from x to end; the share of that motion until the pair reaches its floor.
-double pair_share(const Candidate& c, const ContactLaw& law, const Corners& x, const Corners& end) {
+double safe_fraction_of(const Candidate& c, const ContactLaw& law, const Corners& x, const Corners& end) {
   const double least = c.pair.offset + law.floor() * c.pair.scale;
   const auto pairs = Simplices::segment_segment;
   switch (c.pair.kind) {
@@ -429,7 +429,7 @@ double Contact::share_of(const std::vector<Candidate>& pairs, std::span<const Ve
     const Corners start = corners_of(pairs[i], x), step = corners_of(pairs[i], by);
     Corners end;
     for (std::size_t k = 0; k < 4; ++k) end[k] = start[k] + step[k];
-    share = std::min(share, pair_share(pairs[i], law(pairs[i]), start, end));
+    share = std::min(share, safe_fraction_of(pairs[i], law(pairs[i]), start, end));
   }
   return share;
 }

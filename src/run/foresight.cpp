@@ -136,7 +136,7 @@ bool is_zero(const model::History& h, double duration) {
   return true;
 }
 
-void look_for_idle(const std::string& what, const mesh::NodeSet& set, const model::Components& components,
+void find_supported_loads(const std::string& what, const mesh::NodeSet& set, const model::Components& components,
                    const Mat3& frame, bool area, const mechanics::Assembly& assembly, double duration,
                    std::vector<std::string>& lines) {
   for (int c = 0; c < 3; ++c) {
@@ -165,7 +165,7 @@ std::vector<std::string> idle_loads(const model::Model& model, const mechanics::
   std::vector<std::string> lines;
   const auto look = [&](const char* what, const auto& load, const model::Components& components) {
     const auto& set = model.mesh().set(load.set);
-    look_for_idle(what + (" '" + load.set + "'"), set, components, load.frame,
+    find_supported_loads(what + (" '" + load.set + "'"), set, components, load.frame,
                   !model.mesh().elements_in(set).empty(), assembly, duration, lines);
   };
   for (const auto& f : model.forces()) look("the force on", f, f.total);

@@ -48,8 +48,8 @@ contact::Scene scene_of(const model::Model& model, const model::Surfaces& surfac
   return scene;
 }
 
-// Whether two sections resist being pressed alike.
-bool alike(const section::Section& a, const section::Section& b) {
+// Whether two sections have the same law of compression through the thickness.
+bool same_compression(const section::Section& a, const section::Section& b) {
   return a.thickness == b.thickness && a.areal_mass == b.areal_mass &&
          a.solid_thickness == b.solid_thickness && a.compression == b.compression;
 }
@@ -85,7 +85,7 @@ std::vector<std::vector<Index>> kinds(const model::Model& model, const std::vect
   for (std::size_t i = 0; i < elements.size(); ++i) {
     int region = model.region_of(elements[i]);
     for (int r = 0; r < region; ++r)
-      if (alike(model.sections()[r], model.sections()[region])) region = r;
+      if (same_compression(model.sections()[r], model.sections()[region])) region = r;
     auto& of_sheet = regions[sheet[i]];
     const auto at = std::lower_bound(of_sheet.begin(), of_sheet.end(), region);
     if (at == of_sheet.end() || *at != region) of_sheet.insert(at, region);
