@@ -7,6 +7,7 @@
 --
 -- A card whose coefficient was measured on a JIS disc [matsudaira2015] has a second row, for that disc, with the measured one.
 -- warns: carries without folding within it
+-- warns: the steps are long: in two halves they end
 local fabric = require "fabric"
 local which, samples, cells, write = arg[1] or "worsted", tonumber(arg[2] or 8), tonumber(arg[3] or 3), arg[4] == "write"
 local root = arg[0]:gsub("[^/]*$", "") .. "../../"

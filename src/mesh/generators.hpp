@@ -56,6 +56,11 @@ Mesh from_lists(std::vector<Vec3> nodes, std::vector<std::array<Index, 4>> eleme
 // anew. Error: an element two of whose corners would be one node, which is named.
 Mesh merge(const std::vector<std::shared_ptr<const Mesh>>& meshes, double distance);
 
+// The mesh with its nodes moved across the sheet by at most `amplitude` (m), in a pattern of waves that is
+// always the same and depends on the places alone: a dozen waves in all directions, of a tenth of the size of
+// the mesh and longer. `flat` and sets stay.
+Mesh imperfect(const Mesh& mesh, double amplitude);
+
 // Makes one node of those within the distance (m) of each other; returns how many are gone. The sets all and
 // boundary are made anew where they were those of the mesh. Error: an element two of whose corners would be
 // one node.

@@ -13,6 +13,7 @@
 #include "mechanics/terms/contact.hpp"
 #include "mechanics/terms/damping.hpp"
 #include "run/explicit.hpp"
+#include "run/flat.hpp"
 #include "run/implicit.hpp"
 #include "run/settings.hpp"
 
@@ -271,6 +272,22 @@ std::string Dynamic::remedy(const EnergyAccount& e) const {
          "; ledger_limit=" + number(10 * options_.ledger_limit) + " goes on";
 }
 
+// A few times in a run: a factorisation each. Where a sheet moves fast, its inertia keeps it flat for a
+// while.
+void Dynamic::watch_flat(const EnergyAccount& e) {
+  constexpr double at[] = {0.1, 0.25, 0.5, 0.75, 1 - same_time};  // of the duration
+  const auto looks = static_cast<std::size_t>(now_.flat_looks);
+  if (looks >= std::size(at) || time() < at[looks] * duration_ || warned("unstable")) return;
+  now_.flat_looks = is_flat(*assembly_) ? now_.flat_looks + 1 : static_cast<int>(std::size(at));
+  if (static_cast<std::size_t>(now_.flat_looks) != looks + 1 || !(e.stored > e.kinetic)) return;
+  if (const auto place = leaves_its_plane(*model_, *assembly_))
+    warn("unstable", "warning: dynamic: at time " + number(time()) +
+                         " s the sheet is flat, but not stable: real cloth buckles, most at " + *place +
+                         ". Nothing in the model leads it out of its plane, so that it stays flat for ever: "
+                         "imperfection=" +
+                         number(1e-2 * model_->thickness(), 2) + " (m) of fabric.model breaks the symmetry");
+}
+
 bool Dynamic::is_end(double time) const { return std::abs(time - duration_) <= same_time * duration_; }
 
 bool Dynamic::is_due(double time) const { return is_end(time) || time >= now_.next_check; }
@@ -339,6 +356,7 @@ void Dynamic::check() {
   now_.looked = now_.steps;
   const EnergyAccount e = energy();
   weigh_inertia(e.kinetic, e.scaled);
+  watch_flat(e);
   const double scale = ledger_scale(e);
   const bool swings = options_.hht.value_or(0) != 0 || options_.beta || now_.damping == Damping::hht;
   watch_accounts(e, scale, swings ? options_.ledger_limit : 0);

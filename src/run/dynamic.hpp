@@ -120,6 +120,7 @@ class Dynamic : public Run {
     mesh::Index began = -1;          // element in which energy was created at the first warning
     std::int64_t touched = -1;       // committed steps when a moved body first touched; -1: not yet
     int short_steps = 0;             // steps that contact has made much shorter
+    int flat_looks = 0;              // how often it was asked whether a flat sheet is stable
     void keep_reported(const DynamicState& then) {
       reported_error |= then.reported_error, reported_split |= then.reported_split;
       reported_jump |= then.reported_jump, reported_scaled |= then.reported_scaled;
@@ -128,12 +129,13 @@ class Dynamic : public Run {
     void keep(Archive& archive) {
       archive(step, loss, driven_kinetic_at_0, next_check, steps, looked, reported_error, reported_split,
               reported_jump, reported_scaled, was_over, damping, settling, surplus, base, kinetic, scaled,
-              began, touched, short_steps);
+              began, touched, short_steps, flat_looks);
     }
   } now_;
 
  private:
   mesh::Index suspect() const;
+  void watch_flat(const EnergyAccount& energies);
   void weigh_inertia(double kinetic, double scaled);  // records the part of scaled rotary inertia, J
   bool is_end(double time) const;
   bool is_due(double time) const;  // whether the ledger should be checked

@@ -83,13 +83,29 @@ void Job::listen(const std::shared_ptr<Listener>& listener) {
                     listener);
 }
 
+namespace {
+
+// Columns with a window read the mean that the run keeps.
+std::vector<RecordColumn> means_of(Run& run, const std::string& path, std::vector<RecordColumn> columns) {
+  for (RecordColumn& column : columns) {
+    if (column.window <= 0) continue;
+    const std::string name = "column " + column.name + " of " + path;
+    run.window(name,
+               Window(column.window, [value = column.value](const Run& now) { return Sampled{value(now)}; }));
+    column.value = [&run, name](const Run&) { return run.window(name)->mean()[0]; };
+  }
+  return columns;
+}
+
+}  // namespace
+
 void Job::record(const std::string& path, const std::vector<RecordColumn>& columns, double every) {
   for (const RecordColumn& column : columns) {
     want_plain(column.name + column.unit, "record: field 'columns'");
     if (!column.value) throw Error("record: column '" + column.name + "': expected a function, got none");
   }
   add(std::make_shared<Output>("record", path, path), every,
-      [&](Archive* from) { return make_table(path, columns, from); });
+      [&](Archive* from) { return make_table(path, means_of(*run_, path, columns), from); });
 }
 
 void Job::vtk(const std::string& stem, double every, const VtkContents& contents) {

@@ -128,6 +128,12 @@ void Run::event(std::function<double(Run&)> value, double tolerance, Hook hook) 
   events_.push_back(std::move(event));
 }
 
+Window& Run::window(const std::string& name, Window made) {
+  Window& window = windows_.add(name, std::move(made));
+  if (started_ && !window.begun()) window.sample(*this);
+  return window;
+}
+
 void Run::stop(const std::string& reason) {
   stopped_ = true;
   stop_reason_ = reason;
@@ -157,6 +163,7 @@ void Run::start() {
   }
   for (auto& timed : timed_) timed.pending = true;
   started_ = true;
+  windows_.sample(*this);
 }
 
 void Run::advance(double to) {
@@ -266,7 +273,8 @@ void Run::advance_to(double limit) {
   burst();
   sew();
   for (auto& event : events_) event.settle();
-  hooked_ = hooked_ || !events_.empty();
+  windows_.sample(*this);
+  hooked_ = hooked_ || !events_.empty() || !windows_.empty();
   mark_due();
   run_pending();
   check();

@@ -17,6 +17,7 @@
 #include "run/rising.hpp"
 #include "run/values.hpp"
 #include "run/warnings.hpp"
+#include "run/windows.hpp"
 #include "run/work.hpp"
 
 namespace fabricsh::mechanics {
@@ -62,6 +63,10 @@ class Run {
   // Finds the time in a step at which value(a) becomes zero after it was not. The step ends there, with
   // |value| <= tolerance * largest |value| so far, and the hook runs. The earliest event comes first.
   void event(std::function<double(Run&)> value, double tolerance, Hook hook);
+  // A mean over a window of time of the run's own steps, by a name; part of the state. Of a run that has
+  // begun it counts from now.
+  Window& window(const std::string& name, Window made);
+  Window* window(const std::string& name) { return windows_.find(name); }
   // Called after each step when everything else is done, so that the state can be saved. May throw.
   void when_settled(Hook hook) { settled_.push_back(std::move(hook)); }
   // Called while a step is solved. If it throws, the step ends and the run stays at the committed state.
@@ -297,6 +302,7 @@ class Run {
    private:
     Run& run_;
   };
+  Windows windows_;
   void check_interval(double interval) const;
   void start();
   StepReport make_step(double limit);

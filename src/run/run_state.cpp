@@ -38,7 +38,10 @@ void Run::keep(Archive& archive) {
   archive.section("progress",
                   [&] { archive(started_, stopped_, stop_reason_, beyond_, *warnings_, thrown_); });
   archive.section(kind(), [&] { memory(archive); });
-  archive.section("hooks", [&] { keep_hooks(archive); });
+  archive.section("hooks", [&] {
+    keep_hooks(archive);
+    windows_.keep(archive);
+  });
 }
 
 void Run::keep_motion(Archive& archive) {

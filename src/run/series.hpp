@@ -53,6 +53,7 @@ struct RecordColumn {
   std::string name;
   std::function<double(const Run&)> value;
   std::string unit = {};  // in the heading, after the name; empty: none
+  double window = 0;      // s: a mean over the last steps; 0: the value at the row
 };
 
 // A table in CSV, a row per frame: the time and the values of the columns. Errors: a folder that cannot be

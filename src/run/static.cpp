@@ -13,6 +13,7 @@
 #include "mechanics/terms/contact.hpp"
 #include "mechanics/terms/directors.hpp"
 #include "mechanics/terms/tears.hpp"
+#include "run/flat.hpp"
 #include "run/settings.hpp"
 
 namespace fabricsh::run {
@@ -35,6 +36,10 @@ void check_options(const StaticOptions& o) {
   if (!(o.stabilise >= 0) || !(o.stabilise < 1))
     throw Error("static: field 'stabilise': expected true or a fraction of the work from 0 to 1, got " +
                 number(o.stabilise));
+  if (o.path && (!(*o.path > 0) || !(*o.path < 1)))
+    throw Error("static: field 'path': expected a number between 0 and 1, got " + number(*o.path));
+  if (o.path && o.control == Control::arc)
+    throw Error("static: field 'path': expected control=\"load\": steps along an arc are not compared");
   if (o.control == Control::arc &&
       (o.stabilise > 0 || o.method == Method::relaxation || o.method == Method::either))
     throw Error(
@@ -98,16 +103,6 @@ bool loads_nothing(const model::Model& m, const mechanics::Assembly& assembly) {
          assembly.terms().find<mechanics::Contacts>() == nullptr;
 }
 
-// Moments about fixed axes have no energy, and their tangent may yet be symmetric. Where the law has none,
-// but all loads do, the second-order work decides.
-solver::Judge judge_of(const model::Model& model, const mechanics::Assembly& assembly) {
-  if (!model.moments().empty()) return solver::Judge::never;
-  const auto& terms = assembly.terms();  // the cloth is the first
-  const bool loads_have_energy =
-      std::all_of(terms.begin() + 1, terms.end(), [](const auto& t) { return t->symmetric(); });
-  return loads_have_energy ? solver::Judge::work : solver::Judge::energy;
-}
-
 }  // namespace
 
 Static::Static(std::shared_ptr<model::Model> model, const StaticOptions& options,
@@ -115,6 +110,7 @@ Static::Static(std::shared_ptr<model::Model> model, const StaticOptions& options
     : Run(std::move(model), options.duration, std::move(notices), "static"),
       options_(options),
       given_(options),
+      remembers_path_(depends_on_path()),
       has_energy_(assembly_->cloth().symmetric()),
       now_{control_of(options, *assembly_)} {
   check_options(options_);
@@ -166,7 +162,8 @@ std::string Static::method() const {
   text << std::boolalpha << "static with control " << (arc_ ? "arc" : "load") << ", method "
        << static_cast<int>(options_.method) << ", linear " << static_cast<int>(options_.linear)
        << ", line search " << options_.line_search << ", stabilise " << number(options_.stabilise)
-       << ", min_step " << number(options_.min_step) << solver_text(options_.solver);
+       << ", min_step " << number(options_.min_step) << ", path " << number(options_.path.value_or(0))
+       << solver_text(options_.solver);
   return text.str();
 }
 
@@ -232,11 +229,26 @@ class Static::Trace {
 };
 
 double Static::try_step(double limit, StepReport& report) {
+  Trace trace(*this);
+  step_.tries.clear();
+  double size = solve_step(limit, report);
+  while (!follows_path(size, report)) {
+    const StepControl control = now_.step;
+    if (++report.cuts > options_.max_cuts || !cut(size)) {
+      now_.step = control;  // note_path() says it
+      break;
+    }
+    size = solve_step(limit, report);
+  }
+  if (stabilisation_ != nullptr && reports_.empty()) calibrate(size, report);
+  trace.keep();
+  return size;
+}
+
+double Static::solve_step(double limit, StepReport& report) {
   double size = plan(limit);
   const double whole = size;
   const StepControl control = now_.step;
-  Trace trace(*this);
-  step_.tries.clear();
   settling_ = false;
   bool tried = false;
   cutting_ = true;
@@ -257,8 +269,6 @@ double Static::try_step(double limit, StepReport& report) {
     size = plan(limit);
   }
   cutting_ = false;
-  if (stabilisation_ != nullptr && reports_.empty()) calibrate(size, report);
-  trace.keep();
   return size;
 }
 
@@ -316,6 +326,7 @@ bool Static::attempt(double size, StepReport& report) {
     return other.status == solver::NewtonStatus::converged ? complete(other, options) : result;
   };
   relaxing_ = options_.method == Method::relaxation;
+  crept_ = false;
   return finish(relaxing_ ? relax(options) : solve(), size, report);
 }
 
@@ -335,6 +346,7 @@ solver::NewtonResult Static::arrive(const solver::NewtonOptions& options) {
     if (!slow || rest <= 0 || !problem_->at_target() || step_.broken()) break;
     solver::NewtonOptions more = options;
     more.max_iterations = rest;
+    crept_ = true;
     auto crept = helper_->go_on(*problem_, more);
     crept.iterations += result.iterations;
     if (crept.status != converged) {
@@ -532,6 +544,10 @@ void Static::commit(StepReport& report) {
   const auto done = work_.add_bounded(*assembly_, dead_);
   const double excess = now_.internal - internal_before - done.work;
   now_.relaxed += std::max(0.0, -excess);
+  // Elsewhere the trapezium of a load that stiffens is above its work, and nothing has fallen.
+  const bool fell = step_.last.left_unstable > 0 || relaxing_ || crept_;
+  const bool jumps = now_.jumps && reports_.empty();
+  if (fell && !jumps && !(report.path <= usual_path)) now_.fallen += std::max(0.0, -excess);
   const double made = std::max(0.0, excess - done.spread);
   now_.made += made;
   // Of a step in which bodies move or seams are drawn: see check_balance().
@@ -539,6 +555,7 @@ void Static::commit(StepReport& report) {
   note_shape();
   problem_->commit(report.time);
   if (stabilisation_ != nullptr) stabilisation_->adapt(damped, work_.total() - before);
+  note_path(report);
   grow(report);
   report_notices(report);
 }
@@ -551,7 +568,10 @@ void Static::grow(const StepReport& report) {
   const bool many = step_.last.iterations > options_.max_iterations;
   if (relaxing_ && many && !descent_) return;
   // Nor do those of a search for the least energy.
-  now_.step.grow(!has_energy_ && !now_.settled ? step_.last.iterations : 1, report.cuts > 0);
+  constexpr double kRoom =
+      0.25;  // of the error that the path allows: a step twice as long errs four times as much
+  now_.step.grow(!has_energy_ && !now_.settled ? step_.last.iterations : 1,
+                 report.cuts > 0 || now_.path_ratio > kRoom);
 }
 
 void Static::grow_arc(const StepReport& report) {
@@ -649,22 +669,23 @@ void Static::check_balance() {
   fail(NumericalFailure("static: " + text, time()), text);
 }
 
-// Says at the end how much of the work relaxation has taken away, if the cloth has dissipated something: else
-// the shape is a function of the loads, whatever the way. A load that is present from the beginning does more
-// work than the cloth stores, which is no measure of the steps.
+// Says at the end how much of the work relaxation has taken away where the cloth fell, unless two halves of
+// the step end at the same shape; and if the cloth has dissipated something: else the shape is a function of
+// the loads, whatever the way. A load that is present from the beginning does more work than the cloth
+// stores, which is no measure of the steps.
 void Static::check() {
   watch_shape();
   check_balance();
   watch_accounts(
       energy(), std::max({work_.largest(), now_.internal, energy_of_rest(), energy_of_rounding(*assembly_)}));
-  if (now_.jumps && reports_.size() == 1) now_.jumped = now_.relaxed;
   const bool end = stopped() || std::abs(time() - duration_) <= same_time * duration_;
+  if (end) watch_path();
   if (end && work_.largest() == 0 && energy().internal() == 0 && loads_nothing(*model_, *assembly_) &&
       !warned("idle"))
     warn("idle",
          "warning: static: nothing loads or moves the cloth in this run: it has done nothing. Expected a "
          "force, pressure, gravity or a motion, m:move(set, { x=fabric.ramp(way, duration) })");
-  const double lost = now_.relaxed - now_.jumped, scale = std::max(work_.largest(), energy_of_rest());
+  const double lost = now_.fallen, scale = std::max(work_.largest(), energy_of_rest());
   if (!end || now_.reported_error || !(scale > 0) || lost <= kLedger * scale) return;
   if (energy().dissipated <= kDissipated * scale || scale <= energy_of_rounding(*assembly_)) return;
   now_.reported_error = true;
@@ -672,9 +693,8 @@ void Static::check() {
        "static: relaxation has taken " + number(100 * lost / scale) + " % of the " +
            (scale > work_.largest() ? "cloth's weight times its thickness" : "external work") + " by time " +
            number(time()) + " s, in " + std::to_string(reports_.size()) +
-           " steps: the cloth fell or snapped on the way, or its stiffness changes much within a "
-           "step; where yarns dissipate, repeat with smaller steps to see whether the result depends "
-           "on them");
+           " steps: the cloth fell or snapped on the way; where yarns dissipate, repeat with smaller "
+           "steps to see whether the result depends on them");
 }
 
 void Static::give_up(const StepReport& report) {

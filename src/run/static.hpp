@@ -1,5 +1,6 @@
 // The quasi-static run: Newton's method, path following or relaxation, with steps that are cut if they fail.
 #pragma once
+#include <limits>
 #include <optional>
 
 #include "linear/libraries.hpp"
@@ -44,8 +45,13 @@ struct StaticOptions {
   // 0: none.
   double stabilise = 0;
   std::optional<SolverChoice> solver = {};  // empty: the one that `linear` names
+  // Error of the way that laws remember, of the whole run, over the largest displacement or force: a step
+  // that takes more than its part is cut. Empty: it is only said.
+  std::optional<double> path = {};
 };
 inline constexpr double usual_stabilisation = 2e-4;
+// Of the largest displacement or force: the error of long steps that is said where the deck states no `path`.
+inline constexpr double usual_path = 0.05;
 
 class Static final : public Run {
  public:
@@ -85,8 +91,24 @@ class Static final : public Run {
   void calibrate(double size, StepReport& report);    // adapts the damping of the first step
   bool rescue(double size, StepReport& report);       // by relaxation, if it is permitted
   bool settle_jump(double size, StepReport& report);  // the first step of loads that are there at time 0
-  bool cut(double size);                              // halves the size; false: too small
-  void grow(const StepReport& report);                // sets the size of the next step
+  double solve_step(double limit, StepReport& report);
+  bool cut(double size);  // halves the size; false: too small
+  // --- the way that laws remember (static_path.cpp)
+  bool depends_on_path() const;
+  bool asks_path(double part);
+  bool by_shares() const;  // whether contact moves bodies by shares of their way in Newton's iterations
+  bool follows_path(double end, StepReport& report);
+  struct Halves {  // the difference of a step to its halves: over what is largest so far, m and N
+    double error = std::numeric_limits<double>::quiet_NaN(), moved = 0, pulled = 0;
+  };
+  Halves path_error(double end, StepReport& report);
+  Halves compare_halves(double end, std::span<const double> to);
+  bool solve_half(double end, std::span<const double> guess);
+  std::vector<double> held_by_supports() const;  // N, 3 per node
+  void put(std::span<const double> kinematics);  // as the trial configuration
+  void note_path(const StepReport& report);
+  void watch_path();
+  void grow(const StepReport& report);  // sets the size of the next step
   void grow_arc(const StepReport& report);
   solver::NewtonResult relax(solver::NewtonOptions options);
   solver::NewtonResult arrive(
@@ -105,7 +127,8 @@ class Static final : public Run {
 
   StaticOptions options_;
   const StaticOptions given_;
-  const bool has_energy_;  // whether the law's forces have one, which a search for equilibrium can lower
+  const bool remembers_path_;  // whether a law does
+  const bool has_energy_;      // whether the law's forces have one, which a search for equilibrium can lower
   std::unique_ptr<EquilibriumProblem> problem_;
   mechanics::Stabilisation* stabilisation_ = nullptr;  // a term of the assembly; null: none
   std::unique_ptr<solver::TrustRegion> stable_;        // each is created if it is used
@@ -120,7 +143,10 @@ class Static final : public Run {
   std::unique_ptr<solver::Descent> helper_;        // of Newton's method
   Diagnosis step_;                                 // the present one
   bool cutting_ = false;   // whether a step that fails is halved, or is as long as asked for
+  bool afresh_ = false;    // whether halves of a step are solved as any step is
   bool relaxing_ = false;  // whether the last try at the present step was by relaxation
+  Halves halves_;          // of the last step that was compared
+  bool crept_ = false;     // whether it needed the overdamped motion
   bool settling_ = false;  // whether settle_jump() has tried to relax the present step
   struct StaticState {     // the variables of the run
     StepControl step;
@@ -132,12 +158,19 @@ class Static final : public Run {
     double relaxed = 0;                     // J, see EnergyAccount
     double made = 0;                        // J, stored beyond what loads and supports can have given
     double unsure = 0;    // J, the part of it in steps in which bodies move or seams are drawn
-    double jumped = 0;    // J, the part of it in the first step of loads that begin with a jump
+    double fallen = 0;    // J, the part of `relaxed` in steps in which the cloth may have fallen
     double internal = 0;  // J, stored, dissipated and lost to damping in the committed state
+    // Of path_error(): m and N, the largest so far and the sums of what steps err; the step that errs most;
+    // its error over what is allowed; committed steps when it was asked last, when it is next, and how many
+    // between.
+    double way = 0, path_force = 0, path_moved = 0, path_pulled = 0, path_worst = 0, path_step = 0,
+           path_time = 0, path_ratio = 0;
+    std::int64_t path_asked = -1, path_next = 0, path_gap = 1;
     void keep(Archive& archive) {
       archive(step, arc_length, tried_length, longest_length, landing, reported_pivots, reported_damping,
               reported_error, reported_balance, jumps, settled, inverted, turned, relaxed, made, unsure,
-              jumped, internal);
+              fallen, internal, way, path_force, path_moved, path_pulled, path_worst, path_step, path_time,
+              path_ratio, path_asked, path_next, path_gap);
     }
   } now_;
 };

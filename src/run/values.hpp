@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -82,8 +83,9 @@ struct StepReport {
   std::vector<double> residuals;     // relative residual of each iteration; the first is the predictor's
   std::int64_t negative_pivots = 0;  // of the last tangent; 0 on a stable path
   solver::Stability stability = solver::Stability::unchecked;
+  double path = std::numeric_limits<double>::quiet_NaN();  // see Static::compare_halves(); NaN: not asked
   void keep(Archive& archive) {
-    archive(time, step, iterations, cuts, residuals, negative_pivots, stability);
+    archive(time, step, iterations, cuts, residuals, negative_pivots, stability, path);
   }
 };
 

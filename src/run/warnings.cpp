@@ -13,6 +13,7 @@ constexpr WarningKind kinds[] = {
     {"inverted", "an element is turned inside out", serious},
     {"director", "a director has turned over to the other side of the sheet", serious},
     {"beyond", "the strain is beyond what the card was tested to; serious with limit=\"stop\""},
+    {"path", "steps of a static run are long for laws that remember their path", serious},
     {"unstable", "a step of a static run has ended in a shape that is not stable", serious},
     {"compressed", "elements carry compression under which the cloth within them would fold", serious},
     {"pivots", "a static run has passed a limit or bifurcation point, or left an unstable shape"},

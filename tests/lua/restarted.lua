@@ -122,6 +122,20 @@ a:solve()
 say(a.energy, a.time)
 ]], { 5, 16 }, { 5 })
 
+-- means over windows that reach behind the checkpoint, of columns and of reactions
+goes_the_same_way("windows", [[
+local a = watched(strip(0.006), "pull")
+a:reaction("top", { window = 0.33 })
+a:record("work/means.csv", { every = 0.15, window = 0.27, columns = {
+  f = function(run) return select(2, run:reaction "top") end,
+  s = { "S22", window = 0.4 },
+  r = { function(run) return select(2, run:reaction("top", { window = 0.33 })) end, window = 1e-6 },
+  once = { function(run) return select(2, run:reaction("bottom", { window = 0.21 })) end, window = 1e-6 },
+} })
+a:solve()
+say(select(2, a:reaction("top", { window = 0.33 })))
+]], { 5, 16 }, { 5 })
+
 -- single steps, settings and what a hook sets; a run that misses what it was to reach; an error in a hook
 goes_the_same_way("settings", [[
 local a = watched(strip(0.006, { max_cuts = 0 }), "pull")

@@ -1,6 +1,7 @@
 // The analysis object: driving it, its hooks, and reading from it.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "base/number.hpp"
@@ -153,9 +154,33 @@ int reach(Call& call) {
 
 // --- reading ---
 
+// The mean over the last seconds of the run's own steps, which are followed from the first call on.
+int mean_reaction(Call& call, const model::Rigid* body) {
+  auto& run = *call.self<DeckRun>()->analysis;
+  const double width = call.fields("options").number("window");
+  const std::int64_t number = body == nullptr ? -1 : static_cast<std::int64_t>(run.body_number(*body));
+  const std::string set = body == nullptr ? call.text("set") : std::string();
+  const std::string name = "reaction of " +
+                           (body == nullptr ? "set " + set : "body " + std::to_string(number)) + " over " +
+                           exact_number(width);
+  run::Window* window = run.window(name);
+  if (window == nullptr) {
+    if (body == nullptr) (void)run.reaction(set);  // an error if there is no such set
+    if (!run.steps().empty())
+      throw Error(
+          "reaction: field 'options.window': expected to be asked for once before the first step, so that "
+          "the steps are followed, got the first call at time " +
+          fabricsh::number(run.time()) + " s");
+    window = &run.window(name, run::Window(width, run::Window::Reaction{set, number}));
+  }
+  for (const double r : window->mean()) lua_pushnumber(call.L(), r);
+  return 3;
+}
+
 int reaction(Call& call) {
   const auto& run = *call.self<DeckRun>()->analysis;
   const auto body = call.object<const model::Rigid>("set");
+  if (call.has("options") && call.fields("options").has("window")) return mean_reaction(call, body.get());
   const Vec3 r = body ? run::body_state(run, *body).force : run.reaction(call.text("set"));
   for (int i = 0; i < 3; ++i) lua_pushnumber(call.L(), r[i]);
   return 3;
@@ -307,6 +332,11 @@ int steps(Call& call) {
     else
       lua_pushboolean(L, report.stability == solver::Stability::stable);
     lua_setfield(L, -2, "stable");
+    if (std::isnan(report.path))
+      lua_pushliteral(L, "unchecked");
+    else
+      lua_pushnumber(L, report.path);
+    lua_setfield(L, -2, "path");
     push_numbers(L, report.residuals);
     lua_setfield(L, -2, "residuals");
     lua_rawseti(L, -2, ++i);
@@ -463,7 +493,15 @@ std::vector<Entry> reading() {
   return {
       {"analysis:reaction",
        Style::positional,
-       {set_or_body_row()},
+       {set_or_body_row(),
+        fields_(
+            "options",
+            {number_("window", "s", positive,
+                     "the mean over the last seconds, straight between the ends of the run's steps; to be "
+                     "asked for once before the first step")
+                 .optional()},
+            "window = seconds for a mean")
+            .optional()},
        "Force that the supports, or a rigid body, exert on the cloth, summed over the set: three numbers x, "
        "y, z in N, global; "
        "zero "

@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "base/number.hpp"
+#include "geometry/box.hpp"
 #include "law/check.hpp"
 #include "mesh/check.hpp"
+#include "mesh/generators.hpp"
 #include "script/bind/model.hpp"
 #include "script/bind/rooms.hpp"
 #include "script/bind/run.hpp"
@@ -347,7 +349,27 @@ std::vector<Argument> model_rows() {
              "interpolated, as in the thesis")
           .one_of({"eased", "full"})
           .or_else("eased"));
+  rows.push_back(
+      number_("imperfection", "m", positive,
+              "nodes are moved across the sheet by at most this, in a pattern of waves that is always "
+              "the same, so that a sheet that is pressed or sheared in its plane can buckle; the mesh "
+              "of the deck stays as it is")
+          .optional());
   return rows;
+}
+
+// Bends the meshes a little. Error: by more than a tenth of their size, which would be another shape.
+void bend_meshes(const Call& call, std::vector<model::BodyGiven>& bodies) {
+  constexpr double most = 0.1;
+  const double amplitude = call.number("imperfection");
+  for (auto& body : bodies) {
+    const double size = box_of(body.mesh->nodes).size().norm();
+    if (!(amplitude <= most * size))
+      call.refuse("imperfection", "expected at most a tenth of the size of the mesh, " +
+                                      fabricsh::number(most * size) + " m, got " +
+                                      fabricsh::number(amplitude));
+    body.mesh = std::make_shared<mesh::Mesh>(mesh::imperfect(*body.mesh, amplitude));
+  }
 }
 
 // Says in how many pieces a sheet is that came from a file: what another program did not connect falls apart.
@@ -378,6 +400,7 @@ int make_model(Call& call) {
   tell_parts(call, bodies);
   if (call.has("folds")) set_folds(call.text("folds"), bodies);
   if (call.text("yarns") == "full") interpolate_yarns(bodies);
+  if (call.has("imperfection")) bend_meshes(call, bodies);
   std::vector<std::unique_ptr<ChangeRefused>> still;
   for (const auto& body : bodies)
     still.push_back(std::make_unique<ChangeRefused>(call.session(), body.mesh.get()));

@@ -85,7 +85,12 @@ std::function<double(const run::Run&)> mean_of_field(const Fields& columns, cons
   std::string words[2] = {"", "all"};
   if (lua_type(L, -1) == LUA_TSTRING) words[0] = lua_tostring(L, -1);
   for (int i = 0; lua_istable(L, -1) && i < 2; ++i) {
-    if (lua_rawgeti(L, -1, i + 1) != LUA_TSTRING)
+    const int kind = lua_rawgeti(L, -1, i + 1);
+    if (i == 1 && kind == LUA_TNIL) {
+      lua_pop(L, 1);
+      break;
+    }
+    if (kind != LUA_TSTRING)
       columns.refuse(name, "expected a field's name or {name, set}, got " + describe(L, -1) + " at place " +
                                std::to_string(i + 1));
     words[i] = lua_tostring(L, -1);
@@ -102,6 +107,21 @@ std::function<double(const run::Run&)> mean_of_field(const Fields& columns, cons
   }
   unit = run::find_field(words[0]).field->unit;
   return [field = words[0], set = words[1]](const run::Run& a) { return a.mean(field, set); };
+}
+
+// The width of a column's window, {function or field, set?, window=seconds}, or that of all columns; 0: none.
+// The value is on top of the stack.
+double window_of(const Fields& options, const Fields& columns, const std::string& name) {
+  lua_State* L = columns.L();
+  double width = options.has("window") ? options.number("window") : 0;
+  if (!lua_istable(L, -1)) return width;
+  if (const int kind = lua_getfield(L, -1, "window"); kind != LUA_TNIL) {
+    if (kind != LUA_TNUMBER || !(lua_tonumber(L, -1) > 0) || !std::isfinite(lua_tonumber(L, -1)))
+      columns.refuse(name, "expected window = a positive time in s, got " + describe(L, -1));
+    width = lua_tonumber(L, -1);
+  }
+  lua_pop(L, 1);
+  return width;
 }
 
 // Columns named after a quantity are in SI units, unless the deck states otherwise.
@@ -123,7 +143,17 @@ run::RecordColumn read_column(const Fields& options, const std::string& name, De
   lua_setfield(L, -2, name.c_str());
   const Fields columns(L, -1, row, "options.columns.");
   run::RecordColumn column{name, {}, {}};
-  if (columns.push(name) == LUA_TFUNCTION) {
+  const bool in_table = columns.push(name) == LUA_TTABLE;
+  column.window = window_of(options, columns, name);
+  // {function, window=}: the function takes the place of the table.
+  if (in_table && lua_rawgeti(L, -1, 1) == LUA_TFUNCTION) {
+    lua_pushvalue(L, -1);
+    lua_setfield(L, -4, name.c_str());
+    lua_remove(L, -2);
+  } else if (in_table) {
+    lua_pop(L, 1);
+  }
+  if (lua_isfunction(L, -1)) {
     column.value = [hook = Hook(columns, name, run), name](const run::Run&) { return called(hook, name); };
     column.unit = usual_unit(name);
   } else {
@@ -281,9 +311,13 @@ std::vector<Entry> outputs_entries() {
         fields_(
             "options",
             {every_row(),
-             value_("columns", table,
-                    "name = function(a) that returns a number; or a field's name, for its mean over all "
-                    "elements or nodes, or {field, set}"),
+             value_(
+                 "columns", table,
+                 "name = function(a) that returns a number; or a field's name, for its mean over all "
+                 "elements or nodes, or {field, set}; {function or field, set, window=seconds} is the mean "
+                 "over the last seconds of the run's own steps"),
+             number_("window", "s", positive, "the same for all columns that have none of their own")
+                 .optional(),
              value_("order", table, "names in the order of the columns").optional(),
              value_("units", table,
                     "name = unit of what the function returns, '' for none; put behind the name in the "

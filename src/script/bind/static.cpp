@@ -41,6 +41,7 @@ int make_static(Call& call) {
   options.max_cuts = call.count("max_cuts");
   options.line_search = call.flag("line_search");
   options.ledger_limit = call.number("ledger_limit");
+  if (call.has("path")) options.path = call.number("path");
   read_scheme(call, options);
   Session& session = call.session();
   if (options.method == run::Method::relaxation && call.has("max_iterations"))
@@ -93,6 +94,11 @@ std::vector<Entry> static_entries() {
             .or_else("auto")
             .one_of(methods),
         limit_row(),
+        number_("path", "", Range{0, 1, true, true},
+                "error of a run by the length of its steps, where laws remember their path, over the largest "
+                "displacement or force: each step is compared with two halves and cut; without it some are, "
+                "and a warning says so")
+            .optional(),
         {"stabilise", boolean | number, "", Range{0, 1, false, true},
          "viscous forces on the nodes that lose this fraction of a step's work; true: 2e-4", false}},
        "A quasi-static run: Newton's method through the histories' time.",
