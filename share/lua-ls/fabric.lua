@@ -59,7 +59,7 @@ local history = {}
 ---@field steps table[] Of each committed step: time, step, iterations, cuts, residuals, negative_pivots (none on a stable path), stable: true, false, or "unchecked" in motion and where loads have no potential.
 ---@field stopped string|false The reason it was stopped for, or false.
 ---@field time number Where the run is, s.
----@field warnings any What the run has said about how far its results can be trusted, in order: a list of {code, text, time (s), element (nil: no particular one), serious}. Also in run.json. Under --strict the serious ones raise a numerical failure. The codes: ledger (energy appears or is lost beyond what the steps explain), inverted (an element is turned inside out), director (a director has turned over to the other side of the sheet), beyond (the strain is beyond what the card was tested to; serious with limit="stop"), unstable (a step of a static run has ended in a shape that is not stable), compressed (elements carry compression under which the cloth within them would fold), pivots (a static run has passed a limit or bifurcation point, or left an unstable shape), relaxed (relaxation took a noticeable part of a static run's work, or its first step), stabilise (stabilisation has taken a noticeable part of the work), jump (a load or motion is at full value at once, not ramped), step (the explicit step is near the stable one, or is split because stretch has shortened that), inertia (much of the kinetic energy is in rotary inertia that is scaled up for the step), guard (contact is pressed so far that a barrier keeps the surfaces apart), fold (cloth turns sharply between two elements where contact presses on it), seam (edges that are sewn had not met when their time was over), held (the cloth pulls on yarns beyond their strength where a support holds them, and none breaks there), dropped (an initial velocity is dropped along supports), oblique (yarns cross elements so obliquely, and are so stiff, that these lock), idle (supports take up the whole of a load, or nothing loads or moves the cloth at all), bending (the bending rigidity of the card is far from that of cloth), card (the check of the card has a warning), units (a value of the deck is far outside the usual), mesh (the file of a mesh was cut short or holds what is left out), restart (the run was continued from the checkpoint of another deck), lost (an output of the restarted run is gone), retired (an argument of an earlier release has no effect any more), deck (the deck or a virtual test has said it with fabric.warn).
+---@field warnings any What the run has said about how far its results can be trusted, in order: a list of {code, text, time (s), element (nil: no particular one), serious}. Also in run.json. Under --strict the serious ones raise a numerical failure. The codes: ledger (energy appears or is lost beyond what the steps explain), inverted (an element is turned inside out), director (a director has turned over to the other side of the sheet), beyond (the strain is beyond what the card was tested to; serious with limit="stop"), path (steps of a static run are long for laws that remember their path), unstable (a step of a static run has ended in a shape that is not stable), compressed (elements carry compression under which the cloth within them would fold), pivots (a static run has passed a limit or bifurcation point, or left an unstable shape), relaxed (relaxation took a noticeable part of a static run's work, or its first step), stabilise (stabilisation has taken a noticeable part of the work), jump (a load or motion is at full value at once, not ramped), step (the explicit step is near the stable one, or is split because stretch has shortened that), inertia (much of the kinetic energy is in rotary inertia that is scaled up for the step), guard (contact is pressed so far that a barrier keeps the surfaces apart), fold (cloth turns sharply between two elements where contact presses on it), seam (edges that are sewn had not met when their time was over), held (the cloth pulls on yarns beyond their strength where a support holds them, and none breaks there), dropped (an initial velocity is dropped along supports), oblique (yarns cross elements so obliquely, and are so stiff, that these lock), idle (supports take up the whole of a load, or nothing loads or moves the cloth at all), bending (the bending rigidity of the card is far from that of cloth), card (the check of the card has a warning), units (a value of the deck is far outside the usual), mesh (the file of a mesh was cut short or holds what is left out), restart (the run was continued from the checkpoint of another deck), lost (an output of the restarted run is gone), retired (an argument of an earlier release has no effect any more), deck (the deck or a virtual test has said it with fabric.warn).
 local analysis = {}
 
 ---The whole state of a run.
@@ -187,14 +187,19 @@ function analysis:on_body(body) end
 ---@return any
 function analysis:reach(value, target, set, tolerance) end
 
+---@class analysis_reaction_fields.options
+---@field window? number s: the mean over the last seconds, straight between the ends of the run's steps; to be asked for once before the first step
+
 ---Force that the supports, or a rigid body, exert on the cloth, summed over the set: three numbers x, y, z in N, global; zero before the first step.
 ---@param set string|body name of a node set, or a rigid body
+---@param options? analysis_reaction_fields.options window = seconds for a mean
 ---@return number x, number y, number z
-function analysis:reaction(set) end
+function analysis:reaction(set, options) end
 
 ---@class analysis_record_fields.options
 ---@field every? number|"step" s: time between rows or frames, or 'step'
----@field columns table name = function(a) that returns a number; or a field's name, for its mean over all elements or nodes, or {field, set}
+---@field columns table name = function(a) that returns a number; or a field's name, for its mean over all elements or nodes, or {field, set}; {function or field, set, window=seconds} is the mean over the last seconds of the run's own steps
+---@field window? number s: the same for all columns that have none of their own
 ---@field order? table names in the order of the columns
 ---@field units? table name = unit of what the function returns, '' for none; put behind the name in the heading. Default: that of the field; N for a column called force (or force_x, force_y, force_z), m for displacement
 
@@ -1920,6 +1925,7 @@ function fabric.mesh.rectangle(fields) end
 ---@field membrane? boolean cloth without bending and transverse shear, whose directors are held: for sheets that are taut, or fold more sharply than an element can show (default false)
 ---@field folds? "resolved"|"within elements"|"free" where compressed cloth folds: resolved, in the shape of the mesh alone; within elements too, which then carry no more compression than folds of their size; free, the same without any force; default: that of each card
 ---@field yarns? "eased"|"full" eased: the strain of yarns that cross quadrilaterals obliquely varies in an element only as far as shear can hold it, so that stiff yarns do not lock a mesh; full: as interpolated, as in the thesis (default "eased")
+---@field imperfection? number m: nodes are moved across the sheet by at most this, in a pattern of waves that is always the same, so that a sheet that is pressed or sheared in its plane can buckle; the mesh of the deck stays as it is
 
 ---The declared problem: a mesh of a fabric, or several, to be held, moved and loaded.
 ---@param fields fabric_model_fields
@@ -2136,6 +2142,7 @@ function fabric.sobol(inputs) end
 ---@field control? "load"|"arc" load: steps in time; arc: steps along the path, past limit points, where time may go down (default "load")
 ---@field method? "newton"|"relaxation"|"either"|"auto" auto: Newton's method, and where it is slow an overdamped motion and relaxation, in turn; newton: that alone; relaxation: every step by dynamic relaxation, of cloth with bending of its own by an overdamped motion; either: relaxation for steps in which Newton fails (default "auto")
 ---@field limit? "tell"|"stop" tell: warns once when the cloth is strained beyond what the card was tested to (2 % are let pass); stop: ends the run there, on the strain, however long the steps (default "tell")
+---@field path? number error of a run by the length of its steps, where laws remember their path, over the largest displacement or force: each step is compared with two halves and cut; without it some are, and a warning says so
 ---@field stabilise? number|boolean viscous forces on the nodes that lose this fraction of a step's work; true: 2e-4
 
 ---A quasi-static run: Newton's method through the histories' time.
