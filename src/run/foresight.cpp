@@ -136,9 +136,10 @@ bool is_zero(const model::History& h, double duration) {
   return true;
 }
 
-void find_supported_loads(const std::string& what, const mesh::NodeSet& set, const model::Components& components,
-                   const Mat3& frame, bool area, const mechanics::Assembly& assembly, double duration,
-                   std::vector<std::string>& lines) {
+void find_supported_loads(const std::string& what, const mesh::NodeSet& set,
+                          const model::Components& components, const Mat3& frame, bool area,
+                          const mechanics::Assembly& assembly, double duration,
+                          std::vector<std::string>& lines) {
   for (int c = 0; c < 3; ++c) {
     const auto& history = components[static_cast<std::size_t>(c)];
     if (!history || is_zero(*history, duration)) continue;
@@ -166,7 +167,7 @@ std::vector<std::string> idle_loads(const model::Model& model, const mechanics::
   const auto look = [&](const char* what, const auto& load, const model::Components& components) {
     const auto& set = model.mesh().set(load.set);
     find_supported_loads(what + (" '" + load.set + "'"), set, components, load.frame,
-                  !model.mesh().elements_in(set).empty(), assembly, duration, lines);
+                         !model.mesh().elements_in(set).empty(), assembly, duration, lines);
   };
   for (const auto& f : model.forces()) look("the force on", f, f.total);
   for (const auto& t : model.tractions()) look("the traction on", t, t.intensity);
