@@ -13,12 +13,33 @@ constexpr double kN1[3] = {-1, 1, 0}, kN2[3] = {-1, 0, 1};
 constexpr double tie1(int g, int e) { return e == 0 ? 1 - kS[g] : e == 1 ? kS[g] : -kS[g]; }
 constexpr double tie2(int g, int e) { return e == 1 ? 1 - kR[g] : kR[g]; }
 
-// Nodes, base vectors and strains of the element; the shears are set for each point.
+// Derivatives by r and by s of the parabola 4 N_i N_j of edge e at in-plane point g, with the part that
+// varies within the element times kVarying.
+constexpr double slope(int g, int e, const double (&n)[3]) {
+  const double N[3] = {1 - kR[g] - kS[g], kR[g], kS[g]};
+  const int i = kEdge[e][0], j = kEdge[e][1];
+  const double Ni = 1.0 / 3 + kVarying * (N[i] - 1.0 / 3), Nj = 1.0 / 3 + kVarying * (N[j] - 1.0 / 3);
+  return 4 * (Ni * n[j] + Nj * n[i]);
+}
+constexpr double slope1(int g, int e) { return slope(g, e, kN1); }
+constexpr double slope2(int g, int e) { return slope(g, e, kN2); }
+
+// Nodes, base vectors and strains of the element; curvatures and shears are completed for each point.
 struct Triangle {
   V3 x[3], d[3], a1, a2, b1, b2;
-  Pack gamma[3];
+  Pack gamma[3], share[3], bend1[3], bend2[3];  // of the edges
   Strains strains;
 };
+
+// What a unit of g_e adds at in-plane point g to the strains: curvatures 11, 22, 2 12 and shears 13, 23.
+struct OfEdge {
+  Pack kappa[3], shear[2];
+};
+inline OfEdge of_edge(const Triangle& t, int g, int e) {
+  const Pack by_r(slope1(g, e)), by_s(slope2(g, e));
+  return {{by_r * t.bend1[e], by_s * t.bend2[e], by_s * t.bend1[e] + by_r * t.bend2[e]},
+          {Pack(tie1(g, e)) * t.share[e], Pack(tie2(g, e)) * t.share[e]}};
+}
 
 inline Triangle load_triangle(const section::Section& section, const ShellBatch& batch) {
   Triangle t;
@@ -34,18 +55,22 @@ inline Triangle load_triangle(const section::Section& section, const ShellBatch&
   for (int e = 0; e < 3; ++e) {
     const int i = kEdge[e][0], j = kEdge[e][1];
     t.gamma[e] = Pack(section.thickness / 4) * dot(t.x[j] - t.x[i], t.d[i] + t.d[j]) - ref(e);
+    t.share[e] = ref(Shell3Layout::shares + e);
+    t.bend1[e] = ref(Shell3Layout::bends + e);
+    t.bend2[e] = ref(Shell3Layout::bends + 3 + e);
   }
   const Pack half(0.5);
+  constexpr int bent = Shell3Layout::head;
   Strains& p = t.strains;
   p.eps[0] = half * dot(t.a1, t.a1) - ref(3);
   p.eps[1] = half * dot(t.a2, t.a2) - ref(4);
   p.eps[2] = dot(t.a1, t.a2) - ref(5);
-  p.kappa[0] = dot(t.a1, t.b1) - ref(6);
-  p.kappa[1] = dot(t.a2, t.b2) - ref(7);
-  p.kappa[2] = dot(t.a1, t.b2) + dot(t.a2, t.b1) - ref(8);
-  p.rho[0] = half * dot(t.b1, t.b1) - ref(9);
-  p.rho[1] = half * dot(t.b2, t.b2) - ref(10);
-  p.rho[2] = dot(t.b1, t.b2) - ref(11);
+  p.kappa[0] = dot(t.a1, t.b1) - ref(bent);
+  p.kappa[1] = dot(t.a2, t.b2) - ref(bent + 1);
+  p.kappa[2] = dot(t.a1, t.b2) + dot(t.a2, t.b1) - ref(bent + 2);
+  p.rho[0] = half * dot(t.b1, t.b1) - ref(bent + 3);
+  p.rho[1] = half * dot(t.b2, t.b2) - ref(bent + 4);
+  p.rho[2] = dot(t.b1, t.b2) - ref(bent + 5);
   return t;
 }
 
@@ -53,8 +78,10 @@ inline Strains strains_at(const Triangle& t, int g) {
   Strains p = t.strains;
   p.g1 = p.g2 = Pack(0.0);
   for (int e = 0; e < 3; ++e) {
-    p.g1 += Pack(tie1(g, e)) * t.gamma[e];
-    p.g2 += Pack(tie2(g, e)) * t.gamma[e];
+    const OfEdge of = of_edge(t, g, e);
+    for (int i = 0; i < 3; ++i) p.kappa[i] += of.kappa[i] * t.gamma[e];
+    p.g1 += of.shear[0] * t.gamma[e];
+    p.g2 += of.shear[1] * t.gamma[e];
   }
   return p;
 }
@@ -74,12 +101,14 @@ inline void clear(ResultantSums& s) {
   for (Pack& e : s.edge) e = Pack(0.0);
 }
 
-inline void add(const Resultants& r, double thickness, int g, ResultantSums& s) {
+inline void add(const Triangle& t, const Resultants& r, double thickness, int g, ResultantSums& s) {
   for (int i = 0; i < 3; ++i) {
     s.r.N[i] += r.N[i];
     s.r.M[i] += r.M[i];
     s.r.K[i] += r.K[i];
-    s.edge[i] += Pack(thickness / 4) * (Pack(tie1(g, i)) * r.Q[0] + Pack(tie2(g, i)) * r.Q[1]);
+    const OfEdge of = of_edge(t, g, i);
+    s.edge[i] += Pack(thickness / 4) * (of.kappa[0] * r.M[0] + of.kappa[1] * r.M[1] + of.kappa[2] * r.M[2] +
+                                        of.shear[0] * r.Q[0] + of.shear[1] * r.Q[1]);
   }
 }
 
@@ -124,18 +153,26 @@ unsigned force(const section::Section& section, const law::Step& step, const She
   for (int g = 0; g < shell3_points; ++g) {
     Resultants r;
     failed |= integrate(section, step, batch, columns_at(section, batch, g), strains_at(t, g), g, r, nullptr);
-    add(r, section.thickness, g, s);
+    add(t, r, section.thickness, g, s);
   }
   store_forces(forces_of(t, s), f);
   return failed;
 }
 
 constexpr int kX = 6, kD = 6;  // base vectors a1 a2; two rotations per node
-using Columns3 = Columns<kX, kD>;
 template <bool symmetric>
 using Tangent3 = Tangent<kX, kD, symmetric>;
 
-inline void put(Pack (&column)[kX][kReach], int vector, int place, V3 v) {
+// The strains of the whole element, to which those of its points are proportional: eps, kappa of the nodes'
+// directors and rho, 11 22 2 12 each, and the edges' g_e.
+constexpr int kStrains = 12, kKappas = 3, kEdges = 9;
+
+// Columns of the strain operator: three for each base vector, and the rotations.
+struct Columns3 {
+  Pack x[kX][kStrains], d[kD][kStrains];
+};
+
+inline void put(Pack (&column)[kX][kStrains], int vector, int place, V3 v) {
   column[3 * vector][place] = v.x;
   column[3 * vector + 1][place] = v.y;
   column[3 * vector + 2][place] = v.z;
@@ -146,37 +183,105 @@ constexpr double edge_coefficient(int e, int vector) {
   return e == 2 ? (vector == 0 ? -1 : 1) : e == vector ? 1 : 0;
 }
 
-// Columns of the strain operator that are the same at all points; the shears are set for each point.
-inline void fill(const Triangle& t, const V3 (&b)[3][2], Columns3& B) {
+inline void fill(const Triangle& t, double thickness, const V3 (&b)[3][2], Columns3& B) {
   const Pack zero(0.0);
   const V3 none{zero, zero, zero};
-  const V3 on_a[2][6] = {{t.a1, none, t.a2, t.b1, none, t.b2}, {none, t.a2, t.a1, none, t.b2, t.b1}};
+  const V3 on_a[2][9] = {{t.a1, none, t.a2, t.b1, none, t.b2, none, none, none},
+                         {none, t.a2, t.a1, none, t.b2, t.b1, none, none, none}};
   for (int v = 0; v < 2; ++v)
-    for (int i = 0; i < 6; ++i) put(B.x, v, i, on_a[v][i]);
+    for (int i = 0; i < 9; ++i) put(B.x, v, i, on_a[v][i]);
   for (int a = 0; a < 3; ++a) {
     const Pack n1(kN1[a]), n2(kN2[a]);
-    const V3 rows[6] = {n1 * t.a1, n2 * t.a2, n1 * t.a2 + n2 * t.a1,
+    const V3 rows[9] = {none,      none,      none,
+                        n1 * t.a1, n2 * t.a2, n1 * t.a2 + n2 * t.a1,
                         n1 * t.b1, n2 * t.b2, n1 * t.b2 + n2 * t.b1};
     for (int q = 0; q < 2; ++q)
-      for (int i = 0; i < 6; ++i) B.d[2 * a + q][i] = dot(rows[i], b[a][q]);
+      for (int i = 0; i < 9; ++i) B.d[2 * a + q][i] = dot(rows[i], b[a][q]);
+  }
+  for (int e = 0; e < 3; ++e) {
+    const int i = kEdge[e][0], j = kEdge[e][1];
+    const V3 director = Pack(thickness / 4) * (t.d[i] + t.d[j]),
+             chord = Pack(thickness / 4) * (t.x[j] - t.x[i]);
+    for (int v = 0; v < 2; ++v) put(B.x, v, kEdges + e, Pack(edge_coefficient(e, v)) * director);
+    for (int a = 0; a < 3; ++a)
+      for (int q = 0; q < 2; ++q) B.d[2 * a + q][kEdges + e] = a == i || a == j ? dot(chord, b[a][q]) : zero;
   }
 }
 
-inline void fill_shear(const Triangle& t, double thickness, int g, const V3 (&b)[3][2], Columns3& B) {
-  const Pack zero(0.0);
-  for (int s = 0; s < 2; ++s) {
-    V3 on_a[2] = {{zero, zero, zero}, {zero, zero, zero}}, on_d[3] = {on_a[0], on_a[0], on_a[0]};
+// The resistance of the whole element to its strains. For a symmetric section the upper half is used.
+struct Resistance3 {
+  Pack D[kStrains][kStrains];
+};
+
+// Adds A^T D A of an in-plane point, where A takes the element's strains to those of the point.
+template <bool symmetric>
+inline void add(const Triangle& t, const ThicknessMoments& k, int g, Resistance3& sum) {
+  const Resistance<symmetric> D(k);
+  const OfEdge of[3] = {of_edge(t, g, 0), of_edge(t, g, 1), of_edge(t, g, 2)};
+  Pack right[11][3], left[3][11];  // columns and rows of the edges
+  for (int i = 0; i < 11; ++i)
     for (int e = 0; e < 3; ++e) {
-      const int i = kEdge[e][0], j = kEdge[e][1];
-      const double w = (s == 0 ? tie1(g, e) : tie2(g, e)) * thickness / 4;
-      const V3 director = Pack(w) * (t.d[i] + t.d[j]), chord = Pack(w) * (t.x[j] - t.x[i]);
-      for (int v = 0; v < 2; ++v) on_a[v] += Pack(edge_coefficient(e, v)) * director;
-      on_d[i] += chord;
-      on_d[j] += chord;
+      Pack v = D(i, 9) * of[e].shear[0] + D(i, 10) * of[e].shear[1];
+      for (int j = 0; j < 3; ++j) v += D(i, kKappas + j) * of[e].kappa[j];
+      right[i][e] = v;
+      if constexpr (!symmetric) {
+        v = D(9, i) * of[e].shear[0] + D(10, i) * of[e].shear[1];
+        for (int j = 0; j < 3; ++j) v += D(kKappas + j, i) * of[e].kappa[j];
+        left[e][i] = v;
+      }
     }
-    for (int v = 0; v < 2; ++v) put(B.x, v, kShear + s, on_a[v]);
-    for (int a = 0; a < 3; ++a)
-      for (int q = 0; q < 2; ++q) B.d[2 * a + q][kShear + s] = dot(on_d[a], b[a][q]);
+  for (int i = 0; i < 9; ++i) {
+    for (int j = symmetric ? i : 0; j < 9; ++j) sum.D[i][j] += D(i, j);
+    for (int e = 0; e < 3; ++e) {
+      sum.D[i][kEdges + e] += right[i][e];
+      if constexpr (!symmetric) sum.D[kEdges + e][i] += left[e][i];
+    }
+  }
+  for (int e = 0; e < 3; ++e)
+    for (int c = symmetric ? e : 0; c < 3; ++c) {
+      Pack v = of[e].shear[0] * right[9][c] + of[e].shear[1] * right[10][c];
+      for (int j = 0; j < 3; ++j) v += of[e].kappa[j] * right[kKappas + j][c];
+      sum.D[kEdges + e][kEdges + c] += v;
+    }
+}
+
+// The first strain that a column depends on: positions on eps and kappa, directors on kappa and rho; both on
+// the edges.
+constexpr int kFirst[2] = {0, kKappas}, kEnd[2] = {6, 9};
+
+inline void times(const Resistance3& D, const Pack (&b)[kStrains], int kind, Pack (&out)[kStrains]) {
+  for (int i = 0; i < kStrains; ++i) {
+    Pack v = D.D[i][kFirst[kind]] * b[kFirst[kind]];
+    for (int j = kFirst[kind] + 1; j < kEnd[kind]; ++j) v += D.D[i][j] * b[j];
+    for (int j = kEdges; j < kStrains; ++j) v += D.D[i][j] * b[j];
+    out[i] = v;
+  }
+}
+
+inline Pack product(const Pack (&a)[kStrains], int kind, const Pack (&b)[kStrains]) {
+  Pack v = a[kFirst[kind]] * b[kFirst[kind]];
+  for (int j = kFirst[kind] + 1; j < kEnd[kind]; ++j) v += a[j] * b[j];
+  for (int j = kEdges; j < kStrains; ++j) v += a[j] * b[j];
+  return v;
+}
+
+// K += B^T D B; for a symmetric D only the upper half of xx and dd, and xd.
+template <bool symmetric>
+inline void add_material(const Columns3& B, Resistance3& D, Tangent3<symmetric>& K) {
+  if constexpr (symmetric)
+    for (int i = 0; i < kStrains; ++i)
+      for (int j = 0; j < i; ++j) D.D[i][j] = D.D[j][i];
+  Pack q[kStrains];
+  for (int c = 0; c < kX; ++c) {
+    times(D, B.x[c], 0, q);
+    for (int r = 0; r < (symmetric ? c + 1 : kX); ++r) K.xx[r][c] += product(B.x[r], 0, q);
+    if constexpr (!symmetric)
+      for (int r = 0; r < kD; ++r) K.dx[r][c] += product(B.d[r], 1, q);
+  }
+  for (int c = 0; c < kD; ++c) {
+    times(D, B.d[c], 1, q);
+    for (int r = 0; r < kX; ++r) K.xd[r][c] += product(B.x[r], 0, q);
+    for (int r = 0; r < (symmetric ? c + 1 : kD); ++r) K.dd[r][c] += product(B.d[r], 1, q);
   }
 }
 
@@ -235,9 +340,12 @@ unsigned tangent_of(const section::Section& section, const law::Step& step, cons
   for (int a = 0; a < 3; ++a)
     for (int q = 0; q < 2; ++q) b[a][q] = load3(batch.b, 6 * a + 3 * q);
   Columns3 B;
-  fill(t, b, B);
+  fill(t, section.thickness, b, B);
   Tangent3<symmetric> K;
   clear(K);
+  Resistance3 D;
+  for (auto& row : D.D)
+    for (Pack& entry : row) entry = Pack(0.0);
   ResultantSums s;
   clear(s);
   unsigned failed = 0;
@@ -245,10 +353,10 @@ unsigned tangent_of(const section::Section& section, const law::Step& step, cons
     Resultants r;
     ThicknessMoments k;
     failed |= integrate(section, step, batch, columns_at(section, batch, g), strains_at(t, g), g, r, &k);
-    add(r, section.thickness, g, s);
-    fill_shear(t, section.thickness, g, b, B);
-    add_material(B, k, K);
+    add(t, r, section.thickness, g, s);
+    add<symmetric>(t, k, g, D);
   }
+  add_material(B, D, K);
   mirror(K);
   const Forces3 forces = forces_of(t, s);
   if (!batch.law_only) add_geometric(s, forces, t, b, K);
@@ -281,9 +389,10 @@ void curvature(const section::Section& section, const ShellBatch& batch, double*
   constexpr int row[3] = {0, 1, 4};
   for (int g = 0; g < shell3_points; ++g) {
     const Transform to = transform(columns_at(section, batch, g));
+    const Strains p = strains_at(t, g);
     for (int i = 0; i < 3; ++i) {
       const Pack* L = to.L[row[i]];
-      const Pack* k = t.strains.kappa;
+      const Pack* k = p.kappa;
       store(kappa + (3 * g + i) * lanes, L[0] * k[0] + L[1] * k[1] + L[2] * k[2]);
     }
   }

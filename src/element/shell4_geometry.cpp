@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "element/shell3.hpp"
 
@@ -240,6 +241,90 @@ void shell4_geometry(const section::Section& section, const std::array<Vec3, 4>&
   put_membrane(edges, weighing_tangent(section, frame_at(edges, X, D, 0, 0), warp), put);
 }
 
+namespace {
+
+// Stiffness of virgin cloth at an in-plane point, per area of the triangle's coordinates: in bending about
+// its neutral surface, on (kappa11, kappa22, 2 kappa12), and of the transverse shear, on (g1, g2).
+struct VirginStiffness {
+  Mat3 bending = Mat3::Zero();
+  Eigen::Matrix2d shear = Eigen::Matrix2d::Zero();
+};
+
+using Tangent5 = Eigen::Matrix<double, 5, 5, Eigen::RowMajor>;
+
+// Pa, in material axes; size: m, of the element.
+Tangent5 virgin_tangent(const law::Law& law, double size, double thickness) {
+  std::vector<double> state(static_cast<std::size_t>(law::state_size(law)) + 1, 0.0), next = state;
+  if (law::has_initial(law)) {
+    law::Site site;
+    site.size = {size, size};
+    site.thickness = thickness;
+    law::set_initial(law, site, state.data());
+  }
+  const double E[5] = {};
+  double S[5];
+  Tangent5 C;
+  law::evaluate(law, law::Step{}, E, state.data(), next.data(), S, C.data());
+  return C;
+}
+
+// Rows (E11 E22 2E12) by columns (c11 c22 2c12) of covariant strains; t: a column of the geometry.
+Mat3 in_plane_transform(const std::array<double, 8>& t) {
+  Mat3 L;
+  L << t[0] * t[0], t[1] * t[1], t[0] * t[1],  //
+      t[2] * t[2], t[3] * t[3], t[2] * t[3],   //
+      2 * t[0] * t[2], 2 * t[1] * t[3], t[0] * t[3] + t[1] * t[2];
+  return L;
+}
+
+VirginStiffness virgin_stiffness(const section::Section& section, const PointFrame& middle,
+                                 const WarpAt& warp) {
+  // The least extent of the triangle: the law has been found to bear those along the yarns.
+  const double longest = std::max({middle.A1.norm(), middle.A2.norm(), (middle.A2 - middle.A1).norm()});
+  const double size = middle.A1.cross(middle.A2).norm() / longest;
+  VirginStiffness sum;
+  Mat3 stretching = Mat3::Zero(), coupling = Mat3::Zero();
+  PointColumns columns(section, middle, warp);
+  for (std::size_t k = 0; k < section.points.size(); ++k) {
+    const auto& point = section.points[k];
+    const Tangent5 C = virgin_tangent(*point.law, size, section.thickness_of(point.ply));
+    const auto t = columns(k, 1.0);
+    const Mat3 L = in_plane_transform(t);
+    Mat3 in_plane;
+    constexpr int row[3] = {0, 1, 4};
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) in_plane(i, j) = C(row[i], row[j]);
+    const Mat3 D = t[7] * L.transpose() * in_plane * L;
+    const double z = section.thickness / 2 * (point.zeta - section.offset);
+    stretching += D;
+    coupling += z * D;
+    sum.bending += z * z * D;
+    Eigen::Matrix2d shears;  // rows 2 E23, 2 E13
+    shears << t[6] * t[2], t[6] * t[3], t[6] * t[0], t[6] * t[1];
+    sum.shear += t[7] * shears.transpose() * C.block<2, 2>(2, 2) * shears;
+    for (int m = 0; m < 3 && section.bends_apart; ++m)
+      sum.bending += t[7] / section.thickness * law::elastic_moment(section.bending[m], 0.0).C *
+                     L.row(m).transpose() * L.row(m);
+  }
+  sum.bending -= coupling.transpose() * stretching.ldlt().solve(coupling);
+  return sum;
+}
+
+// p of an edge (see shell3.hpp); infinite without a stiffness of either kind, so that no parabola is added.
+double shear_over_bending(const VirginStiffness& of, const section::Section& section, const Vec3& A1,
+                          const Vec3& A2, const Vec3& edge) {
+  const double l2 = edge.squaredNorm(), a = A1.dot(edge), b = A2.dot(edge);
+  const Vec3 kappa = Vec3(a * a, b * b, 2 * a * b) / l2;
+  const Eigen::Vector2d shear = section.thickness / 2 * Eigen::Vector2d(a, b) / std::sqrt(l2);
+  const double B = kappa.dot(of.bending * kappa), S = shear.dot(of.shear * shear);
+  constexpr double least = 1e-9;  // of S t^2: less bending is rounding
+  if (!(S > 0) || !(B > least * S * section.thickness * section.thickness))
+    return std::numeric_limits<double>::infinity();
+  return 12 * B / (S * l2);
+}
+
+}  // namespace
+
 void shell3_geometry(const section::Section& section, const std::array<Vec3, 3>& X,
                      const std::array<Vec3, 3>& D, const WarpAt& warp, double* geometry, int lane,
                      int stride) {
@@ -253,6 +338,16 @@ void shell3_geometry(const section::Section& section, const std::array<Vec3, 3>&
   const Vec3 A1 = X[1] - X[0], A2 = X[2] - X[0], B1 = D[1] - D[0], B2 = D[2] - D[0];
   const auto membrane = metric(A1, A2, A1, A2), kappa = metric(A1, A2, B1, B2), rho = metric(B1, B2, B1, B2);
   for (int i = 0; i < 3; ++i) put(3 + i, membrane[i] / 2);
+  const PointFrame middle{(X[0] + X[1] + X[2]) / 3, (D[0] + D[1] + D[2]) / 3, A1, A2, B1, B2};
+  const VirginStiffness stiffness = virgin_stiffness(section, middle, warp);
+  for (int e = 0; e < 3; ++e) {
+    const Vec3 along = X[edge[e][1]] - X[edge[e][0]];
+    const double p = shear_over_bending(stiffness, section, A1, A2, along);
+    const double bend = -3 / ((1 + p) * section.thickness * along.squaredNorm());
+    put(Shell3Layout::shares + e, std::isinf(p) ? 1 : p / (1 + p));
+    put(Shell3Layout::bends + e, bend * A1.dot(along));
+    put(Shell3Layout::bends + 3 + e, bend * A2.dot(along));
+  }
   static constexpr double r[3] = {1.0 / 6, 2.0 / 3, 1.0 / 6}, s[3] = {1.0 / 6, 1.0 / 6, 2.0 / 3};
   for (int p = 0; p < shell3_points; ++p) {
     for (int i = 0; i < 3; ++i) {
