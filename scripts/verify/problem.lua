@@ -22,6 +22,22 @@ function problem.sizes(usual)
   return sizes
 end
 
+-- The mesh with each quadrilateral cut in two: along one diagonal ("one way") or along both in turn ("both ways").
+function problem.cut(mesh, how)
+  if how == "whole" then return mesh end
+  local nodes, elements = {}, {}
+  for i = 1, #mesh.nodes do nodes[i] = mesh.nodes[i] end
+  for i = 1, #mesh.elements do
+    local a, b, c, d = table.unpack(mesh.elements[i])
+    local first = how == "one way" or i % 2 == 0
+    elements[#elements + 1] = first and { a, b, c } or { a, b, d }
+    elements[#elements + 1] = first and { a, c, d } or { b, c, d }
+  end
+  local cut = fabric.mesh.of { nodes = nodes, elements = elements }
+  for _, name in ipairs(mesh.sets) do cut:set(name, mesh:set(name)) end
+  return cut
+end
+
 -- Number of the node nearest to a point.
 function problem.node(mesh, x, y, z)
   local best, found = math.huge, nil

@@ -17,6 +17,9 @@ namespace {
 // are zero [hughes2000]: after two steps nothing of it is left.
 constexpr double kSettling = 1;
 constexpr int kSettlingSteps = 2;
+// Far from the way it then stands, a director can end a long step on the wrong side. That makes energy, which
+// the rule never does; the step is repeated at half its size, so many times.
+constexpr int kSettlingHalvings = 12;
 
 // Where a stiff strip turns within a step, forces that alpha averages over it still make energy; those at the
 // step's end do not. Leaves a third of the amplitude of what no step resolves after a step.
@@ -142,10 +145,7 @@ double Implicit::try_step(double limit, StepReport& report) {
   return reach(limit, report);
 }
 
-void Implicit::mark_repeatable() {
-  repeatable_ = {};
-  if (now_.settling == 0) repeatable_ = {save_state(), energy().surplus()};
-}
+void Implicit::mark_repeatable() { repeatable_ = {save_state(), energy().surplus(), 0, now_.settling > 0}; }
 
 void Implicit::return_to_start(Repeatable::Try next) {
   const DynamicState reported = now_;
@@ -220,7 +220,7 @@ void Implicit::settle() {
   const double surplus = energy().surplus();
   now_.loss += std::max(0.0, now_.surplus - surplus);
   now_.surplus = energy().surplus();
-  if (--now_.settling == 0) take_scheme();
+  if (repeatable_.halved == 0 && --now_.settling == 0) take_scheme();
 }
 
 const mechanics::NodalRates& Implicit::rates() const { return newmark_.velocities(); }
@@ -259,9 +259,10 @@ bool Implicit::takes_back() {
   if (repeatable_.start.empty() || which == Try::first_again) return false;
   const EnergyAccount now = energy();
   const double made = (now.surplus() - repeatable_.surplus) / ledger_scale(now);
+  if (repeatable_.settling) return made > 0 && shortens(made, kSettlingHalvings);
   if (which == Try::first) {
     const bool may_damp = chooses_scheme() && now_.damping != Damping::strong;
-    if (!(made > options_.ledger_limit && may_damp)) return shortens(made);
+    if (!(made > options_.ledger_limit && may_damp)) return shortens(made, kMostHalvings);
     repeatable_.made = made;
     return_to_start(Try::damped);
     damp(Damping::strong);
@@ -289,10 +290,9 @@ void Implicit::watch_hht() {
 }
 
 // Where stiff elements turn far within a step, its error falls with its size.
-bool Implicit::shortens(double error) {
+bool Implicit::shortens(double error, int most) {
   const int halved = std::exchange(repeatable_.halved, 0);
-  if (!(std::abs(error) > kErrorOfStep * options_.ledger_limit) || halved == kMostHalvings || is_young())
-    return false;
+  if (!(std::abs(error) > kErrorOfStep * options_.ledger_limit) || halved == most || is_young()) return false;
   const double end = committed_time();
   return_to_start(Repeatable::Try::first);
   control_.set((end - committed_time()) / 2);

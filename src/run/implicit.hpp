@@ -58,12 +58,13 @@ class Implicit final : public Dynamic {
     enum class Try { first, damped, first_again };
     std::string start;             // the state before it; empty: it is not taken back
     double surplus = 0, made = 0;  // J, of the ledger before it; its first try's share of the ledger's scale
+    bool settling = false;         // whether directors settle in it
     Try which = Try::first;
     int halved = 0;  // times, for its error of the ledger
   } repeatable_;
   void mark_repeatable();
   void return_to_start(Repeatable::Try next);
-  bool shortens(double error);
+  bool shortens(double error, int most);  // at most so many times
 };
 
 }  // namespace fabricsh::run

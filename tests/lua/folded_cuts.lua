@@ -22,6 +22,7 @@ end
 for _, case in ipairs {
   { scheme = "explicit", angle = 100, time = 0.2 }, { scheme = "explicit", angle = 100, time = 0.2, triangles = true },
   { scheme = "implicit", angle = 110 }, { scheme = "implicit", angle = 110, triangles = true },
+  { scheme = "implicit", angle = 80, triangles = true }, { scheme = "implicit", angle = 125, triangles = true },
   { scheme = "static", angle = 90 }, { scheme = "static", angle = 95, triangles = true },
 } do
   local name = ("%s, %s"):format(case.scheme, case.triangles and "triangles" or "quadrilaterals")

@@ -84,8 +84,8 @@ TEST_CASE("no frequency of a mesh is above the bound, and the bound is not far a
               CAPTURE(poisson, triangles, ratio, noise, skew, scaled);
               const auto m = sheet(crooked(triangles, ratio, noise, skew), isotropic(7e6, poisson, 0.6e-3));
               const double over = excess(*m, scaled);
-              CHECK(over > 1 - 1e-6);  // B is a difference of strains
-              CHECK(over < 1.7);
+              CHECK(over > 1 - 1e-6);                 // B is a difference of strains
+              CHECK(over < (triangles ? 1.8 : 1.7));  // thin triangles have next to no shear in their edges
             }
 }
 
@@ -127,7 +127,8 @@ TEST_CASE("the bound holds for woven cloth, layers, separate bending and stiff t
         CAPTURE(card.name, triangles, scaled);
         const double over = excess(*sheet(crooked(triangles, 2.5, 0.1, 0.3), card), scaled);
         CHECK(over > 1 - 1e-6);
-        CHECK(over < 8);  // the stiffest tangent of a woven law is not that of the virgin cloth
+        CHECK(over <
+              (triangles ? 9.5 : 8));  // the stiffest tangent of a woven law is not that of the virgin cloth
       }
 }
 

@@ -15,9 +15,11 @@ namespace fabricsh::mechanics {
 namespace {
 
 constexpr double kUpright = 0.5 * std::numbers::sqrt2;  // cosine of 45 degrees, where leaning begins to cost
-constexpr double kWellBefore = 0.9;    // cosine with the normal that directors of the reference must have
-constexpr double kShareOfShear = 0.5;  // of the transverse shear modulus: with it the stable step holds
-constexpr double kOnset = 0.5;         // share of B' over B kappa^2 b^2 / 4 where the guard of splay begins
+constexpr double kClosed = 0.5;         // cosine of 60 degrees, where a triangle's director begins to cost
+constexpr double kShareOfBending = 10;  // of the bending rigidity, at each corner of a triangle
+constexpr double kWellBefore = 0.9;     // cosine with the normal that directors of the reference must have
+constexpr double kShareOfShear = 0.5;   // of the transverse shear modulus: with it the stable step holds
+constexpr double kOnset = 0.5;          // share of B' over B kappa^2 b^2 / 4 where the guard of splay begins
 constexpr double kReturned = 1.5;  // what is given back over what is lost, so that leaning costs something
 
 // Zero up to 0, x - 1/2 from 1 on, with two continuous derivatives.
@@ -327,10 +329,8 @@ void add_splay_tangent(const Ridge& r, const Splay& v, const Configuration& now,
 
 // --- lean
 
-// Nodes with a director that leans by 45 degrees from one of its elements. At all others the mean of the
-// elements' normals is no farther away either.
-std::vector<Index> Directors::leaning_nodes(const Configuration& configuration) const {
-  std::vector<Index> found;
+std::vector<Directors::Corner> Directors::leaning_corners(const Configuration& configuration) const {
+  std::vector<Corner> found;
   const auto flags = cloth_.astray();
   for (std::size_t b = 0; b < flags.size(); ++b)
     for (int l = 0; flags[b] >> l != 0; ++l) {
@@ -340,10 +340,17 @@ std::vector<Index> Directors::leaning_nodes(const Configuration& configuration) 
       const double least = kUpright * normal.norm();
       for (int a = 0; a < batch.kind->corners; ++a)
         if (at(configuration.d(), batch.nodes[l][a]).dot(normal) < least)
-          found.push_back(dofs_.joints().leader(batch.nodes[l][a]));
+          found.push_back({dofs_.joints().leader(batch.nodes[l][a]), batch.element[l]});
     }
   std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+// At all other nodes the mean of the elements' normals is no farther away than 45 degrees either.
+std::vector<Index> Directors::leaning_nodes(const Configuration& configuration) const {
+  std::vector<Index> found;
+  for (const Corner& corner : leaning_corners(configuration))
+    if (found.empty() || found.back() != corner.node) found.push_back(corner.node);
   return found;
 }
 
@@ -375,30 +382,62 @@ double Directors::upright(Index node) const {
   return found == lowered_.end() ? kUpright : found->second;
 }
 
+bool Directors::costs(const Configuration& configuration, Lean& lean) const {
+  const TiltMeasure v = measure(lean.normal, at(configuration.d(), lean.node), lean.area, lean.upright);
+  if (!(v.s > 0)) return false;
+  const Ramp R = ramp(v.s / lean.scale);
+  lean.energy = lean.weight * lean.scale * R.value;
+  lean.by_normal = lean.weight * R.slope * v.by_normal;
+  lean.by_director = lean.weight * R.slope * v.by_director;
+  return true;
+}
+
 bool Directors::lean_of(Index node, const Configuration& configuration, Lean& lean) const {
   if (!(weight_[node] > 0)) return false;
   lean.node = node;
+  lean.elements = elements_of(node);
+  lean.weight = weight_[node];
+  lean.area = area_[node];
+  lean.upright = upright(node);
+  lean.scale = kUpright;
   lean.normal = plane_projected(node, normal_at(node, configuration.x()));
-  const TiltMeasure v = measure(lean.normal, at(configuration.d(), node), area_[node], upright(node));
-  if (!(v.s > 0)) return false;
-  const Ramp R = ramp(v.s / kUpright);
-  lean.energy = weight_[node] * kUpright * R.value;
-  lean.by_normal = weight_[node] * R.slope * v.by_normal;
-  lean.by_director = weight_[node] * R.slope * v.by_director;
-  return true;
+  return costs(configuration, lean);
+}
+
+bool Directors::lean_of(const Corner& corner, const Configuration& configuration, Lean& lean) const {
+  const auto& nodes = model_.mesh().elements[corner.element];
+  if (corners(nodes) != 3 || !(weight_[corner.node] > 0)) return false;
+  const Vec3 before =
+      plane_projected(corner.node, 0.5 * (X_[nodes[1]] - X_[nodes[0]]).cross(X_[nodes[2]] - X_[nodes[0]]));
+  lean.area = before.norm();
+  const double cosine = dofs_.reference_directors()[corner.node].dot(before) / std::max(lean.area, 1e-300);
+  if (!(cosine > 0)) return false;
+  lean.node = corner.node;
+  const auto around = elements_of(corner.node);
+  lean.elements = around.subspan(std::find(around.begin(), around.end(), corner.element) - around.begin(), 1);
+  const auto& B = rigidity_[static_cast<std::size_t>(model_.region_of(corner.element))];
+  lean.weight = kShareOfBending * std::max(B[0], B[1]);
+  lean.upright = kClosed * cosine;
+  lean.scale = kClosed;
+  lean.normal = plane_projected(corner.node, area_vector(nodes, configuration.x()));
+  return costs(configuration, lean);
 }
 
 template <class Visit>
 void Directors::visit_leans(const Configuration& configuration, Visit visit) const {
   Lean lean;
-  for (const Index n : leaning_nodes(configuration))
-    if (lean_of(n, configuration, lean)) visit(lean);
+  const auto found = leaning_corners(configuration);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if ((i == 0 || found[i - 1].node != found[i].node) && lean_of(found[i].node, configuration, lean))
+      visit(lean);
+    if (lean_of(found[i], configuration, lean)) visit(lean);
+  }
 }
 
 void Directors::add_lean_forces(const Lean& lean, std::span<const double> x, Forces& forces) const {
   at(forces.on_d, lean.node) += lean.by_director;
   const Vec3 p = plane_projected(lean.node, lean.by_normal) / 2;
-  for (const Index e : elements_of(lean.node)) {
+  for (const Index e : lean.elements) {
     const auto [a, c, b, d] = diagonals(model_.mesh().elements[e]);
     const Vec3 on_first = (at(x, d) - at(x, b)).cross(p), on_second = p.cross(at(x, c) - at(x, a));
     at(forces.on_x, c) += on_first;
@@ -411,10 +450,10 @@ void Directors::add_lean_forces(const Lean& lean, std::span<const double> x, For
 void Directors::add_lean_tangent(const Lean& lean, const Configuration& now, TangentSink& sink) const {
   const auto x = now.x();
   const Vec3 d = at(now.d(), lean.node), &N = lean.normal;
-  const double cosine = upright(lean.node);
-  const TiltMeasure v = measure(N, d, area_[lean.node], cosine);
-  const Ramp R = ramp(v.s / kUpright);
-  const double w = weight_[lean.node], U1 = w * R.slope, U2 = w * R.bend / kUpright, m3 = v.m * v.m * v.m;
+  const double cosine = lean.upright;
+  const TiltMeasure v = measure(N, d, lean.area, cosine);
+  const Ramp R = ramp(v.s / lean.scale);
+  const double w = lean.weight, U1 = w * R.slope, U2 = w * R.bend / lean.scale, m3 = v.m * v.m * v.m;
   const Mat3 one = Mat3::Identity();
   const Vec3 n = N / v.size, c = cosine * n - d;
   Mat3 NN = cosine / (v.size * v.m) * (one - n * n.transpose()) -
@@ -436,7 +475,7 @@ void Directors::add_lean_tangent(const Lean& lean, const Configuration& now, Tan
     known == by.end() ? by.emplace_back(node, project * Z) : (known->second += project * Z, *known);
   };
   const Mat3 geometric = -cross_matrix(project * lean.by_normal) / 2;
-  for (const Index e : elements_of(lean.node)) {
+  for (const Index e : lean.elements) {
     const auto [a, k, b, l] = diagonals(model_.mesh().elements[e]);
     const Mat3 first = -cross_matrix(at(x, l) - at(x, b)) / 2, second = cross_matrix(at(x, k) - at(x, a)) / 2;
     add(k, first);
@@ -471,7 +510,7 @@ Outcome Directors::add_forces(const law::Step&, const Trial& trial, Forces& forc
 void Directors::couple(const Trial& trial, std::vector<NodePair>& pairs) {
   visit_leans(trial.configuration, [&](const Lean& lean) {
     std::vector<Index> ring;
-    for (const Index e : elements_of(lean.node))
+    for (const Index e : lean.elements)
       for (const Index node : model_.mesh().elements[e])
         if (node >= 0) ring.push_back(node);
     std::sort(ring.begin(), ring.end());

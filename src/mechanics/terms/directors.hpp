@@ -12,6 +12,11 @@
 //   the modulus of transverse shear. The normal is the mean of its elements' normals by area; in the limit of
 //   a fold that closes, where it vanishes, the guard does so, too.
 //
+//   Lean of triangles. A thin triangle holds a director to its own normal by bending alone (shell3.hpp),
+//   which sees the sine of the angle: in a sharp fold one side would take all of it and turn the director
+//   over. From 60 degrees between a director and the normal of one triangle on, that is resisted by ten times
+//   the bending rigidity; where the reference has an angle already, later.
+//
 //   Where a joint opens in a fold, its director, which stood upright on the mean of both sides, leans on
 //   each. That must make no energy: the cosine at which leaning begins to cost is that which the part has
 //   there, and goes back to that of 45 degrees as its director comes upright. What the whole joint had stored
@@ -21,6 +26,7 @@
 #include <cstdint>
 #include <map>
 #include <span>
+#include <tuple>
 #include <unordered_map>
 #include <vector>
 
@@ -62,9 +68,13 @@ class Directors final : public Term {
     double width;   // length of the direction across in the reference, m
     double energy;  // J, of the ramp at one
   };
-  // A node and the sum N of its elements' normals times their areas, m^2, projected into its symmetry plane.
+  // A node and the sum N of normals times areas, m^2, of its elements or of one, projected into its symmetry
+  // plane.
   struct Lean {
     Index node;
+    std::span<const Index> elements;
+    double weight, area;    // J; m^2, |N| in the reference
+    double upright, scale;  // cosines: where leaning begins to cost, and over which the cost grows
     Vec3 normal;
     Vec3 by_normal, by_director;  // derivatives of the energy
     double energy;                // J
@@ -87,8 +97,16 @@ class Directors final : public Term {
   double upright(Index node) const;
   Vec3 normal_at(Index node, std::span<const double> x) const;
   Vec3 plane_projected(Index node, const Vec3& v) const;
+  // A director that leans by 45 degrees from an element: the node that leads it, and the element.
+  struct Corner {
+    Index node, element;
+    bool operator<(const Corner& o) const { return std::tie(node, element) < std::tie(o.node, o.element); }
+  };
+  std::vector<Corner> leaning_corners(const Configuration& configuration) const;
   std::vector<Index> leaning_nodes(const Configuration& configuration) const;
   bool lean_of(Index node, const Configuration& configuration, Lean& lean) const;
+  bool lean_of(const Corner& corner, const Configuration& configuration, Lean& lean) const;
+  bool costs(const Configuration& configuration, Lean& lean) const;
   template <class Visit>
   void visit_ridges(const Configuration& configuration, Visit visit) const;
   template <class Visit>
