@@ -6,7 +6,6 @@
 -- moment, so the larger pull T(1 + mu d) has the smaller lever of angle: it stands mu d^2/4 nearer to the facet than half of d. With the
 -- two balances of forces ln(T2/T1) = mu theta (1 - d^2 (1/4 - (1 + mu^2)/12)) to the second order. Were the corners what touches, it
 -- would be n times ln((1 + mu tan(d/2))/(1 - mu tan(d/2))), from the other side, with the same limit.
--- warns: carries without folding within it
 local fabric = require "fabric"
 local card = fabric.svk { young = 1e9, poisson = 0, density = 500, thickness = 0.4e-3, name = "tape", bending = { warp = 3e-6, weft = 3e-6, twist = 3e-6 } }
 local mu, wrap = 0.3, 180

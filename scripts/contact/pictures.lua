@@ -1,7 +1,6 @@
 -- Pictures of contact: a ball on four fabrics, and cloth over a rod.
 --
 --   fabricsh scripts/contact/pictures.lua [out] [elements along an edge]      6; the pictures in share/doc: 16
--- warns: carries without folding within it
 local fabric, out, cells = require "fabric", arg[1] or "out/contact", tonumber(arg[2] or 6)
 local rows, mm = {}, fabric.units.mm
 

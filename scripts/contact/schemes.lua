@@ -6,7 +6,6 @@
 --
 -- Printed is the largest deviation from the closed form, as a share of it.
 -- warns: is at full value at time 0
--- warns: carries without folding within it
 local fabric = require "fabric"
 local every = arg[1] == "all"
 local g, thickness, density, kappa = 9.81, 0.4e-3, 600, 1e9

@@ -1,7 +1,6 @@
 -- A square of the blend, held at its corners, falls under its weight for a quarter of a second; colours are the height.
 --
 --   fabricsh scripts/gallery/drape.lua [out] [elements along an edge]      12; the picture in share/doc: 20
--- warns: carries without folding within it
 local fabric, out = require "fabric", arg[1] or "out/gallery"
 local card = fabric.card("blend"):with { bending = { warp = 15e-6, weft = 15e-6, twist = 7e-6 } }
 local test = fabric.lab.drape { card = card, size = 0.5, cells = tonumber(arg[2]) or 12, duration = 0.25 }

@@ -1,7 +1,6 @@
 -- A round cloth over a round table falls into folds. Damping brings it to rest; a disturbance of 0.1 mm tells it where to fold.
 --
 --   fabricsh scripts/gallery/table.lua [out] [elements around]      24; the picture in share/doc: 56
--- warns: carries without folding within it
 local fabric, out = require "fabric", arg[1] or "out/gallery"
 local around = tonumber(arg[2]) or 24
 local card = fabric.card("blend"):with { bending = { warp = 15e-6, weft = 15e-6, twist = 7e-6 } }

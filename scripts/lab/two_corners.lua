@@ -1,13 +1,12 @@
 -- A sheet hangs from its two upper corners, which come together: does the fold settle as the mesh is refined, and does it stay as it is where the elements are
 -- turned by 45 degrees against yarns and edges?
 --
---   fabricsh scripts/lab/two_corners.lua                    8 x 8 elements, straight and turned, two seeds
+--   fabricsh scripts/lab/two_corners.lua                    8 x 8 elements, straight and turned, four seeds
 --   fabricsh scripts/lab/two_corners.lua "8 16 32" 3 out    meshes, seeds, pictures of the finest into out
--- warns: carries without folding within it
 local fabric = require "fabric"
 local random = require "fabric.lab.random"
 local mm = fabric.units.mm
-local counts, seeds, out_folder = arg[1] or "8", math.max(2, tonumber(arg[2] or 2)), arg[3]
+local counts, seeds, out_folder = arg[1] or "8", math.max(2, tonumber(arg[2] or 4)), arg[3]
 local side, closer = 0.15, 0.15 -- m, and the part of their distance by which the corners come together
 local card = fabric.card "worsted"
 

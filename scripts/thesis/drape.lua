@@ -6,7 +6,6 @@
 --   --rules   the thesis' own set-up instead: law="thesis", transverse shear that follows, shear hysteresis on. It makes energy
 --             until it stops.
 -- Elements of 100 mm are far wider than the folds of this cloth.
--- warns: what its cloth carries without folding within it
 --
 -- Central differences with dt = 1e-5 s as in the thesis. At first every node but those near the pins falls freely: g t^2 / 2.
 local here = arg[0]:gsub("[^/]*$", "")

@@ -5,7 +5,6 @@
 --
 --   fabricsh scripts/verify/drape_solvers.lua                          28 x 3 elements, statics and relaxation
 --   fabricsh scripts/verify/drape_solvers.lua "28x3 36x4 54x6" slow    three meshes, also slow motion; "all": fast motion as well (an hour)
--- warns: carries without folding within it
 local fabric = require "fabric"
 local shadow = require "fabric.lab.shadow"
 local g = 9.80665
