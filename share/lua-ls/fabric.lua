@@ -323,10 +323,10 @@ function fabric.asked_case() end
 function fabric.budget(fields) end
 
 ---@class fabric_card_fields.options
----@field bending? "estimated"|"thickness" estimated: the card's own estimate of what was not measured (a card with a rigidity of its own keeps it); thickness: integration through the thickness, without a warning
+---@field bending? "estimated"|"thickness" estimated: the card's own estimate of what was not measured, or that for its areal mass (a card with a rigidity of its own keeps it); thickness: integration through the thickness, without a warning
 
----A shipped card by name, or the card that a Lua file returns.
----@param name string of a shipped card, or a path (with / or ending in .lua)
+---A shipped card by name, or the card that a Lua file returns, or a card of the deck's own; with options.
+---@param name string|card of a shipped card, or a path (with / or ending in .lua), or a card
 ---@param options? fabric_card_fields.options changes to the card
 ---@return card
 function fabric.card(name, options) end

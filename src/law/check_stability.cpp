@@ -175,8 +175,11 @@ void check_bending(const card::Card& card, const Law& law, CheckReport& report) 
     const bool odd = (B < low || B > high) && !(card.through_thickness && !own);
     if (odd && !own)
       text += ". Give the card a bending = {warp=, weft=, twist=} of its own where folds matter";
-    if (odd && !own && card.estimate)
-      text += ", or use its estimated bending, fabric.card(name, { bending='estimated' })";
+    if (odd && !own)
+      text += std::string(", or use ") +
+              (card.estimate ? "its estimated bending, fabric.card(name"
+                             : "the estimate for its areal mass, fabric.card(card") +
+              ", { bending='estimated' })";
     report.items.push_back({std::string("bending.") + names[i],
                             odd ? Severity::warning : Severity::note,
                             text,

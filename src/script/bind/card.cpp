@@ -3,6 +3,7 @@
 #include <set>
 
 #include "base/number.hpp"
+#include "card/estimate.hpp"
 #include "card/fields.hpp"
 #include "law/provenance.hpp"
 #include "model/loose.hpp"
@@ -215,8 +216,7 @@ Card bent(Card card, const std::string& how) {
     if (card.bending) throw Error(card::at_field(card, "bending") + "it has a rigidity of its own");
     card.through_thickness = true;
   } else {
-    if (!card.estimate)
-      throw Error(card::at_field(card, "estimate") + "the card has no estimate of its bending");
+    if (!card.estimate) card.estimate = card::bending_of_areal_mass(card);
     card.bending = card.estimate->bending;
     origins.emplace_back("bending", "assumed: estimated, " + card.estimate->source);
     std::sort(origins.begin(), origins.end());
@@ -225,15 +225,25 @@ Card bent(Card card, const std::string& how) {
   return card;
 }
 
-int card_by_name(Call& call) {
+// Puts the card that is shipped under the name, or that the file returns, on the stack.
+void load_card(Call& call) {
   lua_State* L = call.L();
   const std::string name = call.text("name");
   const std::string path = is_path(name) ? name : data_file("share/cards/" + name + ".lua");
   if (path.empty()) throw Error(unknown("fabric", name, shipped()));
   if (load_file(L, path) != LUA_OK) throw Error(lua_tostring(L, -1));
   lua_call(L, 0, 1);
+  if (to_object<Card>(L, -1) == nullptr)
+    throw Error(path + ": expected the file to return a card, got " + describe(L, -1));
+}
+
+int card_by_name(Call& call) {
+  lua_State* L = call.L();
+  if (const auto given = call.object<Card>("name"))
+    push_object(L, given);
+  else
+    load_card(call);
   const auto card = to_object<Card>(L, -1);
-  if (card == nullptr) throw Error(path + ": expected the file to return a card, got " + describe(L, -1));
   if (!call.has("options")) return 1;
   const Fields options = call.fields("options");
   if (!options.has("bending")) return push_new_card(L, *card);
@@ -265,14 +275,21 @@ int card_equal(lua_State* L) {
 
 Argument card_options() {
   Argument bending = value_("bending", text,
-                            "estimated: the card's own estimate of what was not measured (a card with a "
-                            "rigidity of its own keeps it); thickness: "
+                            "estimated: the card's own estimate of what was not measured, or that for its "
+                            "areal mass (a card with a rigidity of its own keeps it); thickness: "
                             "integration through the thickness, without a warning")
                          .optional();
   bending.choices = {"estimated", "thickness"};
   Argument options = value_("options", fields, "changes to the card").optional();
   options.rows = {bending};
   return options;
+}
+
+Argument card_or_name_row() {
+  Argument row =
+      value_("name", text | object, "of a shipped card, or a path (with / or ending in .lua), or a card");
+  row.of = "card";
+  return row;
 }
 
 constexpr const char* woven_example =
@@ -307,8 +324,9 @@ std::vector<Entry> card_entries() {
   return {
       {"fabric.card",
        Style::positional,
-       {value_("name", text, "of a shipped card, or a path (with / or ending in .lua)"), card_options()},
-       "A shipped card by name, or the card that a Lua file returns.",
+       {card_or_name_row(), card_options()},
+       "A shipped card by name, or the card that a Lua file returns, or a card of the deck's own; with "
+       "options.",
        "local fabric = require 'fabric'\nassert(fabric.card 'denim'.name == 'denim')\n"
        "assert(fabric.card('denim', { bending='estimated' }).bending.warp[1] > 0)",
        card_by_name},

@@ -29,9 +29,9 @@ wrong("card:write", "card:write(7)",
 
 -- fabric.card
 wrong("fabric.card", "fabric.card()",
-  "deck.lua:1: card: argument 'name': expected a string, got nil (missing, or a misspelt variable)")
+  "deck.lua:1: card: argument 'name': expected a string or a card, got nil (missing, or a misspelt variable)")
 wrong("fabric.card", "fabric.card(7)",
-  "deck.lua:1: card: argument 'name': expected a string, got 7")
+  "deck.lua:1: card: argument 'name': expected a string or a card, got 7")
 
 -- fabric.linear
 wrong("fabric.linear", "fabric.linear{ naem='x' }",
