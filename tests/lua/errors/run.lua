@@ -81,6 +81,12 @@ wrong("analysis:reaction", "run:reaction()",
   "deck.lua:1: reaction: argument 'set': expected a string or a body, got nil (missing, or a misspelt variable)")
 wrong("analysis:reaction", "run:reaction(7)",
   "deck.lua:1: reaction: argument 'set': expected a string or a body, got 7")
+wrong("analysis:reaction", "run:reaction('top', 5)",
+  "deck.lua:1: reaction: argument 'options': expected a table {window}, got 5")
+wrong("analysis:reaction", "run:reaction('top', { window='x' })",
+  "deck.lua:1: reaction: field 'options.window': expected a positive number in s, got 'x'")
+wrong("analysis:reaction", "run:reaction('top', { window=0 })",
+  "deck.lua:1: reaction: field 'options.window': expected a positive number in s, got 0")
 
 -- analysis:record
 wrong("analysis:record", "run:record()",
@@ -88,7 +94,11 @@ wrong("analysis:record", "run:record()",
 wrong("analysis:record", "run:record(7)",
   "deck.lua:1: record: argument 'path': expected a string, got 7")
 wrong("analysis:record", "run:record('x', 5)",
-  "deck.lua:1: record: argument 'options': expected a table {every, columns, order, units}, got 5")
+  "deck.lua:1: record: argument 'options': expected a table {every, columns, window, order, units}, got 5")
+wrong("analysis:record", "run:record('x', { columns={ t=print }, window='x' })",
+  "deck.lua:1: record: field 'options.window': expected a positive number in s, got 'x'")
+wrong("analysis:record", "run:record('x', { columns={ t=print }, window=0 })",
+  "deck.lua:1: record: field 'options.window': expected a positive number in s, got 0")
 wrong("analysis:record", "run:record('x', { every='stpe' })",
   "deck.lua:1: record: field 'options.every': expected a positive number in s or 'step', got 'stpe', did you mean 'step'?")
 wrong("analysis:record", "run:record('x', { every=-1 })",
