@@ -53,7 +53,7 @@ for i, p in ipairs(problems) do
     for _, k in ipairs(sizes) do
       local last = problem.solve(p.size:format(k * p.cells) .. ", " .. how, p.make, p.want, k * p.cells, function(mesh) return problem.cut(mesh, how) end)
       if how ~= "whole" and k == sizes[#sizes] then
-        checks[#checks + 1] = { p.name .. ", " .. how, last.worst, 0, absolute = ({ 0.005, 0.04, 0.035, 0.03 })[i] }
+        checks[#checks + 1] = { p.name .. ", " .. how, last.worst, 0, absolute = ({ 0.005, 0.04, 0.04, 0.03 })[i] }
       end
     end
   end

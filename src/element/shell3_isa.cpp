@@ -1,4 +1,6 @@
-// The batch kernels of the three-node shell; the mathematics is described at the top of shell3.hpp.
+// The batch kernels of the three-node shell; the mathematics is described at the top of shell3.hpp. The
+// curvature of the nodes' directors is that of the three edges, (x_j - x_i).(d_j - d_i), each lengthened to
+// the arc as in shell4.hpp: kappa11 of 1-2, kappa22 of 1-3, and 2 kappa12 both less that of 2-3.
 #include "element/shell3.hpp"
 #include "element/shell_stiffness_isa.hpp"
 
@@ -27,6 +29,7 @@ constexpr double slope2(int g, int e) { return slope(g, e, kN2); }
 // Nodes, base vectors and strains of the element; curvatures and shears are completed for each point.
 struct Triangle {
   V3 x[3], d[3], a1, a2, b1, b2;
+  ArcEdge edge[3];
   Pack gamma[3], share[3], bend1[3], bend2[3];  // of the edges
   Strains strains;
 };
@@ -54,7 +57,12 @@ inline Triangle load_triangle(const section::Section& section, const ShellBatch&
   const auto ref = [&](int i) { return load(batch.geometry + i * lanes); };
   for (int e = 0; e < 3; ++e) {
     const int i = kEdge[e][0], j = kEdge[e][1];
-    t.gamma[e] = Pack(section.thickness / 4) * dot(t.x[j] - t.x[i], t.d[i] + t.d[j]) - ref(e);
+    ArcEdge& edge = t.edge[e];
+    edge.chord = Pack(0.5) * (t.x[j] - t.x[i]);
+    edge.mean = Pack(0.5) * (t.d[i] + t.d[j]);
+    edge.delta = Pack(0.5) * (t.d[j] - t.d[i]);
+    lengthen(edge);
+    t.gamma[e] = Pack(section.thickness) * dot(edge.chord, edge.mean) - ref(e);
     t.share[e] = ref(Shell3Layout::shares + e);
     t.bend1[e] = ref(Shell3Layout::bends + e);
     t.bend2[e] = ref(Shell3Layout::bends + 3 + e);
@@ -65,9 +73,11 @@ inline Triangle load_triangle(const section::Section& section, const ShellBatch&
   p.eps[0] = half * dot(t.a1, t.a1) - ref(3);
   p.eps[1] = half * dot(t.a2, t.a2) - ref(4);
   p.eps[2] = dot(t.a1, t.a2) - ref(5);
-  p.kappa[0] = dot(t.a1, t.b1) - ref(bent);
-  p.kappa[1] = dot(t.a2, t.b2) - ref(bent + 1);
-  p.kappa[2] = dot(t.a1, t.b2) + dot(t.a2, t.b1) - ref(bent + 2);
+  Pack k[3];
+  for (int e = 0; e < 3; ++e) k[e] = Pack(4.0) * dot(t.edge[e].chord, t.edge[e].beta);
+  p.kappa[0] = k[0] - ref(bent);
+  p.kappa[1] = k[1] - ref(bent + 1);
+  p.kappa[2] = k[0] + k[1] - k[2] - ref(bent + 2);
   p.rho[0] = half * dot(t.b1, t.b1) - ref(bent + 3);
   p.rho[1] = half * dot(t.b2, t.b2) - ref(bent + 4);
   p.rho[2] = dot(t.b1, t.b2) - ref(bent + 5);
@@ -116,12 +126,14 @@ struct Forces3 {
   V3 x[3], d[3];
 };
 
+// Conjugate to the curvature of an edge, 4 chord.beta: the curvatures are those of the edges 1-2 and 1-3, and
+// both less that of 2-3.
+inline Pack edge_moment(const Resultants& r, int e) { return e == 2 ? Pack(0.0) - r.M[2] : r.M[e] + r.M[2]; }
+
 inline Forces3 forces_of(const Triangle& t, const ResultantSums& s) {
   const Resultants& r = s.r;
-  const V3 x1 = r.N[0] * t.a1 + r.N[2] * t.a2 + r.M[0] * t.b1 + r.M[2] * t.b2;
-  const V3 x2 = r.N[2] * t.a1 + r.N[1] * t.a2 + r.M[2] * t.b1 + r.M[1] * t.b2;
-  const V3 d1 = r.M[0] * t.a1 + r.M[2] * t.a2 + r.K[0] * t.b1 + r.K[2] * t.b2;
-  const V3 d2 = r.M[2] * t.a1 + r.M[1] * t.a2 + r.K[2] * t.b1 + r.K[1] * t.b2;
+  const V3 x1 = r.N[0] * t.a1 + r.N[2] * t.a2, x2 = r.N[2] * t.a1 + r.N[1] * t.a2;
+  const V3 d1 = r.K[0] * t.b1 + r.K[2] * t.b2, d2 = r.K[2] * t.b1 + r.K[1] * t.b2;
   Forces3 f;
   for (int a = 0; a < 3; ++a) {
     f.x[a] = Pack(kN1[a]) * x1 + Pack(kN2[a]) * x2;
@@ -129,11 +141,14 @@ inline Forces3 forces_of(const Triangle& t, const ResultantSums& s) {
   }
   for (int e = 0; e < 3; ++e) {
     const int i = kEdge[e][0], j = kEdge[e][1];
-    const V3 on_x = s.edge[e] * (t.d[i] + t.d[j]), on_d = s.edge[e] * (t.x[j] - t.x[i]);
+    const ArcEdge& edge = t.edge[e];
+    const Pack two(2.0), moment = two * edge_moment(r, e), shear = two * s.edge[e];
+    const V3 on_x = moment * edge.beta + shear * edge.mean, on_mean = shear * edge.chord,
+             on_delta = through_arc(edge, moment * edge.chord);
     f.x[j] += on_x;
     f.x[i] -= on_x;
-    f.d[i] += on_d;
-    f.d[j] += on_d;
+    f.d[i] += on_mean - on_delta;
+    f.d[j] += on_mean + on_delta;
   }
   return f;
 }
@@ -183,25 +198,31 @@ constexpr double edge_coefficient(int e, int vector) {
   return e == 2 ? (vector == 0 ? -1 : 1) : e == vector ? 1 : 0;
 }
 
+// -1 and 1 at the ends of edge e, 0 at the corner opposite.
+constexpr int end_of(int e, int corner) { return corner == kEdge[e][0] ? -1 : corner == kEdge[e][1] ? 1 : 0; }
+
 inline void fill(const Triangle& t, double thickness, const V3 (&b)[3][2], Columns3& B) {
   const Pack zero(0.0);
   const V3 none{zero, zero, zero};
-  const V3 on_a[2][9] = {{t.a1, none, t.a2, t.b1, none, t.b2, none, none, none},
-                         {none, t.a2, t.a1, none, t.b2, t.b1, none, none, none}};
+  const V3 b12 = Pack(2.0) * t.edge[0].beta, b13 = Pack(2.0) * t.edge[1].beta,
+           b23 = Pack(2.0) * t.edge[2].beta;
+  const V3 on_a[2][9] = {{t.a1, none, t.a2, b12, none, b12 + b23, none, none, none},
+                         {none, t.a2, t.a1, none, b13, b13 - b23, none, none, none}};
   for (int v = 0; v < 2; ++v)
     for (int i = 0; i < 9; ++i) put(B.x, v, i, on_a[v][i]);
   for (int a = 0; a < 3; ++a) {
     const Pack n1(kN1[a]), n2(kN2[a]);
+    V3 bent[3];
+    for (int e = 0; e < 3; ++e) bent[e] = Pack(2.0 * end_of(e, a)) * through_arc(t.edge[e], t.edge[e].chord);
     const V3 rows[9] = {none,      none,      none,
-                        n1 * t.a1, n2 * t.a2, n1 * t.a2 + n2 * t.a1,
+                        bent[0],   bent[1],   bent[0] + bent[1] - bent[2],
                         n1 * t.b1, n2 * t.b2, n1 * t.b2 + n2 * t.b1};
     for (int q = 0; q < 2; ++q)
       for (int i = 0; i < 9; ++i) B.d[2 * a + q][i] = dot(rows[i], b[a][q]);
   }
   for (int e = 0; e < 3; ++e) {
     const int i = kEdge[e][0], j = kEdge[e][1];
-    const V3 director = Pack(thickness / 4) * (t.d[i] + t.d[j]),
-             chord = Pack(thickness / 4) * (t.x[j] - t.x[i]);
+    const V3 director = Pack(thickness / 2) * t.edge[e].mean, chord = Pack(thickness / 2) * t.edge[e].chord;
     for (int v = 0; v < 2; ++v) put(B.x, v, kEdges + e, Pack(edge_coefficient(e, v)) * director);
     for (int a = 0; a < 3; ++a)
       for (int q = 0; q < 2; ++q) B.d[2 * a + q][kEdges + e] = a == i || a == j ? dot(chord, b[a][q]) : zero;
@@ -296,9 +317,6 @@ inline void add_geometric(const ResultantSums& s, const Forces3& f, const Triang
   for (int a = 0; a < 3; ++a)
     for (int q = 0; q < 2; ++q) {
       const int at = 2 * a + q;
-      const Pack n1(kN1[a]), n2(kN2[a]);
-      add_vector(0, at, (n1 * r.M[0] + n2 * r.M[2]) * b[a][q], K);
-      add_vector(1, at, (n1 * r.M[2] + n2 * r.M[1]) * b[a][q], K);
       for (int c = 0; c < 3; ++c) {
         const Pack k = Pack(kN1[a] * kN1[c]) * r.K[0] + Pack(kN2[a] * kN2[c]) * r.K[1] +
                        Pack(kN1[a] * kN2[c] + kN2[a] * kN1[c]) * r.K[2];
@@ -306,29 +324,44 @@ inline void add_geometric(const ResultantSums& s, const Forces3& f, const Triang
       }
       K.dd[at][at] -= dot(f.d[a], t.d[a]);  // second variation of the director: delta2 d = -(q.q) d
     }
-  for (int e = 0; e < 3; ++e)
+  for (int e = 0; e < 3; ++e) {
+    const ArcEdge& edge = t.edge[e];
+    const Pack two(2.0), four(4.0), moment = edge_moment(r, e);
+    const V3 force = four * moment * edge.chord;  // on beta
+    const Pack work = dot(force, edge.delta);
     for (const int a : kEdge[e])
-      for (int q = 0; q < 2; ++q)
-        for (int v = 0; v < 2; ++v)
-          add_vector(v, 2 * a + q, (Pack(edge_coefficient(e, v)) * s.edge[e]) * b[a][q], K);
+      for (int q = 0; q < 2; ++q) {
+        const V3 delta = Pack(0.5 * end_of(e, a)) * b[a][q];
+        const V3 on_a = s.edge[e] * b[a][q] + two * moment * through_arc(edge, delta);
+        for (int v = 0; v < 2; ++v) add_vector(v, 2 * a + q, Pack(edge_coefficient(e, v)) * on_a, K);
+        // As in shell4_isa.cpp: the second variation of beta.
+        const Pack along = dot(edge.delta, delta);
+        const V3 bent = two * edge.slope * (dot(force, delta) * edge.delta + along * force + work * delta) +
+                        (four * edge.bend * work * along) * edge.delta;
+        for (const int c : kEdge[e])
+          for (int p = 0; p < 2; ++p)
+            K.dd[2 * c + p][2 * a + q] += Pack(0.5 * end_of(e, c)) * dot(b[c][p], bent);
+      }
+  }
 }
 
 // Takes from the strains what is quadratic in the step from the nodes before.
 inline void linearise(const Triangle& before, double thickness, Triangle& t) {
-  const V3 a1 = t.a1 - before.a1, a2 = t.a2 - before.a2, b1 = t.b1 - before.b1, b2 = t.b2 - before.b2;
+  const V3 a1 = t.a1 - before.a1, a2 = t.a2 - before.a2;
   const Pack half(0.5);
   Strains& p = t.strains;
   p.eps[0] -= half * dot(a1, a1);
   p.eps[1] -= half * dot(a2, a2);
   p.eps[2] -= dot(a1, a2);
-  p.kappa[0] -= dot(a1, b1);
-  p.kappa[1] -= dot(a2, b2);
-  p.kappa[2] -= dot(a1, b2) + dot(a2, b1);
+  Pack k[3];
   for (int e = 0; e < 3; ++e) {
-    const int i = kEdge[e][0], j = kEdge[e][1];
-    const V3 chord = t.x[j] - t.x[i] - (before.x[j] - before.x[i]);
-    t.gamma[e] -= Pack(thickness / 4) * dot(chord, t.d[i] + t.d[j] - (before.d[i] + before.d[j]));
+    const V3 chord = t.edge[e].chord - before.edge[e].chord;
+    k[e] = Pack(4.0) * dot(chord, t.edge[e].beta - before.edge[e].beta);
+    t.gamma[e] -= Pack(thickness) * dot(chord, t.edge[e].mean - before.edge[e].mean);
   }
+  p.kappa[0] -= k[0];
+  p.kappa[1] -= k[1];
+  p.kappa[2] -= k[0] + k[1] - k[2];
 }
 
 template <bool symmetric>

@@ -22,13 +22,17 @@ struct Edges {
 
 constexpr int kEdge[4][2] = {{3, 2}, {0, 1}, {1, 2}, {0, 3}};
 
+// As lengthen() does in the kernels.
+Vec3 lengthened(const Vec3& delta) {
+  const double q = delta.squaredNorm();
+  return (1 + q * (1.0 / 6 + 3.0 / 40 * q)) * delta;
+}
+
 Edges edges_of(const std::array<Vec3, 4>& X, const std::array<Vec3, 4>& D) {
   Edges e;
   for (int i = 0; i < 4; ++i) {
     e.chord[i] = (X[kEdge[i][1]] - X[kEdge[i][0]]) / 2;
-    e.beta[i] = (D[kEdge[i][1]] - D[kEdge[i][0]]) / 2;
-    const double q = e.beta[i].squaredNorm();
-    e.beta[i] *= 1 + q * (1.0 / 6 + 3.0 / 40 * q);  // as lengthen() does in the kernels
+    e.beta[i] = lengthened((D[kEdge[i][1]] - D[kEdge[i][0]]) / 2);
   }
   e.mid1 = (e.chord[0] + e.chord[1]) / 2;
   e.mid2 = (e.chord[2] + e.chord[3]) / 2;
@@ -336,8 +340,14 @@ void shell3_geometry(const section::Section& section, const std::array<Vec3, 3>&
     put(e, section.thickness / 4 * (X[j] - X[i]).dot(D[i] + D[j]));
   }
   const Vec3 A1 = X[1] - X[0], A2 = X[2] - X[0], B1 = D[1] - D[0], B2 = D[2] - D[0];
-  const auto membrane = metric(A1, A2, A1, A2), kappa = metric(A1, A2, B1, B2), rho = metric(B1, B2, B1, B2);
+  const auto membrane = metric(A1, A2, A1, A2), rho = metric(B1, B2, B1, B2);
   for (int i = 0; i < 3; ++i) put(3 + i, membrane[i] / 2);
+  double bent[3];  // curvatures of the edges
+  for (int e = 0; e < 3; ++e) {
+    const auto [i, j] = std::pair(edge[e][0], edge[e][1]);
+    bent[e] = 2 * (X[j] - X[i]).dot(lengthened((D[j] - D[i]) / 2));
+  }
+  const double kappa[3] = {bent[0], bent[1], bent[0] + bent[1] - bent[2]};
   const PointFrame middle{(X[0] + X[1] + X[2]) / 3, (D[0] + D[1] + D[2]) / 3, A1, A2, B1, B2};
   const VirginStiffness stiffness = virgin_stiffness(section, middle, warp);
   for (int e = 0; e < 3; ++e) {

@@ -22,28 +22,11 @@ constexpr double kTwist[4] = {1, -1, 1, -1};
 // Weight of an edge at in-plane point g: edges A and B are interpolated along eta, C and D along xi.
 constexpr double tie(int g, int e) { return (1 + kTwist[e] * (e < 2 ? kEta[g] : kXi[g])) / 2; }
 
-// Half an edge: its chord, half the sum of its directors, and beta, half
-// their difference lengthened from the chord to the arc between them.
-struct ArcEdge {
-  V3 chord, mean, delta, beta;
-  Pack f, slope, bend;  // beta = f(q) delta with q = delta.delta; f' and f''
-};
-
 struct Kinematics {
   ArcEdge edge[4];
   V3 mid1, mid2, twist;
   V3 d[4];
 };
-
-// Directors at an angle a differ by 2 sin(a / 2), hence f = asin(s) / s with s = |delta|, to its third term
-// (error 5e-8 at 20 degrees per edge). Without it the bending resistance would fall off as sin(a) / a.
-inline void lengthen(ArcEdge& e) {
-  const Pack q = dot(e.delta, e.delta), c1(1.0 / 6), c2(3.0 / 40), two(2.0);
-  e.f = Pack(1.0) + q * (c1 + q * c2);
-  e.slope = c1 + two * c2 * q;
-  e.bend = two * c2;
-  e.beta = e.f * e.delta;
-}
 
 inline Kinematics kinematics(const Shell4Batch& batch) {
   Kinematics k;
@@ -476,11 +459,6 @@ inline void close(const Membrane& m, const double* geometry, ConjugateForces& f)
       f.sample[k] += chord == k ? n : -n;
     }
   for (int k = 0; k < 7; ++k) f.sample[k] += f.sample[7] * m.slope[k];
-}
-
-// The force on delta from a force on beta: J^T F with d beta = J d delta; J is symmetric.
-inline V3 through_arc(const ArcEdge& e, V3 F) {
-  return e.f * F + (Pack(2.0) * e.slope * dot(e.delta, F)) * e.delta;
 }
 
 struct NodeForces {

@@ -417,6 +417,28 @@ inline PackMask leans(Pack along, V3 normal, double cosine) {
 }
 inline PackMask bends(Pack bend, double bent) { return bend * bend > Pack(16 * bent); }
 
+// Half an edge: its chord, half the sum of its directors, and beta, half
+// their difference lengthened from the chord to the arc between them.
+struct ArcEdge {
+  V3 chord, mean, delta, beta;
+  Pack f, slope, bend;  // beta = f(q) delta with q = delta.delta; f' and f''
+};
+
+// Directors at an angle a differ by 2 sin(a / 2), hence f = asin(s) / s with s = |delta|, to its third term
+// (error 5e-8 at 20 degrees per edge). Without it the bending resistance would fall off as sin(a) / a.
+inline void lengthen(ArcEdge& e) {
+  const Pack q = dot(e.delta, e.delta), c1(1.0 / 6), c2(3.0 / 40), two(2.0);
+  e.f = Pack(1.0) + q * (c1 + q * c2);
+  e.slope = c1 + two * c2 * q;
+  e.bend = two * c2;
+  e.beta = e.f * e.delta;
+}
+
+// The force on delta from a force on beta: J^T F with d beta = J d delta; J is symmetric.
+inline V3 through_arc(const ArcEdge& e, V3 F) {
+  return e.f * F + (Pack(2.0) * e.slope * dot(e.delta, F)) * e.delta;
+}
+
 // Shell4Astray of an element whose normal, of any length, is the product of its diagonals: a - b and c - d.
 template <int corners>
 unsigned astray(const ShellBatch& batch, const int (&edges)[corners][2], const int (&diagonals)[4],
