@@ -31,10 +31,14 @@ local function listed(list)
 end
 
 -- All combinations of {a={1,2}, b={...}}: names in alphabetical order, the last one varies fastest.
+local most_cases = 1000000
 local function grid(lists)
   local cases = { {} }
   for _, name in ipairs(sorted.keys(lists)) do
     local values, more = lists[name], {}
+    if type(values) == "table" and #cases * #values > most_cases then
+      fail(("study: field 'parameters': expected lists whose combinations are at most %d cases, got %.3g and more with '%s'"):format(most_cases, #cases * #values, tostring(name)))
+    end
     if type(name) ~= "string" or type(values) ~= "table" or #values == 0 then
       fail(("study: field 'parameters.%s': expected a list of values, got %s"):format(name, type(values) == "table" and "an empty table" or tostring(values)))
     end

@@ -144,8 +144,13 @@ struct Rupture {
 enum class Folds { resolved, within, free };
 inline constexpr const char* fold_words[] = {"resolved", "within elements", "free"};
 
+// Where the number of a field comes from: pairs of a field and words that begin with one of the origins
+// (law/provenance.hpp), ascending by field, each once.
+using Provenance = std::vector<std::pair<std::string, std::string>>;
+
 struct Card {
   std::string name, source;
+  Provenance provenance = {};
   double density = 0;    // kg/m^3
   double thickness = 0;  // m
   std::variant<Woven, Svk, LinearElastic> law;

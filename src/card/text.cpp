@@ -74,6 +74,13 @@ std::string field_text(const Field& field, const Card& card, const std::string& 
                                           : std::visit(ValueText{}, field.get(card)));
 }
 
+std::string provenance_text(const Provenance& provenance) {
+  std::string out = "\n  provenance = {";
+  for (const auto& [field, words] : provenance)
+    out += "\n    [" + quoted(field) + "] = " + quoted(words) + ",";
+  return out + "\n  },";
+}
+
 }  // namespace
 
 std::string lua_text(const Card& card) {
@@ -85,6 +92,7 @@ std::string lua_text(const Card& card) {
     for (const Field& field : fields(card))
       if (field.last == last && written(field, card))
         out += (field.beside ? " " : "\n  ") + field_text(field, card, "  ") + ",";
+  if (!card.provenance.empty()) out += provenance_text(card.provenance);
   return out + "\n}\n";
 }
 

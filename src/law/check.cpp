@@ -62,9 +62,16 @@ namespace {
 
 // Parameters that were assumed instead of measured are listed by every check.
 void check_provenance(const card::Card& card, CheckReport& report) {
-  for (const auto& [field, words] : provenance_of(card.source))
+  for (const auto& [field, words] : card.provenance)
     if (words.starts_with("assumed"))
       report.items.push_back({"assumed." + field, Severity::note, field + " is " + words, {}});
+  if (const std::string line = line_of_origin(card.source); card.provenance.empty() && !line.empty())
+    report.items.push_back({"source",
+                            Severity::warning,
+                            "the source has the line '" + line +
+                                "', which is words alone: where numbers come from is stated by "
+                                "provenance={ ['field']='origin' }",
+                            {}});
 }
 
 // Parts of the card that its law does not use.

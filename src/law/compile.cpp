@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "card/fields.hpp"
+#include "law/by_direction.hpp"
 #include "law/curve.hpp"
 #include "law/data.hpp"
 #include "law/laws.hpp"
@@ -337,6 +338,18 @@ std::shared_ptr<const Law> compile_stiffer(const card::Card& card, const Transve
   const bool warp = !(svk != nullptr && svk->g13) && raise(law->elastic.G13, least.warp),
              weft = !(svk != nullptr && svk->g23) && raise(law->elastic.G23, least.weft);
   return warp || weft ? law : nullptr;
+}
+
+std::array<DerivedShear, 2> derived_shear(const card::Card& card) {
+  const auto law = compile_all(card);
+  if (law->kind == CompiledKind::potential)
+    return {{{law->woven.transverse, law->woven.axis[0].curve.initial},
+             {law->woven.transverse, law->woven.axis[1].curve.initial}}};
+  if (law->kind != CompiledKind::elastic) return {};
+  const auto* const svk = std::get_if<card::Svk>(&card.law);
+  const ByDirection modulus = by_direction(*law);
+  return {{{svk != nullptr && svk->g13 ? 0 : law->elastic.G13, modulus.axis[0]},
+           {svk != nullptr && svk->g23 ? 0 : law->elastic.G23, modulus.axis[1]}}};
 }
 
 }  // namespace fabricsh::law

@@ -1,7 +1,6 @@
 #include "law/provenance.hpp"
 
 #include <algorithm>
-#include <optional>
 
 #include "rheology/elements.hpp"
 
@@ -31,56 +30,18 @@ bool is_origin(const std::string& words) {
                      [&](const std::string& origin) { return words.starts_with(origin); });
 }
 
-namespace {
-
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  for (std::size_t from = 0; from <= text.size();) {
-    const std::size_t end = std::min(text.find('\n', from), text.size());
-    lines.push_back(text.substr(from, end - from));
+std::string line_of_origin(const std::string& source) {
+  const auto& fields = provenance_fields();
+  for (std::size_t from = 0; from <= source.size();) {
+    const std::size_t end = std::min(source.find('\n', from), source.size());
+    const std::string line = source.substr(from, end - from);
+    const auto colon = line.find(": ");
+    if (colon != std::string::npos && is_origin(line.substr(colon + 2)) &&
+        std::find(fields.begin(), fields.end(), line.substr(0, colon)) != fields.end())
+      return line;
     from = end + 1;
   }
-  return lines;
-}
-
-std::optional<std::pair<std::string, std::string>> origin_of_line(const std::string& line) {
-  const auto colon = line.find(": ");
-  if (colon == std::string::npos) return {};
-  const auto& fields = provenance_fields();
-  const std::string field = line.substr(0, colon), words = line.substr(colon + 2);
-  if (std::find(fields.begin(), fields.end(), field) == fields.end() || !is_origin(words)) return {};
-  return std::pair(field, words);
-}
-
-}  // namespace
-
-Provenance provenance_of(const std::string& source) {
-  Provenance out;
-  for (const std::string& line : lines_of(source))
-    if (auto pair = origin_of_line(line)) out.push_back(std::move(*pair));
-  std::sort(out.begin(), out.end());
-  return out;
-}
-
-std::string without_provenance(const std::string& source) {
-  std::string out;
-  bool first = true;
-  for (const std::string& line : lines_of(source)) {
-    if (origin_of_line(line)) continue;
-    out += (first ? "" : "\n") + line;
-    first = false;
-  }
-  return out;
-}
-
-std::string with_provenance(const std::string& words, const Provenance& provenance) {
-  std::string out = without_provenance(words);
-  for (const auto& [field, origin] : provenance) {
-    std::string line = origin;
-    std::replace(line.begin(), line.end(), '\n', ' ');
-    out += "\n" + field + ": " + line;
-  }
-  return out;
+  return {};
 }
 
 }  // namespace fabricsh::law

@@ -52,6 +52,16 @@ void check_symmetric_loads(const model::Model& model, double duration);
 // can leave the surface, because a flat sheet held in its plane does not bend.
 std::string bending_warning(const model::Model& model, const mechanics::Assembly& assembly);
 
+// Where moduli of transverse shear that are derived from other numbers of a card make a sheet that is
+// integrated through its thickness softer in bending by more than 1 %: by how much, in a strip from the
+// middle of the sheet to its rim; or empty.
+std::string shear_warning(const model::Model& model, const mechanics::Assembly& assembly);
+
+// Where quadrilaterals are long across fibres that are much stiffer than all else: the radius of bending from
+// which the directors splay, and the sheet loses its stability; or empty if that is sharper than the sheet is
+// large.
+std::string splay_warning(const model::Model& model, const mechanics::Assembly& assembly);
+
 // The rigid motions of the sheet that its supports and springs permit.
 struct Mechanism {
   std::string words;    // "turn about the line through (0, 0.1, 0) m along (1, 0, 0)"; empty: none

@@ -357,6 +357,7 @@ void Dynamic::check() {
   const EnergyAccount e = energy();
   weigh_inertia(e.kinetic, e.scaled);
   watch_flat(e);
+  if (end) watch_guard(e);
   const double scale = ledger_scale(e);
   const bool swings = options_.hht.value_or(0) != 0 || options_.beta || now_.damping == Damping::hht;
   watch_accounts(e, scale, swings ? options_.ledger_limit : 0);

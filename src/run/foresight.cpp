@@ -7,7 +7,11 @@
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "geometry/box.hpp"
+#include "law/bending_spring.hpp"
+#include "law/by_direction.hpp"
 #include "law/check_parts.hpp"
+#include "law/transverse.hpp"
+#include "mechanics/terms/cloth.hpp"
 #include "run/diagnosis.hpp"
 #include "run/place_text.hpp"
 
@@ -284,6 +288,96 @@ std::string bending_warning(const model::Model& model, const mechanics::Assembly
                           *section.points[i * section.points.size() / plies.size()].law);
   }
   return words.empty() || !may_leave_surface(assembly) ? std::string() : words;
+}
+
+std::string shear_warning(const model::Model& model, const mechanics::Assembly& assembly) {
+  constexpr double shows = 0.01;
+  if (model.membrane() || !may_leave_surface(assembly)) return {};
+  const double length = box_of(assembly.dofs().reference()).size().norm() / 2;
+  for (std::size_t r = 0; r < model.regions().size(); ++r) {
+    const auto& region = model.regions()[r];
+    if (model.sections()[r].bends_apart || !region.options.plies.empty()) continue;
+    const double t = model.sections()[r].thickness;
+    const auto derived = law::derived_shear(region.card);
+    for (std::size_t yarn = 0; yarn < 2; ++yarn) {
+      const auto& d = derived[yarn];
+      const double share = d.shear > 0 ? d.axis * t * t / (3 * d.shear * length * length) : 0;
+      if (share <= shows) continue;
+      return "card '" + region.card.name +
+             "' bends through its thickness, with a modulus of transverse shear of " +
+             number(1e-6 * d.shear, 3) + " MPa that is derived from its shear: bent along the " +
+             (yarn == 0 ? "warp" : "weft") + " it adds " + number(100 * share, 2) +
+             " % to the deflection of a strip of " + number(1e3 * length, 3) +
+             " mm, half of this sheet, and more in shorter ones; " +
+             (std::holds_alternative<card::Svk>(region.card.law)
+                  ? "transverse={warp, weft} of the card states it, "
+                  : "") +
+             "bending={warp=, weft=, twist=} takes its place";
+    }
+  }
+  return {};
+}
+
+namespace {
+
+// m, of an element along its sides from corner 0 to 1 and from 1 to 2.
+struct Sides {
+  double first, second;
+  Vec3 along;  // the first
+};
+Sides sides_of(const std::array<mesh::Index, 4>& e, const std::vector<Vec3>& X) {
+  const auto at = [&](int i) -> const Vec3& {
+    return X[static_cast<std::size_t>(e[static_cast<std::size_t>(i)])];
+  };
+  const Vec3 first = (at(1) - at(0) + at(2) - at(3)) / 2, second = (at(3) - at(0) + at(2) - at(1)) / 2;
+  return {first.norm(), second.norm(), first.normalized()};
+}
+
+}  // namespace
+
+// The moment M along the fibres couples the turn of an element's sides in its plane, u_y,x, with the splay of
+// the directors, phi_y,x. Across elements of length h along and b across the fibres the first is held by the
+// stretch of the softer yarns, A h^2 / b^2, and the second by the twist: M = c h / b sqrt(A B_twist). The
+// factor c was measured on cantilevers of elements of 1.5 x 10 to 2.4 x 10 mm: 1.3 to 1.5.
+std::string splay_warning(const model::Model& model, const mechanics::Assembly& assembly) {
+  constexpr double elongated = 4, anisotropic = 1e3, measured = 1.3;
+  if (model.membrane() || !may_leave_surface(assembly)) return {};
+  const auto& X = assembly.dofs().reference();
+  const auto& elements = model.mesh().elements;
+  const double size = box_of(X).size().norm();
+  double widest = size;  // m, radius
+  std::string words;
+  for (std::size_t e = 0; e < elements.size(); ++e) {
+    if (elements[e][3] < 0) continue;
+    const auto element = static_cast<mesh::Index>(e);
+    const auto& section = model.sections()[static_cast<std::size_t>(model.region_of(element))];
+    if (!section.bends_apart) continue;
+    const Sides sides = sides_of(elements[e], X);
+    const double aspect = std::max(sides.first, sides.second) / std::min(sides.first, sides.second);
+    if (aspect < elongated) continue;
+    const auto modulus = law::by_direction(*section.points.front().law);
+    const std::size_t stiff = modulus.axis[0] > modulus.axis[1] ? 0 : 1;
+    if (modulus.axis[stiff] < anisotropic * std::max(modulus.axis[1 - stiff], modulus.shear)) continue;
+    const auto [warp, weft] = assembly.cloth().yarns(element);
+    const bool short_along = (std::abs((stiff == 0 ? warp : weft).dot(sides.along)) > std::sqrt(0.5)) ==
+                             (sides.first < sides.second);
+    if (!short_along) continue;
+    const double moment =
+        measured / aspect *
+        std::sqrt(modulus.axis[1 - stiff] * section.thickness * section.bending[2].rigidity);
+    const double radius = law::stiffest(section.bending[stiff]) / moment;
+    if (radius <= widest) continue;
+    widest = radius;
+    words = "quadrilaterals are " + number(aspect, 2) + " times as long across the " +
+            (stiff == 0 ? "warp" : "weft") + " as along it, as element " + model.element_name(element) +
+            ", and that direction is " + number(modulus.axis[stiff] / modulus.axis[1 - stiff], 2) +
+            " times as stiff as the other: bent along it to less than about " +
+            number(std::round(1e3 * radius), 4) + " mm of radius (" + number(moment, 2) +
+            " N) their directors splay, and the sheet loses its stability where cloth does not; sides of one "
+            "length, "
+            "or triangles, do not";
+  }
+  return words;
 }
 
 // --- mechanisms

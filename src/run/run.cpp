@@ -150,6 +150,13 @@ void Run::start() {
       const std::string text = "warning: " + std::string(kind()) + ": " + words;
       warned_idle_ ? note("oblique", text, region.yarns.worst) : warn("oblique", text, region.yarns.worst);
     }
+  const std::pair<const char*, std::string> doubts[] = {{"shear", shear_warning(*model_, *assembly_)},
+                                                        {"splay", splay_warning(*model_, *assembly_)}};
+  for (const auto& [code, words] : doubts) {
+    if (words.empty()) continue;
+    const std::string text = "warning: " + std::string(kind()) + ": " + words;
+    warned_idle_ ? note(code, text) : warn(code, text);
+  }
   if (const std::string words = moved_bodies_text(*model_); !words.empty()) {
     const std::string text = std::string(kind()) + ": " + words;
     warned_idle_ ? note("jump", text) : warn("jump", text);
@@ -299,6 +306,17 @@ void Run::watch_strain() {
       ": from here on the card extrapolates; warned once, the largest excess is in a.beyond and run.json";
   warned_beyond_ ? note("beyond", text, most.element) : warn("beyond", text, most.element);
   warned_beyond_ = true;
+}
+
+void Run::watch_guard(const EnergyAccount& e) {
+  constexpr double shows = 0.01;
+  if (!(e.directors > shows * e.stored) || warned("lean")) return;
+  warn("lean",
+       "warning: " + std::string(kind()) + ": at time " + number(time()) +
+           " s the guard of the directors has " + number(100 * e.directors / e.stored, 2) +
+           " % of the stored energy, and the answer depends on it as much: the cloth folds more sharply than "
+           "its elements show, or these are long across stiff fibres; expected at most 1 %, with smaller "
+           "elements");
 }
 
 void Run::watch_shape() {

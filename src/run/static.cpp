@@ -414,9 +414,11 @@ bool Static::settle_jump(double size, StepReport& report) {
 bool Static::rescue(double size, StepReport& report) {
   if (descent_ == nullptr && relaxation_ == nullptr) return false;  // along an arc
   if (options_.method != Method::either && options_.method != Method::automatic) return false;
-  // What moves freely does so in relaxation, too, without end.
-  if (options_.method == Method::automatic && step_.last.status == solver::NewtonStatus::singular)
-    return false;
+  // What loads move freely moves so in relaxation, too, without end; what nothing pushes stays where it is.
+  if (options_.method == Method::automatic && step_.last.status == solver::NewtonStatus::singular) {
+    const Mechanism free = find_mechanism(*model_, *assembly_, {size, duration_});
+    if (free.words.empty() || free.driven) return false;
+  }
   relaxing_ = true;
   problem_->set_time(size);
   const Diagnosis before = step_;
@@ -679,7 +681,10 @@ void Static::check() {
   watch_accounts(
       energy(), std::max({work_.largest(), now_.internal, energy_of_rest(), energy_of_rounding(*assembly_)}));
   const bool end = stopped() || std::abs(time() - duration_) <= same_time * duration_;
-  if (end) watch_path();
+  if (end) {
+    watch_path();
+    watch_guard(energy());
+  }
   if (end && work_.largest() == 0 && energy().internal() == 0 && loads_nothing(*model_, *assembly_) &&
       !warned("idle"))
     warn("idle",

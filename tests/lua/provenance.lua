@@ -98,3 +98,20 @@ assert(not bent:with({ bending = false }).source:find("bending typed", 1, true))
 says(bare:with { warp = { unloading = 1e9 }, provenance = { ["warp.unloading"] = "measured by hand" } }, "warp.unloading", "measured by hand")
 says(card { warp = bare.warp }, "warp.unloading", "copied from the card 'mine' (there assumed: 4 times")
 assert(next(fabric.card "denim".provenance) == "bending" and next(fabric.card "denim".provenance, "bending") == nil)
+
+-- Origins are data of the card, not lines of its source: words that look like one stay words; what is stated is kept by a change, a copy and a file.
+local own = denim:with { source = "our cloth\nbending: assumed to be that of denim, says the mill", provenance = { thickness = "measured: FAST-1, 20 samples", ["warp.loading"] = "copied: a \"table\"\nof two lines" } }
+assert(own.source == "our cloth\nbending: assumed to be that of denim, says the mill")
+assert(own.provenance.bending == denim.provenance.bending and own.provenance.thickness == "measured: FAST-1, 20 samples")
+local file = os.tmpname() .. ".lua"
+own:write(file)
+local back = dofile(file)
+os.remove(file)
+assert(back.source == own.source and tostring(back) == tostring(own))
+for field, words in pairs(own.provenance) do assert(back.provenance[field] == words, field) end
+for field in pairs(back.provenance) do assert(own.provenance[field], field) end
+local plain = fabric.svk { young = 1e7, poisson = 0.3, density = 500, thickness = 3e-4, through_thickness = true, source = "a\nthickness: assumed: 0.3 mm" }
+assert(not plain.provenance and plain.source == "a\nthickness: assumed: 0.3 mm")
+local words = "the source has the line 'thickness: assumed: 0.3 mm', which is words alone"
+assert(tostring(plain:check()):find(words, 1, true), tostring(plain:check()))
+assert(not tostring(own:check()):find("which is words alone", 1, true), "a card that states its origins")

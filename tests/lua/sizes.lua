@@ -17,6 +17,18 @@ local sections = { { 0, 0.15, 0.1 }, { 0.2, 0.14, 0.1 } }
 fails("torso: field 'size': expected at most 4000000 facets, got 48 x 20000026 (around, along)", rigid.torso, { sections = sections, size = 1e-8 })
 fails("torso: field 'around': expected a count from 8 to 100000, got 200000", rigid.torso, { sections = sections, around = 200000 })
 
+local lab, denim = fabric.lab, fabric.card "denim"
+fails("synthetic: field 'rows': expected an integer from 10 to 1e+06, got 2e+06", lab.synthetic, { card = denim, rows = 2000000 })
+fails("synthetic: field 'rows': expected at most 20000 for 500 specimens (10000000 rows in all), got 30000", lab.synthetic, { card = denim, rows = 30000, specimens = 500 })
+fails("synthetic: field 'markers': expected at most 10000 markers, got 400 x 30", lab.synthetic, { card = denim, markers = { 400, 30 } })
+fails("band: field 'draws': expected an integer from 100 to 1e+06, got 3e+06", lab.band, { specimens = { { 1 }, { 2 }, { 4 } }, draws = 3000000 })
+fails("sobol_points: argument 'count': expected at most 500000 points of 200 dimensions, got 700000", lab.sobol_points, 700000, 200)
+fails("sample: argument 'n': expected an integer from 1 to 100000, got 2e+06", function() denim:sample(2000000) end)
+local many = {}
+for i = 1, 300 do many[i] = i end
+fails("study: field 'parameters': expected lists whose combinations are at most 1000000 cases, got 2.7e+07", fabric.study,
+  { parameters = { a = many, b = many, c = many }, run = function() return {} end })
+
 local outline = { { 0, 0 }, { 0.4, 0, name = "a" }, { 0.4, 0.3, name = "b" }, { name = "c" } }
 fails("panel: field 'holes': hole 1, piece 1: expected at most 4000000 nodes on all lines, got 4.18", panel, { size = 0.003, outline = outline, holes = { { circle = { 0.1, 0.1 }, radius = 2e4 } } })
 fails("panel: field 'outline': edge 'a': expected at most 4000000 nodes on all lines, got 7e+08", panel,

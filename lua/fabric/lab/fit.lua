@@ -276,7 +276,7 @@ define {
     { name = "count", kind = "integer", low = 2, default = 3, sentence = "first points of the unloading" },
     { name = "kept", kind = "number", above = 0, high = 1, default = 0.7, sentence = "robust: part of the stress" },
     { name = "level", kind = "number", above = 0, high = 1, default = 0.95, sentence = "of confidence" },
-    { name = "draws", kind = "integer", low = 100, default = 2000, sentence = "of the bootstrap" },
+    { name = "draws", kind = "integer", low = 100, high = 1000000, default = 2000, sentence = "of the bootstrap" },
     { name = "seed", kind = "integer", low = 0, default = 1, sentence = "of the bootstrap" },
     { name = "common", kind = "number", low = 0, default = 0,
       sentence = "relative standard uncertainty of all moduli together: load cell, thickness, width" },

@@ -2,6 +2,7 @@
 -- and noise of load, displacement and marker positions; for testing the evaluation with a known result.
 local fabric = require "fabric"
 local define = require "fabric.define"
+local fail = define.fail
 local random = require "fabric.lab.random"
 
 -- Standard deviations: of a reading of the force, N, and of the displacement, m; of the load cell, relative, one for all specimens; of a
@@ -112,9 +113,17 @@ local function photographs(t, r, record, draw)
   return photo
 end
 
+local most_rows, most_markers = 10000000, 10000
+
 local function synthetic(t)
   t.thickness = t.thickness or t.card.thickness
   t.markers = t.markers or { 5, 4 }
+  if t.specimens * t.rows > most_rows then
+    fail(("synthetic: field 'rows': expected at most %d for %d specimens (%d rows in all), got %d"):format(most_rows // t.specimens, t.specimens, most_rows, t.rows))
+  end
+  if t.markers[1] * (t.markers[2] or 1) > most_markers then
+    fail(("synthetic: field 'markers': expected at most %d markers, got %g x %g"):format(most_markers, t.markers[1], t.markers[2] or 1))
+  end
   local draw, out = random(t.seed), {}
   local calibration = 1 + load_cell_error * draw.normal() -- one load cell for all specimens
   local reach = t.reach or (t.direction == "bias" and bias_reach(t) or t.card.tested[t.direction])
@@ -131,9 +140,9 @@ define {
   arguments = {
     { name = "card", of = "card", sentence = "the truth" },
     { name = "direction", kind = "text", choices = { "warp", "weft", "bias" }, default = "warp", sentence = "of the pull" },
-    { name = "specimens", kind = "integer", low = 1, default = 5, sentence = "replicates" },
+    { name = "specimens", kind = "integer", low = 1, high = 10000, default = 5, sentence = "replicates" },
     { name = "seed", kind = "integer", low = 0, default = 1, sentence = "of all that is random" },
-    { name = "rows", kind = "integer", low = 10, default = 300, sentence = "of the record on the way up" },
+    { name = "rows", kind = "integer", low = 10, high = 1000000, default = 300, sentence = "of the record on the way up" },
     { name = "reach", kind = "number", above = 0, optional = true, sentence = "largest strain; default: as tested" },
     { name = "slip", kind = "number", unit = "m/N", low = 0, default = 0, sentence = "in the grips" },
     { name = "compliance", kind = "number", unit = "m/N", low = 0, default = 0, sentence = "of the frame" },

@@ -100,7 +100,7 @@ void merge(lua_State* L, int to, int from, const std::vector<Argument>& rows) {
 
 // The provenance of a changed card: values changed by hand are marked as typed; a part that is gone has none.
 law::Provenance origins_after(const Card& before, const Card& after) {
-  law::Provenance out = law::provenance_of(before.source);
+  law::Provenance out = before.provenance;
   const auto* a = std::get_if<card::Woven>(&before.law);
   const auto* b = std::get_if<card::Woven>(&after.law);
   const auto changed = [&](const std::string& field, bool same) {
@@ -180,7 +180,7 @@ int with(Call& call) {
   merge(L, merged, lua_gettop(L), card_rows(card::kind(*card)));
   lua_pop(L, 1);
   Card changed = read_card(L, merged, card::kind(*card));
-  if (!states_origin) changed.source = law::with_provenance(changed.source, origins_after(*card, changed));
+  if (!states_origin) changed.provenance = origins_after(*card, changed);
   warn_old_friction(call, card->bending, changed.bending);
   return push_new_card(L, std::move(changed));
 }
@@ -210,7 +210,7 @@ std::vector<std::string> shipped() {
 
 // The card with its estimated bending, or with integration through the thickness on purpose.
 Card bent(Card card, const std::string& how) {
-  auto origins = law::provenance_of(card.source);
+  auto& origins = card.provenance;
   std::erase_if(origins, [](const auto& origin) { return origin.first == "bending"; });
   if (how == "thickness") {
     if (card.bending) throw Error(card::at_field(card, "bending") + "it has a rigidity of its own");
@@ -221,7 +221,6 @@ Card bent(Card card, const std::string& how) {
     origins.emplace_back("bending", "assumed: estimated, " + card.estimate->source);
     std::sort(origins.begin(), origins.end());
   }
-  card.source = law::with_provenance(law::without_provenance(card.source), origins);
   return card;
 }
 

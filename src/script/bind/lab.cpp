@@ -280,6 +280,11 @@ int student(Call& call) {
 }
 
 int sobol_points(Call& call) {
+  constexpr std::int64_t most = 100000000;  // numbers
+  if (call.integer("count") > most / call.integer("dimensions"))
+    call.refuse("count", "expected at most " + std::to_string(most / call.integer("dimensions")) +
+                             " points of " + std::to_string(call.integer("dimensions")) +
+                             " dimensions, got " + std::to_string(call.integer("count")));
   push_numbers(call.L(), lab::sobol_points(static_cast<std::size_t>(call.integer("count")),
                                            static_cast<std::size_t>(call.integer("dimensions")),
                                            static_cast<std::uint64_t>(call.integer("seed"))));
@@ -481,7 +486,7 @@ std::vector<Entry> fit_entries() {
        Style::fields,
        {value_("specimens", table, "one list of parameters per specimen"),
         number_("level", "", Range{0, 1, true, true}, "of confidence").or_else(0.95),
-        integer_("draws", Range{100}, "of the bootstrap").or_else(2000.0),
+        integer_("draws", Range{100, 1e6}, "of the bootstrap").or_else(2000.0),
         integer_("seed", not_negative, "of the bootstrap").or_else(1.0),
         list("common", "", "relative standard uncertainties that all specimens share, one per parameter")
             .optional()},

@@ -83,10 +83,15 @@ std::function<double(const run::Run&)> mean_of_field(const Fields& columns, cons
                                                      const run::Run& run, std::string& unit) {
   lua_State* L = columns.L();
   std::string words[2] = {"", "all"};
+  bool windowed = false;
+  if (lua_istable(L, -1)) {
+    windowed = lua_getfield(L, -1, "window") != LUA_TNIL;
+    lua_pop(L, 1);
+  }
   if (lua_type(L, -1) == LUA_TSTRING) words[0] = lua_tostring(L, -1);
   for (int i = 0; lua_istable(L, -1) && i < 2; ++i) {
     const int kind = lua_rawgeti(L, -1, i + 1);
-    if (i == 1 && kind == LUA_TNIL) {
+    if (i == 1 && kind == LUA_TNIL && windowed) {
       lua_pop(L, 1);
       break;
     }

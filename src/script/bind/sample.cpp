@@ -92,7 +92,8 @@ void bind_sample(Session& session) {
   install(session,
           {{"card:sample",
             Style::positional,
-            {integer_("n", from_one, "of cards"), integer_("seed", not_negative, "of the draw").or_else(1.0)},
+            {integer_("n", Range{1, 1e5}, "of cards"),
+             integer_("seed", not_negative, "of the draw").or_else(1.0)},
             "Cards drawn from the card's confidence bands, for the uncertainty of any answer, a list; a "
             "value at the "
             "end of its band is drawn on the band's side. Drawn values that make no card are drawn again; "

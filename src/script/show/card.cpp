@@ -55,9 +55,8 @@ class Print {
       for (const Field& field : card::fields(card))
         if (field.last == last) add(field, field.name);
     for (const auto& [title, words] : later_) phrase(title, words);
-    const std::string source = law::without_provenance(card.source);
-    if (!source.empty()) lines_.at("source") = source;
-    for (const auto& [field, words] : law::provenance_of(card.source)) {
+    if (!card.source.empty()) lines_.at("source") = card.source;
+    for (const auto& [field, words] : card.provenance) {
       std::string& line = lines_.at(field);  // after the field's own text
       line += (line.empty() ? "" : "; ") + words;
     }

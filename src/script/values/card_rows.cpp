@@ -225,7 +225,7 @@ law::Provenance read_provenance(const Fields& f) {
   return out;
 }
 
-// The rows of a card's fields; origins are not fields, but part of its source.
+// The rows of a card's fields, and its origins.
 std::vector<Argument> rows_of(const std::string& kind) {
   std::vector<Argument> rows = arguments_of(card::fields(kind));
   const auto place =
@@ -253,7 +253,7 @@ Card card_from(const Fields& fields, const std::string& kind) {
   Card card = card::blank(kind);
   read_fields(fields, card::fields(kind), "", card);
   if (const auto found = card::clash(card)) fields.refuse(found->field, found->words);
-  if (fields.has("provenance")) card.source = law::with_provenance(card.source, read_provenance(fields));
+  if (fields.has("provenance")) card.provenance = read_provenance(fields);
   if (kind == "woven" && fields.has("bands")) check_bands(fields, card);
   if (const auto* svk = std::get_if<card::Svk>(&card.law)) check_svk(fields, *svk);
   return card;

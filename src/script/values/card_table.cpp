@@ -87,11 +87,11 @@ void push_shown(lua_State* L, const FieldTable& table, const Card& card, const s
   }
 }
 
-// Sets kind, and the source without the origins of fields, which have a table of their own.
+// Sets kind, source and the origins of fields.
 void set_origins(lua_State* L, const Card& card) {
   set_text(L, "kind", card::kind(card));
-  set_text(L, "source", law::without_provenance(card.source));
-  const auto provenance = law::provenance_of(card.source);
+  set_text(L, "source", card.source);
+  const auto& provenance = card.provenance;
   if (provenance.empty()) return;
   lua_newtable(L);
   for (const auto& [field, words] : provenance) set_text(L, field.c_str(), words);

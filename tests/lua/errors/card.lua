@@ -9,11 +9,11 @@ wrong("card:check", "card:check({ element_size='1' })",
 
 -- card:sample
 wrong("card:sample", "card:sample()",
-  "deck.lua:1: sample: argument 'n': expected an integer of at least 1, got nil (missing, or a misspelt variable)")
+  "deck.lua:1: sample: argument 'n': expected an integer from 1 to 100000, got nil (missing, or a misspelt variable)")
 wrong("card:sample", "card:sample(2.5)",
-  "deck.lua:1: sample: argument 'n': expected an integer of at least 1, got 2.5")
+  "deck.lua:1: sample: argument 'n': expected an integer from 1 to 100000, got 2.5")
 wrong("card:sample", "card:sample(0)",
-  "deck.lua:1: sample: argument 'n': expected an integer of at least 1, got 0")
+  "deck.lua:1: sample: argument 'n': expected an integer from 1 to 100000, got 0")
 
 -- card:with
 wrong("card:with", "card:with()",

@@ -39,7 +39,7 @@ wrong("fabric.lab.band", "fabric.lab.band{ specimens={}, level='1' }",
 wrong("fabric.lab.band", "fabric.lab.band{ specimens={}, level=0 }",
   "deck.lua:1: band: field 'level': expected a number above 0 to below 1, got 0")
 wrong("fabric.lab.band", "fabric.lab.band{ specimens={}, draws=2.5 }",
-  "deck.lua:1: band: field 'draws': expected an integer of at least 100, got 2.5")
+  "deck.lua:1: band: field 'draws': expected an integer from 100 to 1e+06, got 2.5")
 wrong("fabric.lab.band", "fabric.lab.band{ specimens={}, common={1, 'two'} }",
   "deck.lua:1: band: field 'common': expected a table of numbers, got 'two' at place 2")
 

@@ -189,9 +189,9 @@ wrong("fabric.lab.synthetic", "fabric.lab.synthetic{ card='blend' }",
 wrong("fabric.lab.synthetic", "fabric.lab.synthetic{ card=card, direction='wapr' }",
   "deck.lua:1: synthetic: field 'direction': expected 'warp' or 'weft' or 'bias', got 'wapr', did you mean 'warp'?")
 wrong("fabric.lab.synthetic", "fabric.lab.synthetic{ card=card, specimens=2.5 }",
-  "deck.lua:1: synthetic: field 'specimens': expected an integer of at least 1, got 2.5")
+  "deck.lua:1: synthetic: field 'specimens': expected an integer from 1 to 10000, got 2.5")
 wrong("fabric.lab.synthetic", "fabric.lab.synthetic{ card=card, specimens=0 }",
-  "deck.lua:1: synthetic: field 'specimens': expected an integer of at least 1, got 0")
+  "deck.lua:1: synthetic: field 'specimens': expected an integer from 1 to 10000, got 0")
 wrong("fabric.lab.synthetic", "fabric.lab.synthetic{ card=card, reach='1' }",
   "deck.lua:1: synthetic: field 'reach': expected a positive number, got '1'")
 wrong("fabric.lab.synthetic", "fabric.lab.synthetic{ card=card, markers={1, 'two'} }",

@@ -87,6 +87,8 @@ wrong("analysis:reaction", "run:reaction('top', { window='x' })",
   "deck.lua:1: reaction: field 'options.window': expected a positive number in s, got 'x'")
 wrong("analysis:reaction", "run:reaction('top', { window=0 })",
   "deck.lua:1: reaction: field 'options.window': expected a positive number in s, got 0")
+wrong("analysis:reaction", "run:reaction('top', { windwo=1 })",
+  "deck.lua:1: reaction: unknown field 'options.windwo', did you mean 'options.window'?")
 
 -- analysis:record
 wrong("analysis:record", "run:record()",
@@ -99,6 +101,8 @@ wrong("analysis:record", "run:record('x', { columns={ t=print }, window='x' })",
   "deck.lua:1: record: field 'options.window': expected a positive number in s, got 'x'")
 wrong("analysis:record", "run:record('x', { columns={ t=print }, window=0 })",
   "deck.lua:1: record: field 'options.window': expected a positive number in s, got 0")
+wrong("analysis:record", "run:record('x', { columns={ f={ 'S11', window=-1 } } })",
+  "deck.lua:1: record: field 'options.columns.f': expected window = a positive time in s, got -1")
 wrong("analysis:record", "run:record('x', { every='stpe' })",
   "deck.lua:1: record: field 'options.every': expected a positive number in s or 'step', got 'stpe', did you mean 'step'?")
 wrong("analysis:record", "run:record('x', { every=-1 })",
