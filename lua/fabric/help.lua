@@ -259,7 +259,7 @@ end
 -- What is asked for by a word that no entry has in this sense.
 local elsewhere = {
   [{ "movie", "video", "mp4", "gif", "ffmpeg", "animation" }] = "fabric.render draws a frame, ffmpeg joins frames: share/doc/howto/plot.md; fabric.export.gltf writes a series that moves in a browser",
-  [{ "wind", "blow", "inflate", "air" }] = "model:pressure acts along the normal of the sheet as it moves; the flow of air around cloth is not computed",
+  [{ "wind", "blow", "inflate", "air" }] = "model:pressure acts along the normal of the sheet as it moves, model:gas fills a closed volume; the flow of air around cloth is not computed",
   [{ "sew", "seam", "stitch", "glue" }] = "model:tie makes nodes move together; fabric.mesh.merge makes one mesh of several, joined where their nodes coincide",
   [{ "cut", "tear", "rip", "slit" }] = "cloth does not tear in a run; fabric.mesh.annulus has a slit, fabric.mesh{ nodes=, elements= } makes any cut sheet",
 }

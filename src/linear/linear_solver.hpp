@@ -59,4 +59,9 @@ std::unique_ptr<LinearSolver> make_unsymmetric_solver(Ordering ordering = Orderi
 // its negative pivots; so are the following ones, until one has no negative pivots.
 std::unique_ptr<LinearSolver> make_symmetric_solver(Ordering ordering = Ordering::automatic);
 
+// A solver that takes the ranks of a matrix (FewRanks) into account, around one that does not: with the
+// factors of the sparse part, after Sherman, Morrison and Woodbury [hager1989]. Its negative pivots are those
+// of the whole matrix.
+std::unique_ptr<LinearSolver> with_ranks(std::unique_ptr<LinearSolver> sparse);
+
 }  // namespace fabricsh::linear

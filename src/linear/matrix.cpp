@@ -7,6 +7,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "linear/vector.hpp"
+
 namespace fabricsh::linear {
 
 namespace {
@@ -64,7 +66,15 @@ Index Pattern::slot(Index r, Index c) const {
   return found - row.begin();
 }
 
-void Matrix::clear() { std::fill(value.begin(), value.end(), 0.0); }
+void Matrix::clear() {
+  std::fill(value.begin(), value.end(), 0.0);
+  ranks = {};
+}
+
+void Matrix::scale(double factor) {
+  for (double& v : value) v *= factor;
+  if (!ranks.empty()) ranks.core *= factor;
+}
 
 void Matrix::follow(const std::shared_ptr<const Pattern>& p) {
   if (p->version == pattern->version) return;
@@ -106,6 +116,30 @@ Pattern both_triangles(const Pattern& upper) {
   return {std::move(starts), std::move(rows)};
 }
 
+// The sums of the absolute entries of the ranks, or more where several cancel.
+void add_absolute(const FewRanks& ranks, std::vector<double>& sums) {
+  std::vector<double> whole;
+  for (const auto& u : ranks.columns)
+    whole.push_back(
+        std::accumulate(u.begin(), u.end(), 0.0, [](double s, double v) { return s + std::abs(v); }));
+  for (std::size_t i = 0; i < ranks.columns.size(); ++i)
+    for (std::size_t j = 0; j < ranks.columns.size(); ++j) {
+      const double c = std::abs(ranks.core(static_cast<Index>(i), static_cast<Index>(j))) * whole[i];
+      for (std::size_t n = 0; c > 0 && n < sums.size(); ++n) sums[n] += c * std::abs(ranks.columns[j][n]);
+    }
+}
+
+// y += U C U^T x.
+void multiply(const FewRanks& ranks, std::span<const double> x, std::span<double> y) {
+  const auto k = static_cast<Index>(ranks.columns.size());
+  Eigen::VectorXd along(k);
+  for (Index i = 0; i < k; ++i) along[i] = dot(ranks.columns[static_cast<std::size_t>(i)], x);
+  const Eigen::VectorXd weight = ranks.core * along;
+  for (Index i = 0; i < k; ++i)
+    for (std::size_t n = 0; n < y.size(); ++n)
+      y[n] += weight[i] * ranks.columns[static_cast<std::size_t>(i)][n];
+}
+
 }  // namespace
 
 // Either way the entries of a column are added in the order of its rows.
@@ -120,6 +154,7 @@ void absolute_sums(const Matrix& A, std::vector<double>& sums) {
       sums[static_cast<std::size_t>(c)] += a;
       if (pattern.upper && r < c) sums[static_cast<std::size_t>(r)] += a;
     }
+  if (!A.ranks.empty()) add_absolute(A.ranks, sums);
   const double largest = sums.empty() ? 0 : *std::max_element(sums.begin(), sums.end());
   for (double& s : sums) s = std::max(s, 1e-12 * largest);
 }
@@ -140,10 +175,12 @@ void multiply(const Matrix& A, std::span<const double> x, std::span<double> y) {
       y[r] += a * x[c];
       if (pattern.upper && r < c) y[c] += a * x[r];
     }
+  if (!A.ranks.empty()) multiply(A.ranks, x, y);
 }
 
 double symmetric_part(const Matrix& K, std::span<const double> D, Matrix& S) {
   S = K;
+  if (!S.ranks.empty()) S.ranks.core = ((K.ranks.core + K.ranks.core.transpose()) / 2).eval();
   const Pattern& pattern = *K.pattern;
   double most = 0;
   for (Index c = 0; c < K.size() && !pattern.upper; ++c)

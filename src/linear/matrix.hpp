@@ -1,6 +1,7 @@
 // A square sparse matrix in compressed columns: a pattern, which may be shared by several
 // matrices and is replaced when entries are added, and the values of its entries.
 #pragma once
+#include <Eigen/Core>
 #include <cassert>
 #include <cstdint>
 #include <memory>
@@ -39,18 +40,29 @@ class Pattern {
   Pattern with(std::vector<std::vector<Index>>&& further) const;
 };
 
+// What few quantities that depend on all unknowns add to a sparse matrix: U C U^T with the columns U, one per
+// quantity, and a small matrix C. Such a part of a few ranks would fill a pattern.
+struct FewRanks {
+  std::vector<std::vector<double>> columns;
+  Eigen::MatrixXd core;
+  bool empty() const { return columns.empty(); }
+};
+
 struct Matrix {
   Matrix() : Matrix(std::make_shared<const Pattern>()) {}
   explicit Matrix(std::shared_ptr<const Pattern> p)
       : pattern(std::move(p)), value(static_cast<std::size_t>(pattern->entries()), 0.0) {}
   std::shared_ptr<const Pattern> pattern;
   std::vector<double> value;
+  FewRanks ranks =
+      {};  // added to the entries; only solvers made by with_ranks() and the functions below know
 
   Index size() const { return pattern->size; }
   void add(Index r, Index c, double v) {
     if (!pattern->upper || r <= c) value[static_cast<std::size_t>(pattern->slot(r, c))] += v;
   }
-  void clear();  // sets all entries to zero
+  void clear();  // sets all entries to zero, without ranks
+  void scale(double factor);
   // Takes over another pattern if its version differs; the values are then zero.
   void follow(const std::shared_ptr<const Pattern>& p);
   // Takes over another pattern with all values. A nonzero one outside of it is a bug, as in add().

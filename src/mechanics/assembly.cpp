@@ -4,10 +4,12 @@
 
 #include "base/error.hpp"
 #include "geometry/node_view.hpp"
+#include "linear/vector.hpp"
 #include "mechanics/terms/bands.hpp"
 #include "mechanics/terms/cloth.hpp"
 #include "mechanics/terms/contact.hpp"
 #include "mechanics/terms/directors.hpp"
+#include "mechanics/terms/gas.hpp"
 #include "mechanics/terms/loads.hpp"
 #include "mechanics/terms/seams.hpp"
 #include "mechanics/terms/tears.hpp"
@@ -34,6 +36,7 @@ Assembly::Assembly(const model::Model& model)
   if (!model.moments().empty()) make<Moments>(model);
   if (!model.springs().empty()) make<Springs>(model);
   if (!model.bands().empty()) make<EdgeBands>(model);
+  if (!model.gases().empty()) make<Gas>(model);
   if (model.interactions().any()) make<Contacts>(model, std::as_const(configuration_), cloth, dofs_);
   force_x_.assign(3 * configuration_.nodes(), 0);
   force_d_.assign(3 * configuration_.nodes(), 0);
@@ -235,12 +238,42 @@ bool Assembly::tangent(const law::Step& step, linear::Matrix& K, std::span<const
   stiffness_->scatter_tied(to);
   Stiffness::Sink sink(*stiffness_, to);
   for (const auto& term : terms_) term->add_tangent(trial(), sink);
+  for (const auto* const term : terms_.all<FewRankTerm>()) add_ranks(*term, K, lead, product);
   if (!dofs_.freedoms().bodies.empty()) {
     std::vector<double> dead;
     terms_.external(trial_time_, dead);
     stiffness_->add_body_stiffness(configuration_, force_x_, force_d_, dead, terms_.moments(), to);
   }
   return outcome_.ok();
+}
+
+// Columns by nodes become columns by unknowns as forces do. The driven degrees of freedom change what the
+// columns measure, too.
+void Assembly::add_ranks(const FewRankTerm& term, linear::Matrix& K, std::span<const double> lead,
+                         std::span<double> product) {
+  NodalRanks nodal;
+  term.add_ranks(trial(), nodal);
+  const auto before = static_cast<Index>(K.ranks.columns.size()),
+             more = static_cast<Index>(nodal.on_x.size());
+  const std::vector<double> zero(force_x_.size(), 0);
+  for (const auto& on_x : nodal.on_x) {
+    K.ranks.columns.emplace_back(static_cast<std::size_t>(dofs_.unknowns()));
+    dofs_.residual(on_x, zero, zero, {}, nullptr, K.ranks.columns.back());
+  }
+  Eigen::MatrixXd core = Eigen::MatrixXd::Zero(before + more, before + more);
+  if (before > 0) core.topLeftCorner(before, before) = K.ranks.core;
+  core.bottomRightCorner(more, more) = nodal.core;
+  K.ranks.core = std::move(core);
+  if (lead.empty() || product.empty()) return;
+  NodalRates led;
+  dofs_.spread_rates(std::vector<double>(static_cast<std::size_t>(dofs_.unknowns()), 0), lead, led);
+  Eigen::VectorXd along(more);
+  for (Index i = 0; i < more; ++i) along[i] = linear::dot(nodal.on_x[static_cast<std::size_t>(i)], led.x);
+  const Eigen::VectorXd weight = nodal.core * along;
+  for (Index i = 0; i < more; ++i) {
+    const auto& column = K.ranks.columns[static_cast<std::size_t>(before + i)];
+    for (std::size_t n = 0; n < product.size(); ++n) product[n] += weight[i] * column[n];
+  }
 }
 
 bool Assembly::material_tangent(linear::Matrix& K, std::span<const double> lead, std::span<double> product) {

@@ -118,6 +118,8 @@ class Assembly {
   T& make(Arguments&&... arguments);
   Forces sums() { return {force_x_, force_d_}; }
   bool take(Outcome outcome);  // stores the outcome; returns whether it is ok
+  void add_ranks(const FewRankTerm& term, linear::Matrix& K, std::span<const double> lead,
+                 std::span<double> product);
   void couple();
   void couple(std::vector<NodePair> pairs);
   void renumbered();

@@ -85,6 +85,20 @@ class StepLimiter {
   virtual double latest_end(double to) const { return to; }
 };
 
+// A part U C U^T of a tangent: columns U, forces on the nodes, 3 per node, for each of a few quantities that
+// depend on all of them; and a small matrix C.
+struct NodalRanks {
+  std::vector<std::vector<double>> on_x;
+  Eigen::MatrixXd core;
+};
+
+// Has such a part, which add_tangent() leaves out.
+class FewRankTerm {
+ public:
+  virtual ~FewRankTerm() = default;
+  virtual void add_ranks(const Trial&, NodalRanks& out) const = 0;  // out is empty
+};
+
 // Moves something of its own in a step that iterates: by fractions of prescribed ways, measured from the
 // iterate; and by unknowns w beside those of the matrix. All numbers about unknowns are of the last tangent.
 class OwnUnknowns {

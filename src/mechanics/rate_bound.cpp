@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/node_view.hpp"
 #include "mechanics/terms/contact.hpp"
 
 namespace fabricsh::mechanics {
@@ -69,12 +70,33 @@ class RateSink final : public TangentSink {
   std::vector<double> on_x_, on_d_;
 };
 
+// Of U C U^T by the sums of the rows of its absolute values, over the roots of the masses.
+void add_ranks(const FewRankTerm& term, const Assembly& assembly, RateSink& sink) {
+  NodalRanks ranks;
+  term.add_ranks(assembly.trial(), ranks);
+  const auto& mass = assembly.cloth().mass();
+  const auto size = [&](std::size_t i, Index n) { return at(ranks.on_x[i], n).norm() / std::sqrt(mass[n]); };
+  std::vector<double> whole;
+  for (std::size_t i = 0; i < ranks.on_x.size(); ++i) {
+    whole.push_back(0);
+    for (std::size_t n = 0; n < mass.size(); ++n)
+      if (mass[n] > 0) whole.back() += size(i, static_cast<Index>(n));
+  }
+  for (std::size_t i = 0; i < whole.size(); ++i)
+    for (std::size_t j = 0; j < whole.size(); ++j) {
+      const double c = std::abs(ranks.core(static_cast<Index>(i), static_cast<Index>(j))) * whole[j];
+      for (Index n = 0; c > 0 && n < static_cast<Index>(mass.size()); ++n)
+        if (mass[n] > 0) sink.on_positions(n, n, c * size(i, n) * mass[n] * Mat3::Identity());
+    }
+}
+
 }  // namespace
 
 std::vector<double> added_rates(const Assembly& assembly, bool scaled) {
   RateSink sink(assembly.dofs().freedoms(), assembly.cloth().mass(), assembly.cloth().rotary_inertia(scaled));
   for (const auto& term : assembly.terms())
     if (dynamic_cast<const Contacts*>(term.get()) == nullptr) term->add_tangent(assembly.trial(), sink);
+  for (const auto* const term : assembly.terms().all<FewRankTerm>()) add_ranks(*term, assembly, sink);
   return sink.rates();
 }
 

@@ -127,6 +127,21 @@ void add_loads(PartCollector& part, const Model& model) {
   }
 }
 
+// A function of the pressure is known by some of its values.
+void add_gas(PartCollector& part, const Model& model, const GasGiven& g) {
+  for (const auto& set : g.sets) part.add_set(set);
+  for (const auto& set : g.lids) part.add_set(set);
+  part.add(g.initial, g.mass.value_or(-1), g.temperature, g.molar, g.cp, g.exponent, g.outside);
+  if (g.inflow) part.add_history(*g.inflow);
+  for (const GasVent& v : g.vents) {
+    const auto to = std::find(model.gases().begin(), model.gases().end(), v.to);
+    part.add(static_cast<int>(to - model.gases().begin()));
+    if (!v.set.empty()) part.add_set(v.set);
+    part.add(v.area, v.coefficient, v.opens);
+  }
+  for (double p = 1; g.leakage && p < 1e6; p *= 10) part.add(g.leakage(p));
+}
+
 void add_motions(PartCollector& part, const Model& model) {
   for (const auto& m : model.motions()) part.add_set(m.set).add_components(m.displacement).add_frame(m.frame);
   part.add(1);
@@ -269,6 +284,10 @@ Fingerprint fingerprint(const Model& model, double duration) {
   if (!model.bands().empty())
     add("bands", "", [&](PartCollector& part) {
       for (const auto& b : model.bands()) part.add_set(b.set).add(b.stiffness, b.ease, b.over.value_or(-1));
+    });
+  if (!model.gases().empty())
+    add("gas", "", [&](PartCollector& part) {
+      for (const auto& g : model.gases()) add_gas(part, model, *g);
     });
   add("velocities", "", [&](PartCollector& part) {
     for (const auto& v : model.velocities()) {

@@ -431,6 +431,8 @@ void Model::remove(DeclarationKind kind, std::size_t i) {
       return take(strengths_);
     case DeclarationKind::band:
       return take(bands_of_edges_);
+    case DeclarationKind::gas:
+      return take(gases_);
     case DeclarationKind::force:
       return take(forces_);
     case DeclarationKind::moment:
@@ -481,6 +483,8 @@ std::vector<double> Model::kinks() const {
   for (const auto& p : pressures_) add(p.value);
   add_each(gravity_);
   for (const auto& t : turns_) add(t.angle);
+  for (const auto& g : gases_)
+    if (g->inflow) add(*g->inflow);
   for (const auto& s : seams_)
     if (s.over) all.push_back(*s.over);
   for (const auto& b : bands_of_edges_)
@@ -588,6 +592,7 @@ void Model::validate() const {
     work_out_ties(*this);
     work_out_seams(*this);
     for (const EdgeBand& b : bands_of_edges_) chain_of(*mesh_, b.set);
+    for (const auto& gas : gases_) enclosure_of(*this, *gas);
   }
   check_symmetry(*this);
   interactions_.validate(*mesh_);
@@ -669,6 +674,7 @@ std::string Model::describe() const {
          << counted(elements_of_zones().size(), "element");
   if (!bands_of_edges_.empty()) text << ", " << counted(bands_of_edges_.size(), "band");
   if (!seams_.empty()) text << ", " << counted(seams_.size(), "seam");
+  if (!gases_.empty()) text << ", " << counted(gases_.size(), "gas volume");
   if (interactions_.any()) {
     text << ", " << counted(interactions_.contacts().size(), "contact");
     for (const auto& body : interactions_.bodies())

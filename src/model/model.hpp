@@ -14,6 +14,7 @@
 #include "history/history.hpp"
 #include "mesh/mesh.hpp"
 #include "model/bands.hpp"
+#include "model/gas.hpp"
 #include "model/interaction.hpp"
 #include "model/seams.hpp"
 #include "model/ties.hpp"
@@ -232,6 +233,11 @@ class Model {
   void band(EdgeBand band);
   const std::vector<EdgeBand>& bands() const { return bands_of_edges_; }
 
+  // Gas in a closed volume: see GasGiven. Errors: unknown sets; numbers out of range; a vent to a volume of
+  // another model or with another gas; later, in validate(): those of enclosure_of.
+  GasPointer gas(GasGiven gas);
+  const std::vector<GasPointer>& gases() const { return gases_; }
+
   // Removes the i-th declaration (from 0) of a kind; for gravity i is ignored. Error: it does not
   // exist.
   enum class DeclarationKind {
@@ -252,7 +258,8 @@ class Model {
     tearable,
     seam,
     band,
-    strength
+    strength,
+    gas
   };
   void remove(DeclarationKind kind, std::size_t i);
   // Contacts and rigid bodies: see Interactions.
@@ -339,6 +346,7 @@ class Model {
   std::vector<StrengthGiven> strengths_;
   std::vector<Seam> seams_;
   std::vector<EdgeBand> bands_of_edges_;
+  std::vector<GasPointer> gases_;
   Components gravity_;
   std::vector<InitialVelocity> velocities_;
   Interactions interactions_;

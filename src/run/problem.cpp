@@ -211,8 +211,7 @@ void EquilibriumProblem::move_bodies(std::span<double> r) {
 
 // The tangent of the scheme from that of the forces: weighted, with damping and inertia.
 void EquilibriumProblem::close(linear::Matrix& K) {
-  if (weight() != 1)
-    for (double& k : K.value) k *= weight();
+  if (weight() != 1) K.scale(weight());
   assembly_.terms().add_resistance(assembly_.trial(), K);
   if (newmark_ == nullptr) return;
   const auto& scheme = newmark_->scheme();

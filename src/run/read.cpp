@@ -265,6 +265,7 @@ std::vector<EnergyPart> energies(const EnergyAccount& e) {
   for (const EnergyPart& part : e.lost)
     add((is_of_cloth(part.name) ? "dissipated_" : "") + part.name, part.value);
   for (const char* name : {"friction", "impact", "joints", "fracture"}) add(name, 0);
+  if (e.gas) add("gas", *e.gas);
   return out;
 }
 
@@ -279,6 +280,7 @@ EnergyAccount Run::energy() const {
     if (energy.account == mechanics::Account::dissipated) sum.lost.push_back({energy.name, energy.value});
     if (energy.name == "contact") sum.contact += energy.value;
     if (energy.name == "guard") sum.guard += energy.value;
+    if (energy.name == "gas") sum.gas = energy.value;
     if (energy.name == "stick") sum.stick += energy.value;
     if (energy.name == "directors") sum.directors += energy.value;
   }

@@ -17,8 +17,9 @@ struct SolverChoice {
 
 inline std::unique_ptr<linear::LinearSolver> make_solver(const std::optional<SolverChoice>& choice,
                                                          bool symmetric) {
-  if (choice) return choice->make(symmetric);
-  return symmetric ? linear::make_symmetric_solver() : linear::make_unsymmetric_solver();
+  return linear::with_ranks(choice      ? choice->make(symmetric)
+                            : symmetric ? linear::make_symmetric_solver()
+                                        : linear::make_unsymmetric_solver());
 }
 
 // Ends the text of a run's method.

@@ -12,6 +12,7 @@
 #include "geometry/box.hpp"
 #include "mechanics/terms/contact.hpp"
 #include "mechanics/terms/directors.hpp"
+#include "mechanics/terms/gas.hpp"
 #include "mechanics/terms/tears.hpp"
 #include "run/flat.hpp"
 #include "run/settings.hpp"
@@ -99,7 +100,7 @@ bool loads_nothing(const model::Model& m, const mechanics::Assembly& assembly) {
   const auto& g = m.gravity();
   const bool weighs = std::any_of(g.begin(), g.end(), [](const auto& history) { return bool(history); });
   return !weighs && m.motions().empty() && m.forces().empty() && m.tractions().empty() &&
-         m.pressures().empty() && m.moments().empty() &&
+         m.pressures().empty() && m.moments().empty() && m.gases().empty() &&
          assembly.terms().find<mechanics::Contacts>() == nullptr;
 }
 
@@ -192,7 +193,8 @@ void Static::begin() {
   find_working_forces(*assembly_, dead_, loads);
   const Jumps jumps = find_jumps(*model_, options_.duration);
   // A term that a program has added may push, too, and has no history.
-  now_.jumps = jumps.any() || some(loads.on_x) || some(loads.on_d);
+  const auto* const gas = std::as_const(*assembly_).terms().find<mechanics::Gas>();
+  now_.jumps = jumps.any() || some(loads.on_x) || some(loads.on_d) || (gas != nullptr && gas->pushes());
   if (!jumps.motions.empty())
     warn("jump", "static: a motion is not zero at time 0; all of it is applied in the first step");
   // If one step is the whole run, a ramp would also be applied at once.

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,11 +41,12 @@ struct EnergyAccount {  // J
   double damping = 0;  // to viscous forces, and to the integrator if it damps (gamma > 1/2, hht < 0)
   double relaxed = 0;  // taken away by relaxation in static runs: what loads did more than cloth stores
   double scaled = 0;   // part of kinetic: in rotary inertia beyond that of the thickness
-  double contact = 0, guard = 0;  // part of stored: contact, and the guard above its floor
-  double directors = 0;           // part of stored: the guard of the directors
-  double stick = 0;               // part of stored: elastic slip of friction
-  double rigid = 0;               // part of kinetic: free rigid bodies
-  double created = 0;             // by a law that is not dissipative
+  double contact = 0, guard = 0;   // part of stored: contact, and the guard above its floor
+  double directors = 0;            // part of stored: the guard of the directors
+  double stick = 0;                // part of stored: elastic slip of friction
+  double rigid = 0;                // part of kinetic: free rigid bodies
+  std::optional<double> gas = {};  // part of stored: what gas gives until its pressure is that outside
+  double created = 0;              // by a law that is not dissipative
   // What dissipated consists of: of the cloth "warp", "weft", "shear" and those of the elements of its law
   // (law::dissipation_names), and "bending"; "friction" and "impact" of contact, "joints", lost as they
   // closed or opened, "fracture" of broken yarns; and those of terms that a program has added. A name may be

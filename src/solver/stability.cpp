@@ -149,7 +149,7 @@ Stability StabilityCheck::of(const linear::Matrix& K, std::span<const double> D)
   if (K.size() == 0) return Stability::stable;
   if (symmetric_) return by_symmetric_part(K, D, linear_);
   const bool unsymmetric = linear::symmetric_part(K, D, S_) > kSymmetric;
-  if (!own_) own_ = linear::make_symmetric_solver();
+  if (!own_) own_ = linear::with_ranks(linear::make_symmetric_solver());
   const Stability part = by_symmetric_part(S_, D, *own_);
   own_->set_doubtful(false);
   if (!unsymmetric || (judge_ == Judge::work && part == Stability::stable)) return part;

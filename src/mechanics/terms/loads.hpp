@@ -71,7 +71,6 @@ class Pressure final : public Term, public FollowerLoad {
     std::vector<std::array<Index, 4>> elements;
     model::History value;
   };
-  void add(const Faces& faces, double pressure, std::span<const double> x, std::span<double> on_x) const;
   std::vector<Faces> faces_;
   std::vector<double> at_trial_time_;  // Pa
 };

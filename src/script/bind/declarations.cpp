@@ -176,6 +176,18 @@ void add_loads(const Model& m, Rows& rows) {
   for (const auto& f : m.moments()) rows.row("moment", f.set).components(f.total).frame(f.frame);
   for (const auto& t : m.tractions()) rows.row("traction", t.set).components(t.intensity).frame(t.frame);
   for (const auto& p : m.pressures()) rows.row("pressure", p.set).history("value", p.value);
+  for (const auto& gas : m.gases()) {
+    rows.row("gas", gas->sets.front())
+        .texts("sets", gas->sets)
+        .number("initial", gas->initial)
+        .number("mass", gas->mass)
+        .number("temperature", gas->temperature)
+        .number("exponent", gas->exponent)
+        .number("outside", gas->outside)
+        .number("vents", static_cast<double>(gas->vents.size()))
+        .flag("leaks", static_cast<bool>(gas->leakage));
+    if (gas->inflow) rows.history("inflow", *gas->inflow);
+  }
   const auto& g = m.gravity();
   if (g[0] || g[1] || g[2]) rows.row("gravity", "all").components(g);
   for (const auto& v : m.velocities()) {

@@ -168,6 +168,17 @@ void add_loads(const Model& m, std::vector<Declared>& all) {
     tractions.add(t.set, component_words(t.intensity, "N/m^2 or N/m") + oblique(t.frame));
   DeclaredRows pressures(all, "pressure", DeclarationKind::pressure);
   for (const auto& p : m.pressures()) pressures.add(p.set, history_words(p.value, "Pa"));
+  DeclaredRows gases(all, "gas", DeclarationKind::gas);
+  for (const auto& g : m.gases()) {
+    std::string sets,
+        words = g->mass ? brief_number(*g->mass) + " kg" : brief_number(g->initial) + " Pa at the start";
+    for (const auto& set : g->sets) add_word(sets, set);
+    add_word(words, "exponent " + brief_number(g->exponent));
+    if (g->inflow) add_word(words, "inflow " + history_words(*g->inflow, "kg/s"));
+    if (!g->vents.empty()) add_word(words, counted(g->vents.size(), "vent"));
+    if (g->leakage) add_word(words, "leakage " + g->leakage_words);
+    gases.add(sets, words);
+  }
   if (m.gravity()[0] || m.gravity()[1] || m.gravity()[2])
     DeclaredRows(all, "gravity", DeclarationKind::gravity).add("all", component_words(m.gravity(), "m/s^2"));
   DeclaredRows velocities(all, "velocity", DeclarationKind::velocity);

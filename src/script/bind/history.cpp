@@ -33,14 +33,17 @@ History callback(const Function& f, const std::string& what) {
   });
 }
 
-int history_table(Call& call) {
+}  // namespace
+
+History read_points(const Call& call, const char* name) {
   lua_State* L = call.L();
   std::vector<std::pair<double, double>> points;
-  call.push("points");
+  call.push(name);
   const auto n = static_cast<lua_Integer>(lua_rawlen(L, -1));
   for (lua_Integer i = 1; i <= n; ++i) {
     lua_rawgeti(L, -1, i);
-    const Argument pair{"points[" + std::to_string(i) + "]", numbers, "", everything, "time and value"};
+    const Argument pair{std::string(name) + "[" + std::to_string(i) + "]", numbers, "", everything,
+                        "time and value"};
     check_value(L, -1, pair, "", true);
     const auto row = read_numbers(L, -1);
     if (row.size() != 2)
@@ -48,7 +51,14 @@ int history_table(Call& call) {
     points.emplace_back(row[0], row[1]);
     lua_pop(L, 1);
   }
-  push_object(L, std::make_shared<History>(History::table(std::move(points))));
+  lua_pop(L, 1);
+  return History::table(std::move(points));
+}
+
+namespace {
+
+int history_table(Call& call) {
+  push_object(call.L(), std::make_shared<History>(read_points(call, "points")));
   return 1;
 }
 

@@ -226,6 +226,7 @@ void bind_loads(Session& session) {
   install(session, loads_entries());
   bind_ties(session);
   bind_seams(session);
+  bind_gas(session);
   bind_contact(session);
   bind_declared(session);
   bind_declarations(session);

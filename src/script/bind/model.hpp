@@ -22,6 +22,7 @@ void bind_declared(Session& session);
 void bind_declarations(Session& session);
 void bind_ties(Session& session);
 void bind_seams(Session& session);
+void bind_gas(Session& session);
 void bind_contact(Session& session);
 
 }  // namespace fabricsh::script

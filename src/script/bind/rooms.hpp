@@ -33,6 +33,8 @@ inline constexpr unsigned history_kinds = number | function | object;
 Argument history_(std::string name, std::string unit, std::string sentence);
 // Reads the value at index as a history; `what` names it in errors.
 history::History read_history(Session& session, lua_State* L, int index, const std::string& what);
+// Reads the argument { {time, value}, ... } of a call.
+history::History read_points(const Call& call, const char* name);
 
 // Pushes { {code=, text=, time=, element=, serious=}, ... }; elements are numbered from 1.
 void push_warnings(lua_State* L, const WarningLog::Warnings& warnings);

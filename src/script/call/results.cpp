@@ -20,6 +20,7 @@ std::string result_class(std::string_view entry) {
       {"model:pressure", "self"},    {"model:spring", "self"},       {"model:turn", "self"},
       {"model:velocity", "self"},    {"model:symmetry", "self"},     {"model:tie", "self"},
       {"model:remove", "self"},      {"model:contact", "self"},      {"analysis:write", "self"},
+      {"model:gas", "gas"},
   };
   if (entry.starts_with("fabric.mesh.")) return "mesh";
   if (entry.starts_with("fabric.rigid.")) return "body";

@@ -25,6 +25,10 @@ struct ClassName<model::Model> {
   static constexpr const char* name = "model";
 };
 template <>
+struct ClassName<const model::GasGiven> {
+  static constexpr const char* name = "gas";
+};
+template <>
 struct ClassName<const model::Rigid> {
   static constexpr const char* name = "body";
 };

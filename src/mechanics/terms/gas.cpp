@@ -1,0 +1,245 @@
+#include "mechanics/terms/gas.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/error.hpp"
+#include "geometry/node_view.hpp"
+#include "geometry/turning.hpp"
+#include "model/gas_planes.hpp"
+
+namespace fabricsh::mechanics {
+
+namespace {
+
+constexpr double kDifference = 1e-5;  // of a volume, for the change of the pressure where gas flows
+
+using Ring = std::vector<Index>;
+
+Vec3 centre_of(const Ring& ring, std::span<const double> x) {
+  Vec3 sum = Vec3::Zero();
+  for (const Index n : ring) sum += at(x, n);
+  return sum / static_cast<double>(ring.size());
+}
+
+std::vector<double> positions(const mesh::Mesh& mesh) {
+  std::vector<double> x;
+  for (const Vec3& X : mesh.nodes) x.insert(x.end(), {X.x(), X.y(), X.z()});
+  return x;
+}
+
+GasFlow flow_of(const model::Model& model) {
+  const auto& mesh = model.mesh();
+  const auto x = positions(mesh);
+  std::vector<GasFlow::VolumeGiven> all;
+  for (const auto& gas : model.gases()) {
+    const auto area = [&](const std::string& set) {
+      std::vector<FaceNodes> faces;
+      for (const auto e : mesh.elements_in(mesh.set(set))) faces.push_back(mesh.elements[e]);
+      return area_of(faces, x);
+    };
+    GasFlow::VolumeGiven given{gas, area_of(model::enclosure_of(model, *gas).cloth, x), {}};
+    for (const auto& vent : gas->vents) given.vents.push_back(vent.set.empty() ? vent.area : area(vent.set));
+    all.push_back(std::move(given));
+  }
+  return GasFlow(std::move(all));
+}
+
+}  // namespace
+
+Gas::Gas(const model::Model& model) : flow_(flow_of(model)), open_(flow_.begin()) {
+  for (const auto& gas : model.gases()) {
+    auto surface = model::enclosure_of(model, *gas);
+    const Vec3 place = model.mesh().nodes[static_cast<std::size_t>(surface.cloth.front()[0])];
+    Volume volume{std::move(surface.cloth), std::move(surface.lids), model::apex_of_gas(model, place)};
+    volume.faces.insert(volume.faces.end(), surface.strips.begin(), surface.strips.end());
+    volumes_.push_back(std::move(volume));
+  }
+  const auto V = volumes(positions(model.mesh()));
+  for (std::size_t i = 0; i < V.size(); ++i) {
+    const auto& gas = *model.gases()[i];
+    const double of_one = gas.specific() * gas.temperature / V[i];  // Pa, of 1 kg
+    const double pressure = gas.mass ? *gas.mass * of_one : gas.outside + gas.initial;
+    states_.push_back({V[i], pressure, pressure / of_one});
+  }
+  rollback();
+}
+
+double Gas::Volume::volume(std::span<const double> x) const {
+  double sum = volume_behind(faces, x, apex);
+  for (const Ring& ring : lids) {
+    const Vec3 centre = centre_of(ring, x) - apex;
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      sum += centre.dot((at(x, ring[i]) - apex).cross(at(x, ring[(i + 1) % ring.size()]) - apex)) / 6;
+  }
+  return sum;
+}
+
+// A lid is a fan of triangles about the mean of its nodes, each of which has its share of the force there.
+void Gas::Volume::add_pressure(double pressure, std::span<const double> x, std::span<double> on_x) const {
+  mechanics::add_pressure(faces, pressure, x, on_x);
+  for (const Ring& ring : lids) {
+    const Vec3 centre = centre_of(ring, x);
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Index a = ring[i], b = ring[(i + 1) % ring.size()];
+      const Vec3 force = pressure / 6 * (at(x, a) - centre).cross(at(x, b) - centre);
+      at(on_x, a) += force;
+      at(on_x, b) += force;
+      sum += force;
+    }
+    for (const Index n : ring) at(on_x, n) += sum / static_cast<double>(ring.size());
+  }
+}
+
+// With t1 and t2 from the centre to the nodes i and i + 1, the force of a triangle on each of its corners
+// changes by p/6 (t1 x dt2 - t2 x dt1). The centre moves by the mean of all; that of the sum of all triangles
+// has no effect.
+void Gas::Volume::add_lid_tangent(double pressure, std::span<const double> x, TangentSink& sink) const {
+  for (const Ring& ring : lids) {
+    const std::size_t n = ring.size();
+    const Vec3 centre = centre_of(ring, x);
+    const double share = 1 / static_cast<double>(n);
+    std::vector<Mat3> first(n), second(n);  // by the nodes i and i + 1
+    for (std::size_t i = 0; i < n; ++i) {
+      first[i] = -pressure / 6 * cross_matrix(at(x, ring[(i + 1) % n]) - centre);
+      second[i] = pressure / 6 * cross_matrix(at(x, ring[i]) - centre);
+    }
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::size_t before = (k + n - 1) % n;
+      for (std::size_t j = 0; j < n; ++j) {
+        Mat3 change = share * (first[j] + second[(j + n - 1) % n]);
+        for (const std::size_t i : {before, k}) {
+          change -= share * (first[i] + second[i]);
+          if (j == i) change += first[i];
+          if (j == (i + 1) % n) change += second[i];
+        }
+        sink.on_positions(ring[k], ring[j], -change);
+      }
+    }
+  }
+}
+
+std::vector<double> Gas::volumes(std::span<const double> x) const {
+  std::vector<double> all;
+  for (const Volume& volume : volumes_) all.push_back(volume.volume(x));
+  return all;
+}
+
+GasFlow::GasStep Gas::after(std::vector<double> volumes, double time) const {
+  return flow_.advance(states_, open_, std::move(volumes), time_, time - time_);
+}
+
+double Gas::gauge(std::size_t i, const GasFlow::GasStep& step) const {
+  return step.states[i].pressure - flow_.gas(i).outside;
+}
+
+Outcome Gas::add_forces(const law::Step&, const Trial& trial, Forces& forces) {
+  const auto x = trial.configuration.x();
+  auto V = volumes(x);
+  for (std::size_t i = 0; i < V.size(); ++i)
+    if (!(V[i] > 0)) return {Answer::cut, -1, "the gas " + flow_.gas(i).name() + " has no volume left"};
+  trial_ = after(std::move(V), trial.time);
+  aimed_ = trial.time;
+  if (trial_.empty >= 0)
+    return {Answer::broken, -1,
+            "the inflow takes more gas " + flow_.gas(static_cast<std::size_t>(trial_.empty)).name() +
+                " away than there is"};
+  for (std::size_t i = 0; i < volumes_.size(); ++i)
+    volumes_[i].add_pressure(-gauge(i, trial_), x, forces.on_x);
+  return {};
+}
+
+void Gas::add_tangent(const Trial& trial, TangentSink& sink) const {
+  const auto x = trial.configuration.x();
+  const auto step = after(volumes(x), trial.time);
+  for (std::size_t i = 0; i < volumes_.size(); ++i) {
+    add_pressure_tangent(volumes_[i].faces, gauge(i, step), x, sink);
+    volumes_[i].add_lid_tangent(gauge(i, step), x, sink);
+  }
+}
+
+void Gas::couple(const Trial&, std::vector<NodePair>& pairs) {
+  for (const Volume& volume : volumes_) {
+    for (const FaceNodes& face : volume.faces)
+      if (face[3] < 0)
+        for (int a = 0; a < 3; ++a) pairs.emplace_back(face[a], face[(a + 1) % 3]);
+    for (const Ring& ring : volume.lids)
+      for (const Index a : ring)
+        for (const Index b : ring)
+          if (a < b) pairs.emplace_back(a, b);
+  }
+}
+
+// The internal forces are -p dV/dx, which change by -dp/dV (dV/dx . dx) dV/dx as the volumes do.
+void Gas::add_ranks(const Trial& trial, NodalRanks& out) const {
+  const auto x = trial.configuration.x();
+  const auto V = volumes(x);
+  const auto k = static_cast<Index>(V.size());
+  out.core = Eigen::MatrixXd::Zero(k, k);
+  for (const Volume& volume : volumes_) {
+    out.on_x.emplace_back(x.size(), 0.0);
+    volume.add_pressure(1, x, out.on_x.back());
+  }
+  const auto here = after(V, trial.time);
+  for (Index j = 0; j < k; ++j) {
+    const auto n = static_cast<std::size_t>(j);
+    if (!flow_.flows()) {
+      out.core(j, j) = flow_.gas(n).exponent * here.states[n].pressure / V[n];
+      continue;
+    }
+    const double h = kDifference * V[n];
+    auto more = V, less = V;
+    more[n] += h;
+    less[n] -= h;
+    const auto larger = after(std::move(more), trial.time), smaller = after(std::move(less), trial.time);
+    for (Index i = 0; i < k; ++i) {
+      const auto m = static_cast<std::size_t>(i);
+      out.core(i, j) = (smaller.states[m].pressure - larger.states[m].pressure) / (2 * h);
+    }
+  }
+}
+
+void Gas::add_energies(const Trial&, std::vector<Energy>& out) const {
+  double stored = 0;
+  for (std::size_t i = 0; i < volumes_.size(); ++i)
+    stored += available_energy(flow_.gas(i), trial_.states[i]);
+  out.push_back({"gas", Account::stored, stored});
+  if (flow_.flows()) out.push_back({"vents", Account::dissipated, lost_ + trial_.lost});
+}
+
+void Gas::commit() {
+  states_ = trial_.states;
+  lost_ += trial_.lost;
+  time_ = aimed_;
+  flow_.open(states_, open_);
+  rollback();
+}
+
+void Gas::rollback() {
+  trial_ = {states_};
+  aimed_ = time_;
+}
+
+void Gas::keep(Archive& archive) {
+  archive(states_, open_, time_, lost_);
+  if (archive.reading()) rollback();
+}
+
+Gas::GasReading Gas::read(const model::GasGiven& gas) const {
+  for (std::size_t i = 0; i < volumes_.size(); ++i)
+    if (&flow_.gas(i) == &gas) {
+      const GasState& s = trial_.states[i];
+      return {gauge(i, trial_), s.volume, s.mass, s.temperature(gas)};
+    }
+  throw Error("gas: expected a gas volume of the run's model, what m:gas returned");
+}
+
+bool Gas::pushes() const {
+  for (std::size_t i = 0; i < volumes_.size(); ++i)
+    if (gauge(i, trial_) != 0) return true;
+  return false;
+}
+
+}  // namespace fabricsh::mechanics

@@ -1,0 +1,58 @@
+// Gas in closed volumes: its pressure is uniform and follows from the volume that the faces enclose, and from
+// what flows. A volume without flow has a potential, and so has its pressure; the change of the pressure with
+// the volume couples all nodes of the surface, by one rank of the tangent for each volume.
+#pragma once
+#include <vector>
+
+#include "mechanics/facets.hpp"
+#include "mechanics/terms/faces.hpp"
+#include "mechanics/terms/gas_flow.hpp"
+#include "model/model.hpp"
+
+namespace fabricsh::mechanics {
+
+class Gas final : public Term, public FewRankTerm {
+ public:
+  explicit Gas(const model::Model& model);
+  const char* name() const override { return "gas"; }
+  Outcome add_forces(const law::Step&, const Trial& trial, Forces& forces) override;
+  void add_tangent(const Trial& trial, TangentSink& sink) const override;
+  void couple(const Trial&, std::vector<NodePair>& pairs) override;
+  void add_ranks(const Trial& trial, NodalRanks& out) const override;
+  void add_energies(const Trial& trial, std::vector<Energy>& out) const override;
+  StepWork step_work() const override { return {trial_.supplied, 0}; }
+  void commit() override;
+  void rollback() override;
+  void keep(Archive& archive) override;
+
+  // Of a declared volume in the trial state: pressure above that outside, Pa.
+  struct GasReading {
+    double pressure, volume, mass, temperature;
+  };
+  GasReading read(const model::GasGiven& gas) const;  // Error: it is not one of the model
+  bool pushes() const;                                // whether a pressure differs from that outside
+
+ private:
+  struct Volume {
+    std::vector<FaceNodes> faces;          // outwards, of cloth and of strips along seams
+    std::vector<std::vector<Index>> lids;  // rings around holes, whose force their nodes share evenly
+    Vec3 apex;                             // m, from which the volume is seen, see model::planes_of_gas
+    double volume(std::span<const double> x) const;
+    void add_pressure(double pressure, std::span<const double> x, std::span<double> on_x) const;
+    void add_lid_tangent(double pressure, std::span<const double> x, TangentSink& sink) const;
+  };
+  GasFlow::GasStep after(std::vector<double> volumes, double time) const;
+  double gauge(std::size_t i, const GasFlow::GasStep& step) const;
+  std::vector<double> volumes(std::span<const double> x) const;
+
+  std::vector<Volume> volumes_;
+  GasFlow flow_;
+  std::vector<GasState> states_;  // committed
+  std::vector<char> open_;        // which vents are, at the committed state
+  double time_ = 0;               // s, of that state
+  double lost_ = 0;               // J, through vents and cloth until then
+  GasFlow::GasStep trial_;
+  double aimed_ = 0;  // s, of the trial state
+};
+
+}  // namespace fabricsh::mechanics

@@ -1,0 +1,61 @@
+// Gas in volumes that cloth encloses: its declaration, and the closed surface that is worked out once from
+// the mesh.
+#pragma once
+#include <array>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "history/history.hpp"
+#include "mesh/mesh.hpp"
+
+namespace fabricsh::model {
+
+struct GasGiven;
+using GasPointer = std::shared_ptr<const GasGiven>;
+
+// A hole through which gas flows out, to the outside or to another volume.
+struct GasVent {
+  std::string set;           // elements, whose area at the start is that of the hole; empty: `area` is given
+  double area = 0;           // m2
+  double coefficient = 0.6;  // of discharge: the area of the jet over that of the hole
+  GasPointer to = nullptr;   // null: the outside
+  double opens = 0;          // Pa, pressure difference at which it opens, and then stays open; 0: it is open
+};
+
+struct GasGiven {
+  std::vector<std::string> sets = {"all"};      // elements that close together
+  std::vector<std::string> lids = {};           // nodes of holes that something without weight closes
+  double initial = 0;                           // Pa, above the outside, at time 0
+  std::optional<double> mass = {};              // kg, at time 0; then it determines the pressure
+  double temperature = 293.15;                  // K, at time 0, and of what flows in
+  double molar = 0.028965;                      // kg/mol
+  double cp = 1005;                             // J/(kg K)
+  double exponent = 1;                          // of p V^n: 1 isothermal, cp/cv adiabatic
+  double outside = 101325;                      // Pa, absolute
+  std::optional<history::History> inflow = {};  // kg/s
+  std::vector<GasVent> vents = {};
+  // m/s, volume that flows through a unit of area at a pressure difference in Pa; empty: nothing does.
+  std::function<double(double)> leakage = {};
+  std::string leakage_words = {};
+  static constexpr double constant = 8.314462618;          // J/(mol K) [tiesinga2021]
+  double specific() const { return constant / molar; }     // J/(kg K)
+  double ratio() const { return cp / (cp - specific()); }  // of specific heats
+  std::string name() const;                                // "of set 'all'"
+};
+
+// A closed surface whose faces are oriented outwards.
+struct Enclosure {
+  std::vector<std::array<mesh::Index, 4>> cloth;   // elements; a triangle has -1 in the last place
+  std::vector<std::array<mesh::Index, 4>> strips;  // between the edges of seams
+  std::vector<std::vector<mesh::Index>> lids;      // rings of nodes around holes
+};
+
+class Model;
+// Errors: the surface has a hole (which one, and where), an edge at which more than two faces meet, only one
+// side, or several separate parts; it encloses nothing.
+Enclosure enclosure_of(const Model& model, const GasGiven& gas);
+
+}  // namespace fabricsh::model
