@@ -20,7 +20,7 @@ local returns = {
   ["fabric.history"] = "history", ["fabric.ramp"] = "history", ["history:value"] = "number", ["fabric.static"] = "analysis",
   ["fabric.dynamic"] = "analysis", ["fabric.checking"] = "boolean", ["fabric.warn"] = "nil", ["fabric.globals"] = "nil",
   ["fabric.expect"] = "nil", ["fabric.help"] = "nil", ["fabric.plot"] = "string|boolean|nil", ["fabric.render"] = "boolean", ["fabric.folder"] = "string[]",
-  ["analysis:stop"] = "nil", ["analysis:snapshot"] = "snapshot", ["analysis:reaction"] = "number x, number y, number z",
+  ["analysis:stop"] = "nil", ["model:copy"] = "model", ["shape:mesh"] = "mesh", ["shape:vtk"] = "shape", ["analysis:snapshot"] = "snapshot", ["analysis:reaction"] = "number x, number y, number z",
   ["analysis:mean"] = "number", ["analysis:field"] = "number[]", ["mesh:elements"] = "integer[]", ["mesh:orient"] = "integer",
   ["analysis:body"] = "number ...", ["analysis:gap"] = "number, string?", ["analysis.time"] = "number", ["analysis.duration"] = "number", ["analysis.stable_step"] = "number", ["analysis.step_size"] = "number",
   ["analysis.energy"] = "table<string, number>", ["analysis.steps"] = "table[]", ["analysis.stopped"] = "string|false",
@@ -47,11 +47,11 @@ for name, what in pairs { ["fabric.lab.unloading"] = "number", ["fabric.lab.phot
   ["fabric.transcript"] = "nil", ["fabric.who"] = "nil", ["fabric.why"] = "string", ["analysis:why"] = "string", ["fabric.write"] = "nil",
   ["card:check"] = "table[]", ["mesh:set"] = "mesh" } do returns[name] = what end
 
-local classes = { "card", "mesh", "model", "history", "analysis", "snapshot", "point", "body" }
+local classes = { "card", "mesh", "model", "history", "analysis", "snapshot", "shape", "point", "body" }
 local about_class = {
   card = "The material of a cloth. It cannot be changed; every field of its constructor reads back in SI: `card.warp.poisson`.",
   mesh = "Nodes, elements and named sets of nodes.", model = "A mesh of a cloth with its supports and loads. Its methods return it.",
-  history = "A number that depends on time.", analysis = "A run, static or in motion.", snapshot = "The whole state of a run.",
+  history = "A number that depends on time.", analysis = "A run, static or in motion.", snapshot = "The whole state of a run.", shape = "How the nodes of a model move in a mode.",
   point = "One material point.",
   body = "A rigid body, made by `fabric.rigid`.",
 }

@@ -112,6 +112,10 @@ class Assembly {
   // The committed state and its internal forces. Returns whether reading has numbered the unknowns anew.
   // Error when reading: the state of another model.
   bool keep(Archive& archive);
+  // Takes the committed state of an assembly of the same cloth, which may have other supports and loads: what
+  // is held stays where it is. Terms of the same name take over what they keep; contact does if that is the
+  // same, and else begins anew. The forces are those of the present loads. Error: the law fails.
+  void begin_from(const Assembly& other, bool same_contact);
 
  private:
   template <class T, class... Arguments>

@@ -144,6 +144,15 @@ std::span<const double> Dofs::iterate() const {
   return iterate_is_committed_ ? configuration_.committed_kinematics() : std::span<const double>(iterate_);
 }
 
+void Dofs::hold_here() {
+  held_at_.resize(X_.size());
+  const auto x = configuration_.committed_kinematics();
+  for (Index i = 0; i < static_cast<Index>(X_.size()); ++i) {
+    held_at_[i] = freedoms_.nodes[i].frame * (at(x, i) - X_[i]);
+    realign(i);
+  }
+}
+
 std::vector<double> Dofs::targets(double time) const {
   std::vector<double> history(freedoms_.histories.size());
   for (std::size_t h = 0; h < history.size(); ++h) history[h] = freedoms_.histories[h].value(time);
@@ -159,10 +168,12 @@ void Dofs::apply_increment(std::span<const double> delta, double scale, std::spa
   configuration_.overwrite();
   const auto step = [&](Index equation) { return equation >= 0 ? scale * delta[equation] : 0.0; };
   const auto x = configuration_.x(), d = configuration_.d(), b1 = configuration_.b1();
-  const auto move = [&](const auto& equation, Vec3& u) {
+  const auto move = [&](Index i, const auto& equation, Vec3& u) {
     for (int c = 0; c < 3; ++c)
       if (equation[c] >= 0)
         u[c] += step(equation[c]);
+      else if (equation[c] == held && !held_at_.empty())
+        u[c] = held_at_[i][c];
       else
         u[c] = equation[c] == held || equation[c] == tied ? 0.0 : targets[motion_of(equation[c])];
   };
@@ -176,14 +187,14 @@ void Dofs::apply_increment(std::span<const double> delta, double scale, std::spa
     at(b1, i) = at(base.subspan(6 * n), i);
     Vec3 u = at(base, i) - X_[i];
     if (const std::int32_t* equation = plain_equations(i)) {
-      move(equation, u);
+      move(i, equation, u);
       at(x, i) = X_[i] + u;
       turn_director(i, step(equation[3]), step(equation[4]));
       return;
     }
     const NodeFreedoms& node = freedoms_.nodes[i];
     if (node.oblique) u = node.frame * u;
-    move(node.equation, u);
+    move(i, node.equation, u);
     if (node.oblique) u = node.frame.transpose() * u;
     at(x, i) = X_[i] + u;
     if (node.turn_axis) {

@@ -68,7 +68,9 @@ class Dofs {
   // `targets` (m along the frames, rad).
   void begin_iterate();  // iterate = trial
   void apply_increment(std::span<const double> delta, double scale, std::span<const double> targets);
-  void return_to_iterate();                        // trial = iterate
+  void return_to_iterate();  // trial = iterate
+  // From now on what is held stays where it is in the committed state, not where it was in the reference.
+  void hold_here();
   std::vector<double> targets(double time) const;  // of the driven freedoms; Error if not finite
 
   // --- forces on unknowns. All arrays have 3 numbers per node, global; N, N m. on_d may be empty.
@@ -171,6 +173,7 @@ class Dofs {
   };
   std::vector<PlainNode> plain_;
   std::vector<Index> driven_nodes_;
+  std::vector<Vec3> held_at_;  // m, displacements of the nodes in their frames; empty: held at the reference
   std::vector<std::int32_t> unknown_node_;
   std::vector<bool> turns_;                              // per unknown
   std::vector<double> radius_;                           // m, per body

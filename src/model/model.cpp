@@ -164,6 +164,12 @@ void Model::assign(Index region, Index which, const std::string& set) {
   }
 }
 
+std::shared_ptr<Model> Model::copy() const {
+  auto made = std::make_shared<Model>(*this);
+  made->sealed_ = false;
+  return made;
+}
+
 void Model::seal() {
   sealed_ = mesh_->in_use = true;
   for (auto& body : bodies_) body.mesh->in_use = true;

@@ -275,6 +275,8 @@ class Model {
   void divide_zones();
   // Called by the analysis that compiles the model: later changes of the model or its mesh are Errors.
   void seal();
+  // The same declarations over the same mesh, to be changed and compiled anew.
+  std::shared_ptr<Model> copy() const;
 
   const mesh::Mesh& mesh() const { return *mesh_; }
   std::shared_ptr<const mesh::Mesh> mesh_pointer() const { return mesh_; }

@@ -63,6 +63,8 @@ model::Fingerprint problem_of(const Run& run) {
     add_part(parts,
              "BLAS kernels (other kernels give other bits; the variable OPENBLAS_CORETYPE selects them)",
              kernels, kernels);
+  if (run.origin() != 0)
+    parts.push_back({"state from which it begins", "time " + exact_number(run.began()) + " s", run.origin()});
   const model::Model& m = run.model();
   for (const auto& region : m.regions()) {
     std::string cards = card::lua_text(region.card);

@@ -57,8 +57,8 @@ void check_options(const DynamicOptions& o) {
 }  // namespace
 
 Dynamic::Dynamic(std::shared_ptr<model::Model> model, const DynamicOptions& options,
-                 std::shared_ptr<Notices> notices)
-    : Run(std::move(model), options.duration, std::move(notices), "dynamic"),
+                 std::shared_ptr<Notices> notices, const Beginning& beginning)
+    : Run(std::move(model), options.duration, std::move(notices), "dynamic", beginning),
       options_(options),
       given_(options) {
   check_options(options_);
@@ -104,27 +104,35 @@ void Dynamic::keep_settings(Archive& archive) {
 }
 
 void Dynamic::begin() {
-  const auto targets = assembly_->dofs().targets(0);
-  if (std::any_of(targets.begin(), targets.end(), [](double t) { return t != 0; }))
+  const double start = began();
+  const auto targets = assembly_->dofs().targets(start);
+  if (origin() != 0) {
+    if (const std::string jump = jump_of_motions(); !jump.empty())
+      warn("jump",
+           "dynamic: " + jump + " where the state of the other run has it; the sheet starts with it there");
+  } else if (std::any_of(targets.begin(), targets.end(), [](double t) { return t != 0; })) {
     warn("jump", "dynamic: a motion is not zero at time 0; the sheet starts with its nodes there");
+  }
   const std::vector<double> still(assembly_->dofs().unknowns(), 0);
   assembly_->begin_iterate();
   assembly_->apply_increment(still, 1, targets);
-  assembly_->set_time(0);
-  if (!assembly_->forces({}))
-    throw NumericalFailure("dynamic: the fabric law failed at time 0", 0, assembly_->outcome().element);
-  assembly_->commit(0);
-  assembly_->terms().external(0, dead_);
+  assembly_->set_time(start);
+  if (!assembly_->forces({start, 0}))
+    throw NumericalFailure("dynamic: the fabric law failed at time " + number(start), start,
+                           assembly_->outcome().element);
+  assembly_->commit(start);
+  assembly_->terms().external(start, dead_);
   const mechanics::NodalRates rates = initial_rates();
   set_motion(rates);
   report_dropped_rates(rates);
   work_.start(*assembly_, dead_);
   now_.driven_kinetic_at_0 = driven_kinetic();
-  now_.next_check = duration_ / kChecks;
+  now_.next_check = next_look(start);
 }
 
 mechanics::NodalRates Dynamic::initial_rates() const {
   const auto& X = assembly_->dofs().reference();
+  if (!left_rates().x.empty()) return left_rates();
   mechanics::NodalRates rates{std::vector<double>(3 * X.size(), 0), std::vector<double>(3 * X.size(), 0)};
   const auto d = std::as_const(*assembly_).state().d();
   for (const auto& given : model_->velocities())
@@ -290,6 +298,11 @@ void Dynamic::watch_flat(const EnergyAccount& e) {
 
 bool Dynamic::is_end(double time) const { return std::abs(time - duration_) <= same_time * duration_; }
 
+double Dynamic::next_look(double after) const {
+  const double apart = (duration_ - began()) / kChecks;
+  return began() + apart * (std::floor((after - began()) / apart + 1e-9) + 1);
+}
+
 bool Dynamic::is_due(double time) const { return is_end(time) || time >= now_.next_check; }
 
 bool Dynamic::looks_after(std::int64_t steps, double time) const {
@@ -339,7 +352,7 @@ bool Dynamic::is_driven() const {
 bool Dynamic::is_young() const {
   const bool is_implicit = options_.scheme == Scheme::implicit_steps;
   if (is_implicit && !is_driven()) return false;
-  return (is_implicit && time() < kYoungPart * duration_) ||
+  return (is_implicit && time() - began() < kYoungPart * (duration_ - began())) ||
          now_.steps < std::max<std::int64_t>(0, now_.touched) + kYoung;
 }
 
@@ -350,7 +363,7 @@ void Dynamic::check() {
   const bool end = is_end(time());
   if (!is_implicit && !is_due(time())) return;
   const bool looks = is_implicit || looks_after(now_.steps, time());
-  now_.next_check = duration_ / kChecks * (std::floor(time() / duration_ * kChecks + 1e-9) + 1);
+  now_.next_check = next_look(time());
   if (!looks) return;
   watch_shape();
   now_.looked = now_.steps;
@@ -428,10 +441,10 @@ void Dynamic::weigh_inertia(double kinetic, double scaled) {
 }
 
 std::shared_ptr<Dynamic> make_dynamic(std::shared_ptr<model::Model> model, const DynamicOptions& options,
-                                      std::shared_ptr<Notices> notices) {
+                                      std::shared_ptr<Notices> notices, const Beginning& beginning) {
   if (options.scheme == Scheme::explicit_steps)
-    return std::make_shared<Explicit>(std::move(model), options, std::move(notices));
-  return std::make_shared<Implicit>(std::move(model), options, std::move(notices));
+    return std::make_shared<Explicit>(std::move(model), options, std::move(notices), beginning);
+  return std::make_shared<Implicit>(std::move(model), options, std::move(notices), beginning);
 }
 
 }  // namespace fabricsh::run

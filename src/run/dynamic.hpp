@@ -57,8 +57,9 @@ class Dynamic : public Run {
 
  protected:
   Dynamic(std::shared_ptr<model::Model> model, const DynamicOptions& options,
-          std::shared_ptr<Notices> notices);
+          std::shared_ptr<Notices> notices, const Beginning& beginning);
   void begin() override;
+  const mechanics::NodalRates* nodal_rates() const override { return &rates(); }
   void check() override;
   double no_size() const override { return committed_time(); }
   double scaled_kinetic() const override;
@@ -138,12 +139,13 @@ class Dynamic : public Run {
   void watch_flat(const EnergyAccount& energies);
   void weigh_inertia(double kinetic, double scaled);  // records the part of scaled rotary inertia, J
   bool is_end(double time) const;
-  bool is_due(double time) const;  // whether the ledger should be checked
+  double next_look(double after) const;  // s, when the ledger is looked at next
+  bool is_due(double time) const;        // whether the ledger should be checked
 };
 
 // Errors: options out of range; a step above the stable one without `force`; ties without a lumped mass
 // (explicit).
 std::shared_ptr<Dynamic> make_dynamic(std::shared_ptr<model::Model> model, const DynamicOptions& options,
-                                      std::shared_ptr<Notices> notices);
+                                      std::shared_ptr<Notices> notices, const Beginning& beginning = {});
 
 }  // namespace fabricsh::run

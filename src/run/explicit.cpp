@@ -32,8 +32,8 @@ constexpr int kCostlySteps = 1000;     // such steps after which it says how lon
 }  // namespace
 
 Explicit::Explicit(std::shared_ptr<model::Model> model, const DynamicOptions& options,
-                   std::shared_ptr<Notices> notices)
-    : Dynamic(std::move(model), options, std::move(notices)),
+                   std::shared_ptr<Notices> notices, const Beginning& beginning)
+    : Dynamic(std::move(model), options, std::move(notices), beginning),
       motion_(assembly_->lumped_mass(scaled_), options_.gamma, [this] { return driven_rates(); }),
       problem_(*assembly_, motion_, unpolled_),
       contact_(assembly_->terms().find<mechanics::Contacts>()) {
@@ -42,6 +42,7 @@ Explicit::Explicit(std::shared_ptr<model::Model> model, const DynamicOptions& op
   assembly_->terms().find<mechanics::Cloth>()->update_in_place();
   if (contact_ != nullptr) contact_->go_explicit();
   if (tears_ != nullptr) tears_->go_explicit();
+  take_beginning();
   report_contacts();
   check_stable_step(undamped);
   choose_step();
@@ -161,9 +162,10 @@ void Explicit::take_options(const DynamicOptions& options) {
 
 void Explicit::begin() {
   Dynamic::begin();
-  problem_.set_time(0);
+  problem_.set_time(began());
   if (problem_.begin_step() != Answer::ok || problem_.residual(motion_.residual()) != Answer::ok)
-    throw NumericalFailure("dynamic: the fabric law failed at time 0", 0, assembly_->outcome().element);
+    throw NumericalFailure("dynamic: the fabric law failed at time " + number(began()), began(),
+                           assembly_->outcome().element);
   motion_.accelerate(assembly_->terms().on_mass().velocity);
   motion_.begin();
   problem_.start();

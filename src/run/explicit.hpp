@@ -14,7 +14,7 @@ namespace fabricsh::run {
 class Explicit final : public Dynamic {
  public:
   Explicit(std::shared_ptr<model::Model> model, const DynamicOptions& options,
-           std::shared_ptr<Notices> notices);
+           std::shared_ptr<Notices> notices, const Beginning& beginning = {});
   const mechanics::NodalRates& rates() const override;
 
  private:

@@ -60,8 +60,8 @@ StepControl control_of(const DynamicOptions& o, const mechanics::Assembly& assem
 }  // namespace
 
 Implicit::Implicit(std::shared_ptr<model::Model> model, const DynamicOptions& options,
-                   std::shared_ptr<Notices> notices)
-    : Dynamic(std::move(model), options, std::move(notices)),
+                   std::shared_ptr<Notices> notices, const Beginning& beginning)
+    : Dynamic(std::move(model), options, std::move(notices), beginning),
       newmark_(*assembly_, *inertia_, scheme_of(options_)),
       problem_(*assembly_, newmark_, poll_),
       newton_(make_solver(options_.solver, !takes_unsymmetric())),
@@ -70,6 +70,7 @@ Implicit::Implicit(std::shared_ptr<model::Model> model, const DynamicOptions& op
   if (!takes_unsymmetric() && !(options_.stiffness_damping > 0) && !options_.solver) assembly_->keep_upper();
   check_contact(options_, *assembly_);
   weigh_step_ends();
+  take_beginning();
   report_contacts();
   now_.step = control_.current();
   begin_free();
@@ -116,7 +117,7 @@ void Implicit::take_options(const DynamicOptions& options) {
 }
 
 void Implicit::begin() {
-  problem_.set_time(0);
+  problem_.set_time(began());
   Dynamic::begin();
 }
 

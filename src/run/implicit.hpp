@@ -12,7 +12,7 @@ namespace fabricsh::run {
 class Implicit final : public Dynamic {
  public:
   Implicit(std::shared_ptr<model::Model> model, const DynamicOptions& options,
-           std::shared_ptr<Notices> notices);
+           std::shared_ptr<Notices> notices, const Beginning& beginning = {});
   const mechanics::NodalRates& rates() const override;
   double tolerance() const override { return options_.tolerance; }
   std::string kernels() const override { return linear::blas_kernels(); }

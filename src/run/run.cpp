@@ -43,14 +43,19 @@ std::string zones_text(const model::Model& model) {
 }  // namespace
 
 Run::Run(std::shared_ptr<model::Model> model, double duration, std::shared_ptr<Notices> notices,
-         const char* kind)
-    : model_(std::move(model)), duration_(duration), notices_(std::move(notices)) {
+         const char* kind, const Beginning& beginning)
+    : model_(std::move(model)), duration_(duration), notices_(std::move(notices)), beginning_(beginning) {
   if (!(duration > 0) || !std::isfinite(duration))
     throw Error(std::string(kind) + ": field 'duration': expected a positive time in s, got " +
                 number(duration));
+  if (beginning_.from != nullptr) {
+    began_ = beginning_.from->time();
+    duration_ += began_;
+  }
   model_->validate();
   check_symmetric_loads(*model_, duration_);
   model_->divide_zones();
+  if (beginning_.from != nullptr) check_beginning(kind);
   assembly_ = std::make_unique<mechanics::Assembly>(*model_);
   model_->seal();
   kinks_ = model_->kinks();

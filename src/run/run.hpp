@@ -22,6 +22,7 @@
 
 namespace fabricsh::mechanics {
 class Contacts;
+class Release;
 class Seams;
 class Tears;
 }  // namespace fabricsh::mechanics
@@ -30,7 +31,16 @@ namespace fabricsh::run {
 
 struct Diagnosis;
 class Folds;
+class Run;
 struct ResultField;
+
+// The state of another run of the same cloth, with which a run begins: where the cloth is, what its law
+// remembers, how it moves, and the time. What held it there and does not any more lets go over `release`
+// seconds, or at once. The other run is read while the new one is made.
+struct Beginning {
+  const Run* from = nullptr;
+  double release = 0;  // s
+};
 
 inline constexpr double same_time = 1e-12;  // relative to the duration: times closer than this are equal
 inline constexpr double most_steps = 1e10;  // a run with more steps is refused, because it would not end
@@ -96,7 +106,10 @@ class Run {
   const std::vector<std::shared_ptr<const ResultField>>& shown() const { return shown_; }
 
   double time() const { return trial_time_; }
-  double duration() const { return duration_; }
+  double duration() const { return duration_; }  // s, the time of its end
+  double began() const { return began_; }        // s, the time of its start: that of the run it begins from
+  std::uint64_t origin() const { return origin_; }  // identifies the state it begins from; 0: none
+  double released_over() const { return beginning_.release; }
   // N, global: force of the supports on the cloth; zero before the run has begun.
   Vec3 reaction(const std::string& set) const;
   Vec3 reaction_at(mesh::Index node) const;
@@ -134,6 +147,7 @@ class Run {
   void note(const char* code, const std::string& text, mesh::Index element = -1);
 
   const model::Model& model() const { return *model_; }
+  const std::shared_ptr<model::Model>& shared_model() const { return model_; }
   const mechanics::Assembly& assembly() const { return *assembly_; }
   const std::vector<StepReport>& steps() const { return reports_; }
   const std::string& why() const { return why_; }                // the last failure, in lines; empty: none
@@ -169,9 +183,19 @@ class Run {
   void resume(const std::string& kept);
 
  protected:
-  // Compiles and seals the model. Errors: duration not positive; model.validate().
+  // Compiles and seals the model. duration: s, of this run. Errors: duration not positive; model.validate();
+  // other cloth than that of the run it begins from.
   Run(std::shared_ptr<model::Model> model, double duration, std::shared_ptr<Notices> notices,
-      const char* kind);
+      const char* kind, const Beginning& beginning = {});
+  // Takes the state of the run it begins from, if there is one; when all terms are there.
+  void take_beginning();
+  const mechanics::NodalRates& left_rates() const { return left_rates_; }  // empty: none
+  // Of the committed state, also of directors; null: there are none.
+  virtual const mechanics::NodalRates* nodal_rates() const { return nullptr; }
+  // Whether something that held the cloth in that state does not any more.
+  bool is_let_go() const { return let_go_; }
+  // "the motion of node 3 begins 0.1 m from"; empty: motions go on from where the nodes are.
+  std::string jump_of_motions() const;
 
   // What each contact was taken for; once the kind of run is known.
   void report_contacts();
@@ -259,7 +283,7 @@ class Run {
   std::vector<StepReport> reports_;
   std::string why_;
   ExternalWork work_;
-  double trial_time_ = 0, initial_energy_ = 0;
+  double trial_time_ = 0, initial_energy_ = 0, began_ = 0;
   bool started() const { return started_; }
   bool hooked_ = false;  // whether a hook or event has seen a state since this was last reset
 
@@ -336,6 +360,15 @@ class Run {
   void take_up(Timed& timed, std::size_t i);  // restores the stored state of the i-th, or starts it now
   void take_up(Event& event, std::size_t i);
   void run_pending();
+
+  void check_beginning(const char* kind) const;  // Error: see the constructor
+  bool same_contact() const;
+  void release(const Run& from);
+  Beginning beginning_;
+  mechanics::Release* release_ = nullptr;  // null: nothing lets go gradually
+  mechanics::NodalRates left_rates_;
+  std::uint64_t origin_ = 0;
+  bool let_go_ = false;
 
   std::vector<std::shared_ptr<const ResultField>> shown_;
   std::vector<Timed> timed_;

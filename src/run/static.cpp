@@ -107,8 +107,8 @@ bool loads_nothing(const model::Model& m, const mechanics::Assembly& assembly) {
 }  // namespace
 
 Static::Static(std::shared_ptr<model::Model> model, const StaticOptions& options,
-               std::shared_ptr<Notices> notices)
-    : Run(std::move(model), options.duration, std::move(notices), "static"),
+               std::shared_ptr<Notices> notices, const Beginning& beginning)
+    : Run(std::move(model), options.duration, std::move(notices), "static", beginning),
       options_(options),
       given_(options),
       remembers_path_(depends_on_path()),
@@ -140,6 +140,7 @@ Static::Static(std::shared_ptr<model::Model> model, const StaticOptions& options
     if (bends_by_itself(*model_))
       descent_ = std::make_unique<solver::Descent>(make_solver(options_.solver, !takes_unsymmetric()));
   }
+  take_beginning();
   report_contacts();
 }
 
@@ -183,12 +184,13 @@ void Static::keep_settings(Archive& archive) {
 }
 
 void Static::begin() {
-  problem_->set_time(0);
+  problem_->set_time(began());
   problem_->start();
   dead_ = problem_->external();
   work_.start(*assembly_, dead_);
   now_.internal = internal();
   note_shape();
+  if (origin() != 0) return begin_loaded();
   WorkingForces loads;
   find_working_forces(*assembly_, dead_, loads);
   const Jumps jumps = find_jumps(*model_, options_.duration);
@@ -201,6 +203,15 @@ void Static::begin() {
   if (now_.step.largest() >= options_.duration) return;
   if (const std::string words = warning_text(jumps, options_.duration); !words.empty())
     warn("jump", "warning: static: " + words);
+}
+
+// What is not in balance any more acts as a load that is there from the beginning on.
+void Static::begin_loaded() {
+  const std::string jump = jump_of_motions();
+  now_.jumps = (is_let_go() && !(released_over() > 0)) || !jump.empty();
+  if (!jump.empty())
+    warn("jump", "static: " + jump +
+                     " where the state of the other run has it; all of it is applied in the first step");
 }
 
 double Static::no_size() const { return arc_ ? 0 : committed_time(); }

@@ -56,7 +56,8 @@ inline constexpr double usual_path = 0.05;
 class Static final : public Run {
  public:
   // Errors: options out of range; model.validate().
-  Static(std::shared_ptr<model::Model> model, const StaticOptions& options, std::shared_ptr<Notices> notices);
+  Static(std::shared_ptr<model::Model> model, const StaticOptions& options, std::shared_ptr<Notices> notices,
+         const Beginning& beginning = {});
   ~Static() override;
 
   const StaticOptions& options() const { return options_; }
@@ -71,6 +72,7 @@ class Static final : public Run {
   class Trace;
   bool takes_unsymmetric() const override;
   void begin() override;
+  void begin_loaded();
   double try_step(double limit, StepReport& report) override;
   bool attempt(double size, StepReport& report) override;
   double largest_step() const override { return options_.step.value_or(options_.duration / 20); }

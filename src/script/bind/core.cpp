@@ -196,6 +196,7 @@ void bind_all(Session& session) {
   bind_joints(session);
   bind_static(session);
   bind_dynamic(session);
+  bind_modes(session);
   bind_outputs(session);
   bind_keep(session);
   bind_check(session);

@@ -288,6 +288,48 @@ int remove(Call& call) {
   return return_self(call);
 }
 
+// "pressure", or of one set alone "fix left".
+void take_away(const Call& call, const std::string& words, Model& model) {
+  const auto all = declared(model);
+  bool found = false;
+  for (std::size_t i = all.size(); i-- > 0;) {
+    const Declared& one = all[i];
+    if (one.number < 0 || (words != one.kind && words != one.kind + " " + one.set)) continue;
+    model.remove(one.declaration, static_cast<std::size_t>(one.number));
+    found = true;
+  }
+  if (found) return;
+  std::vector<std::string> known;
+  for (const Declared& one : all)
+    if (one.number >= 0)
+      for (const std::string& name : {one.kind, one.kind + " " + one.set})
+        if (std::find(known.begin(), known.end(), name) == known.end()) known.push_back(name);
+  call.refuse("changes.without", known.empty() ? "the model has nothing that could be left out"
+                                               : unknown("declaration", words, known));
+}
+
+int copy(Call& call) {
+  lua_State* L = call.L();
+  const auto made = call.self<Model>()->copy();
+  if (call.has("changes")) {
+    const Fields changes = call.fields("changes");
+    if (changes.push("without") == LUA_TSTRING) {
+      take_away(call, lua_tostring(L, -1), *made);
+    } else if (lua_istable(L, -1)) {
+      for (lua_Integer i = 1; lua_rawgeti(L, -1, i) != LUA_TNIL; ++i) {
+        if (lua_type(L, -1) != LUA_TSTRING)
+          call.refuse("changes.without", "expected texts in the list, got " + describe(L, -1));
+        take_away(call, lua_tostring(L, -1), *made);
+        lua_pop(L, 1);
+      }
+      lua_pop(L, 1);
+    }
+    lua_pop(L, 2);
+  }
+  push_object(L, made);
+  return 1;
+}
+
 // The mesh object itself refuses changes when an analysis uses the mesh.
 void push_mesh(lua_State* L, const Model& model) {
   push_object(L, std::const_pointer_cast<mesh::Mesh>(model.mesh_pointer()));
@@ -343,6 +385,23 @@ std::vector<Entry> declared_entries() {
        sample + "m:fix('bottom', 'x y z'):gravity{0, 0, -9.81}\nm:remove(m:list()[2])\n"
                 "assert(#m:list() == 1)\nm:remove{ kind='fix', set='bottom' }\nassert(#m:list() == 0)",
        remove},
+      {"model:copy",
+       Style::positional,
+       {fields_(
+            "changes",
+            {value_(
+                 "without", text | table,
+                 "what the copy does not have: a kind of m:list() or kind and set, 'pressure' or 'fix left', "
+                 "or a list of these")
+                 .optional()},
+            "what differs; supports and loads are added by its calls")
+            .optional()},
+       "A model of the same cloth with the same supports and loads, which may be changed also where a run "
+       "has "
+       "compiled this one.",
+       sample + "m:fix('bottom', 'x y z'):gravity{0, 0, -9.81}\nlocal free = m:copy{ without='fix bottom' }\n"
+                "assert(#free:list() == 1 and #m:list() == 2)",
+       copy},
       {"analysis.model",
        Style::property,
        {},
@@ -363,7 +422,14 @@ std::vector<Entry> declared_entries() {
 void keep_model(const Call& call) {
   lua_State* L = call.L();
   lua_getiuservalue(L, -1, 1);
-  call.push("model");
+  if (call.push("model") == LUA_TNIL) {  // that of the run from which this one begins
+    lua_pop(L, 1);
+    call.push("from");
+    lua_getiuservalue(L, -1, 1);
+    lua_getfield(L, -1, model_key);
+    lua_replace(L, -3);
+    lua_pop(L, 1);
+  }
   lua_setfield(L, -2, model_key);
   lua_pop(L, 1);
 }

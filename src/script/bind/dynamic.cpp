@@ -39,10 +39,12 @@ int make_dynamic(Call& call) {
   options.max_cuts = call.count("max_cuts");
   Session& session = call.session();
   const auto notices = std::shared_ptr<Notices>(&session.notices(), [](Notices*) {});
-  const auto model = call.object<model::Model>("model");
+  const Begins begins = read_beginning(call);
+  const auto& model = begins.model;
   const ChangeRefused still_model(session, model.get()), still_mesh(session, &model->mesh());
-  auto run = run::make_dynamic(model, options, notices);
+  auto run = run::make_dynamic(model, options, notices, begins.beginning);
   if (call.text("limit") == "stop") run->stop_beyond();
+  say_beginning(call, *run);
   push_run(call.L(), std::make_shared<DeckRun>(session, std::move(run)));
   keep_model(call);
   return 1;
@@ -73,47 +75,45 @@ std::string sample() {
 }
 
 std::vector<Argument> arguments() {
-  return {
-      object_("model", "model", "what is computed"),
-      number_("duration", "s", positive, "time to run to"),
-      Argument{"step",
-               number | text,
-               "s",
-               positive,
-               "of time; auto: explicit 0.7 of the stable step or less, implicit duration/200",
-               true,
-               {},
-               {"auto"}}
-          .optional(),
-      value_("scheme", text, "explicit (central differences) or implicit (Newmark with Newton)")
-          .or_else("explicit")
-          .one_of({"explicit", "implicit"}),
-      number_("gamma", "", Range{0.5, 1}, "of Newmark; above 1/2 it damps; default 1/2").optional(),
-      number_("beta", "", Range{0, 1}, "of Newmark; default 0 explicit, (1/2 + gamma)^2/4 implicit")
-          .optional(),
-      number_(
-          "hht", "", Range{-1.0 / 3, 0},
-          "alpha of Hilbert, Hughes and Taylor: damps high frequencies; default 0, and -0.2 from the step on "
-          "in which implicit steps have made energy")
-          .optional(),
-      fields_("damping",
-              {number_("mass", "1/s", not_negative, "a of the damping matrix a M + b K_M").optional(),
-               number_("stiffness", "s", not_negative, "b of the damping matrix a M + b K_M").optional()},
-              "Rayleigh's damping {mass=a, stiffness=b}; none unless given")
-          .optional(),
-      value_("inertia", text,
-             "rotary inertia of the cloth: true, or scaled up where it would limit the explicit step")
-          .optional()
-          .one_of({"scaled", "true"}),
-      value_("force", boolean, "take the step even above the stable one").or_else(false),
-      number_("ledger_limit", "", positive,
-              "the run stops when the error of the energy ledger exceeds this part of the external work")
-          .or_else(0.05),
-      number_("tolerance", "", Range{0, 1, true, true}, "implicit: residual over the largest nodal force")
-          .or_else(1e-8),
-      integer_("max_iterations", from_one, "implicit: of one step, before it is cut").or_else(30),
-      integer_("max_cuts", not_negative, "implicit: halvings of one step").or_else(12),
-      limit_row()};
+  return with_beginning(
+      {number_("duration", "s", positive, "time to run, from 0 or from the other run's time"),
+       Argument{"step",
+                number | text,
+                "s",
+                positive,
+                "of time; auto: explicit 0.7 of the stable step or less, implicit duration/200",
+                true,
+                {},
+                {"auto"}}
+           .optional(),
+       value_("scheme", text, "explicit (central differences) or implicit (Newmark with Newton)")
+           .or_else("explicit")
+           .one_of({"explicit", "implicit"}),
+       number_("gamma", "", Range{0.5, 1}, "of Newmark; above 1/2 it damps; default 1/2").optional(),
+       number_("beta", "", Range{0, 1}, "of Newmark; default 0 explicit, (1/2 + gamma)^2/4 implicit")
+           .optional(),
+       number_("hht", "", Range{-1.0 / 3, 0},
+               "alpha of Hilbert, Hughes and Taylor: damps high frequencies; default 0, and -0.2 from the "
+               "step on "
+               "in which implicit steps have made energy")
+           .optional(),
+       fields_("damping",
+               {number_("mass", "1/s", not_negative, "a of the damping matrix a M + b K_M").optional(),
+                number_("stiffness", "s", not_negative, "b of the damping matrix a M + b K_M").optional()},
+               "Rayleigh's damping {mass=a, stiffness=b}; none unless given")
+           .optional(),
+       value_("inertia", text,
+              "rotary inertia of the cloth: true, or scaled up where it would limit the explicit step")
+           .optional()
+           .one_of({"scaled", "true"}),
+       value_("force", boolean, "take the step even above the stable one").or_else(false),
+       number_("ledger_limit", "", positive,
+               "the run stops when the error of the energy ledger exceeds this part of the external work")
+           .or_else(0.05),
+       number_("tolerance", "", Range{0, 1, true, true}, "implicit: residual over the largest nodal force")
+           .or_else(1e-8),
+       integer_("max_iterations", from_one, "implicit: of one step, before it is cut").or_else(30),
+       integer_("max_cuts", not_negative, "implicit: halvings of one step").or_else(12), limit_row()});
 }
 
 std::vector<Entry> dynamic_entries() {

@@ -162,8 +162,8 @@ wrong("analysis:write", "run:write 'x.step'",
 -- fabric.dynamic
 wrong("fabric.dynamic", "fabric.dynamic{ modle=held }",
   "deck.lua:1: dynamic: unknown field 'modle', did you mean 'model'?")
-wrong("fabric.dynamic", "fabric.dynamic{ model=model_ }",
-  "deck.lua:1: dynamic: field 'model': expected a model, got nil (missing, or a misspelt variable)")
+wrong("fabric.dynamic", "fabric.dynamic{ model=model_, duration=1 }",
+  "deck.lua:1: dynamic: field 'model': expected a model, or from= another run, got nil (missing, or a misspelt variable)")
 wrong("fabric.dynamic", "fabric.dynamic{ model=mesh }",
   "deck.lua:1: dynamic: field 'model': expected a model, got a mesh")
 wrong("fabric.dynamic", "fabric.dynamic{ model=held, duration='1' }",
@@ -184,8 +184,8 @@ wrong("fabric.dynamic", "fabric.dynamic{ model=held, duration=1, max_iterations=
 -- fabric.static
 wrong("fabric.static", "fabric.static{ modle=held }",
   "deck.lua:1: static: unknown field 'modle', did you mean 'model'?")
-wrong("fabric.static", "fabric.static{ model=model_ }",
-  "deck.lua:1: static: field 'model': expected a model, got nil (missing, or a misspelt variable)")
+wrong("fabric.static", "fabric.static{ model=model_, duration=1 }",
+  "deck.lua:1: static: field 'model': expected a model, or from= another run, got nil (missing, or a misspelt variable)")
 wrong("fabric.static", "fabric.static{ model=mesh }",
   "deck.lua:1: static: field 'model': expected a model, got a mesh")
 wrong("fabric.static", "fabric.static{ model=held, duration='1' }",

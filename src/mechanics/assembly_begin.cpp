@@ -1,0 +1,45 @@
+// Beginning from the state of another assembly.
+#include <string_view>
+
+#include "base/error.hpp"
+#include "mechanics/assembly.hpp"
+#include "mechanics/terms/contact.hpp"
+
+namespace fabricsh::mechanics {
+
+void Assembly::begin_from(const Assembly& other, bool same_contact) {
+  auto& there = const_cast<Assembly&>(other);  // an archive that is written changes nothing
+  const auto carry = [&](const auto& keep) {
+    Archive out;
+    keep(there, out);
+    Archive in(out.bytes());
+    keep(*this, in);
+  };
+  if (dofs_.joints().any()) {
+    carry([](Assembly& a, Archive& archive) { a.keep_joints(archive); });
+    renumbered();
+  }
+  if (!dofs_.seams().empty()) {
+    carry([](Assembly& a, Archive& archive) { a.keep_seams(archive); });
+    renumbered();
+  }
+  carry([](Assembly& a, Archive& archive) { a.configuration_.keep(archive); });
+  for (const auto& term : terms_)
+    for (const auto& twin : there.terms_) {
+      if (std::string_view(twin->name()) != term->name()) continue;
+      if (!same_contact && dynamic_cast<const Contacts*>(term.get()) != nullptr) continue;
+      Archive out;
+      twin->keep(out);
+      Archive in(out.bytes());
+      term->keep(in);
+    }
+  dofs_.hold_here();
+  configuration_.commit(configuration_.time());  // with the frames of directors that may turn less freely
+  rollback();
+  const double now = configuration_.time();
+  set_time(now);
+  if (!forces({now, 0})) throw Error("the law fails in the state from which it begins");
+  commit(now);
+}
+
+}  // namespace fabricsh::mechanics

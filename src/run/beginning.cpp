@@ -1,0 +1,178 @@
+// Beginning from the state of another run.
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "base/number.hpp"
+#include "card/fields.hpp"
+#include "geometry/node_view.hpp"
+#include "mechanics/terms/cloth.hpp"
+#include "mechanics/terms/contact.hpp"
+#include "mechanics/terms/release.hpp"
+#include "model/fingerprint.hpp"
+#include "run/run.hpp"
+
+namespace fabricsh::run {
+
+namespace {
+
+// What is left of an equilibrium that a run found, over the largest force; more of it has been let go.
+constexpr double kBalanced = 1e-6;
+
+// Whether the part says what the cloth is, and not what is done to it.
+bool is_of_cloth(const model::FingerprintPart& part) {
+  for (const char* name : {"mesh", "region", "thickness", "warp direction", "ties", "tearable zones",
+                           "strengths", "seams", "bands"})
+    if (part.name.starts_with(name)) return true;
+  return false;
+}
+
+bool is_of_contact(const model::FingerprintPart& part) {
+  return part.name.starts_with("contact of ") || part.name.starts_with("rigid body ");
+}
+
+template <class Wanted>
+model::Fingerprint parts_of(const model::Model& model, double duration, Wanted wanted) {
+  model::Fingerprint parts = model::fingerprint(model, duration);
+  std::erase_if(parts, [&](const auto& part) { return !wanted(part); });
+  return parts;
+}
+
+void add_cards(const model::Model& model, model::Fingerprint& parts) {
+  for (const auto& region : model.regions()) {
+    std::string cards = card::lua_text(region.card);
+    for (const auto& ply : region.options.plies) cards += card::lua_text(ply.card);
+    parts.push_back({"card" + model::of_region(model, region), region.card.name, hash(cards)});
+  }
+}
+
+std::string cloth_differs(const Run& there, const Run& here) {
+  const auto all = [](const Run& run) {
+    auto parts = parts_of(run.model(), run.duration(), is_of_cloth);
+    add_cards(run.model(), parts);
+    return parts;
+  };
+  auto one = all(there), other = all(here);
+  if (one.front().hash != other.front().hash) one.resize(1), other.resize(1);  // another mesh
+  return model::difference(one, other);
+}
+
+void report_beginning(const Run& from, Run& run) {
+  if (!from.moves()) return;
+  if (!run.moves())
+    run.notices().remark("static: the velocities of the other run, with " + number(from.energy().kinetic) +
+                         " J, are left out");
+  else if (run.shared_model() != from.shared_model() && !run.model().velocities().empty())
+    run.warn(
+        "dropped",
+        "dynamic: the velocities of the model are dropped, since the run goes on with those of the other "
+        "run");
+}
+
+bool is_held(mechanics::Index equation) { return equation < 0 && equation != mechanics::tied; }
+
+// Sets to zero the part of a force that is along freedoms for which `drops` is true.
+template <class Drops>
+void drop(const mechanics::NodeFreedoms& node, Drops drops, Eigen::Ref<Vec3> force) {
+  Vec3 f = node.frame * Vec3(force);
+  for (int c = 0; c < 3; ++c)
+    if (drops(node.equation[c])) f[c] = 0;
+  force = node.frame.transpose() * f;
+}
+
+}  // namespace
+
+void Run::check_beginning(const char* kind) const {
+  if (const std::string differs = cloth_differs(*beginning_.from, *this); !differs.empty())
+    throw Error(std::string(kind) + ": field 'from': expected a run of the same cloth; it differs in " +
+                differs);
+}
+
+bool Run::same_contact() const {
+  return model::difference(parts_of(beginning_.from->model(), duration_, is_of_contact),
+                           parts_of(*model_, duration_, is_of_contact))
+      .empty();
+}
+
+void Run::take_beginning() {
+  if (beginning_.from == nullptr) return;
+  const Run& from = *beginning_.from;
+  const bool same = same_contact();
+  const auto* const contact = assembly_->terms().find<mechanics::Contacts>();
+  if (!same && contact != nullptr && contact->bodies().any_free())
+    throw Error(
+        std::string(kind()) +
+        ": field 'from': a rigid body with a mass goes on where it is only beside the same bodies and "
+        "contacts: expected those of the run it begins from");
+  if (beginning_.release > 0) release_ = &assembly_->terms().add(std::make_unique<mechanics::Release>());
+  assembly_->begin_from(from.assembly(), same);
+  trial_time_ = committed_time();
+  if (const auto* const rates = from.nodal_rates()) left_rates_ = *rates;
+  report_beginning(from, *this);
+  release(from);
+  Archive state;
+  const_cast<mechanics::Assembly&>(from.assembly()).keep(state);  // which changes nothing when written
+  double over = beginning_.release;
+  state(left_rates_.x, left_rates_.d, over);
+  origin_ = hash(state.bytes()) | 1;
+  beginning_.from = nullptr;
+}
+
+std::string Run::jump_of_motions() const {
+  constexpr double far = 1e-6;  // of the mean edge, by which elements are measured
+  const auto targets = assembly_->dofs().targets(began_);
+  const auto& freedoms = assembly_->dofs().freedoms();
+  const auto& X = assembly_->dofs().reference();
+  const auto x = std::as_const(*assembly_).state().x();
+  double most = far * assembly_->cloth().smallest_size();
+  mechanics::Index node = -1;
+  for (std::size_t m = 0; m < targets.size(); ++m) {
+    const auto& motion = freedoms.motions[m];
+    if (motion.component > 2) continue;
+    const Vec3 u = freedoms.nodes[motion.node].frame * (at(x, motion.node) - X[motion.node]);
+    const double jump = std::abs(targets[m] - u[motion.component]);
+    if (jump > most) most = jump, node = motion.node;
+  }
+  if (node < 0) return {};
+  return "the motion of node " + std::to_string(node + 1) + " begins " + number(most) + " m from";
+}
+
+// What balanced the state of a run at rest and is not there any more: supports, loads, contact. Of one that
+// moves, in which forces need not balance, that of its supports alone.
+void Run::release(const Run& from) {
+  const auto internal = assembly_->internal();
+  std::vector<double> on_x, on_d(internal.on_d.begin(), internal.on_d.end());
+  assembly_->terms().external(began_, on_x);
+  for (std::size_t i = 0; i < on_x.size(); ++i) on_x[i] = internal.on_x[i] - on_x[i];
+  const auto &now = assembly_->dofs().freedoms().nodes, &then = from.assembly().dofs().freedoms().nodes;
+  const auto d = std::as_const(*assembly_).state().d();
+  for (std::size_t n = 0; n < now.size(); ++n) {
+    const auto i = static_cast<std::ptrdiff_t>(n);
+    auto turning = at(std::span<double>(on_d), i);
+    turning -= at(d, i).dot(turning) * at(d, i);
+    drop(now[n], is_held, at(std::span<double>(on_x), i));
+    if (now[n].equation[3] < 0 && now[n].equation[3] != mechanics::tied) turning.setZero();
+    if (!from.moves()) continue;
+    drop(
+        then[n], [](mechanics::Index e) { return !is_held(e); }, at(std::span<double>(on_x), i));
+    if (!is_held(then[n].equation[3]) && !is_held(then[n].equation[4])) turning.setZero();
+  }
+  std::vector<double> r(static_cast<std::size_t>(assembly_->dofs().unknowns()));
+  const std::vector<double> zero(on_x.size(), 0);
+  assembly_->dofs().residual(on_x, zero, zero, on_d, nullptr, r);
+  let_go_ = assembly_->largest_residual(r).first > kBalanced * assembly_->largest_force();
+  if (release_ == nullptr) return;
+  if (!let_go_)
+    throw Error(
+        std::string(kind()) +
+        ": field 'release': nothing that held the cloth lets go here: expected a model without one of the "
+        "supports or loads of the other run, or no release");
+  release_->begin(std::move(on_x), std::move(on_d), began_, beginning_.release);
+  assembly_->set_time(began_);
+  if (!assembly_->forces({began_, 0})) throw Error("the law fails in the state from which it begins");
+  assembly_->commit(began_);
+  kinks_.push_back(began_ + beginning_.release);
+  std::sort(kinks_.begin(), kinks_.end());
+}
+
+}  // namespace fabricsh::run

@@ -1,0 +1,274 @@
+#include "run/modes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/error.hpp"
+#include "base/number.hpp"
+#include "geometry/node_view.hpp"
+#include "mechanics/terms/cloth.hpp"
+#include "mechanics/terms/contact.hpp"
+#include "run/run.hpp"
+#include "solver/eigen.hpp"
+
+namespace fabricsh::run {
+
+namespace {
+
+// Of the sums of the absolute entries: what is added to a stiffness so that it has factors where cloth moves
+// freely, and what counts as none, as in solver/stability.cpp. Shares of the fastest displacements' rates.
+constexpr double kShift = 1e-10, kNothing = 1e-13;
+constexpr double kSymmetric = 1e-9;  // of entries above and below the diagonal
+constexpr int kMost = 400;           // modes
+
+// The matrices of a model in a state.
+class Linearised {
+ public:
+  explicit Linearised(const std::shared_ptr<model::Model>& model, const char* call)
+      : model_(compiled(model)), assembly_(*model_), call_(call) {
+    refuse_bodies();
+    assembly_.set_time(0);
+    if (!assembly_.forces({})) throw Error("the law fails at rest");
+  }
+  Linearised(const Run& run, const char* call) : model_(run.shared_model()), assembly_(*model_), call_(call) {
+    refuse_bodies();
+    assembly_.begin_from(run.assembly(), true);
+  }
+
+  mechanics::Assembly& assembly() { return assembly_; }
+  const model::Model& model() const { return *model_; }
+  // The symmetric part of the tangent.
+  linear::Matrix stiffness(law::AtSwitch at) {
+    linear::Matrix K, S;
+    const double now = std::as_const(assembly_).state().time();
+    if (!assembly_.tangent({now, 0, at}, K, {}, {})) throw Error("the law fails in this state");
+    linear::Vector D;
+    linear::absolute_sums(K, D);
+    unsymmetric_ = linear::symmetric_part(K, D, S) > kSymmetric;
+    return S;
+  }
+  // Directors have next to no inertia: that of the thickness is no more than (pi t / wavelength)^2 / 12 of
+  // the mass, and where cloth bends more easily than a solid sheet it would let directors of quadrilaterals
+  // swing alternately, which no shear resists, among the lowest modes.
+  linear::Matrix mass() {
+    constexpr double share = 1e-6;
+    std::vector<double> rotary = assembly_.cloth().rotary_inertia(false);
+    for (double& inertia : rotary) inertia *= share;
+    linear::Matrix M(assembly_.pattern());
+    assembly_.add_diagonal(assembly_.cloth().mass(), rotary, M);
+    return M;
+  }
+  // 1/s^2: the largest rate of a single displacement.
+  double fastest(const linear::Matrix& K, const linear::Matrix& M) const {
+    linear::Vector D;
+    linear::absolute_sums(K, D);
+    double most = 0;
+    for (mechanics::Index i = 0; i < K.size(); ++i)
+      if (!assembly_.dofs().turns(i))
+        most = std::max(most, D[i] / M.value[static_cast<std::size_t>(M.pattern->slot(i, i))]);
+    return most;
+  }
+  mechanics::NodalRates spread(const linear::Vector& unknowns) const {
+    mechanics::NodalRates out;
+    assembly_.dofs().spread_rates(unknowns, still(), out);
+    return out;
+  }
+  std::shared_ptr<const Shape> shape(const mechanics::NodalRates& way) const {
+    auto shape = std::make_shared<Shape>();
+    shape->mesh = model_->mesh_pointer();
+    const auto x = assembly_.state().x();
+    double most = 0;
+    Vec3 largest = Vec3::Zero();
+    const auto nodes = static_cast<std::ptrdiff_t>(assembly_.state().nodes());
+    for (std::ptrdiff_t n = 0; n < nodes; ++n) {
+      shape->from.push_back(at(x, n));
+      shape->way.push_back(at(way.x, n));
+      // Of ways that differ by rounding alone the first one.
+      if (shape->way.back().norm() > most * (1 + 1e-6)) {
+        most = shape->way.back().norm();
+        largest = shape->way.back();
+      }
+    }
+    Eigen::Index along = 0;
+    largest.cwiseAbs().maxCoeff(&along);
+    if (largest[along] < 0) most = -most;
+    for (Vec3& way_of_node : shape->way) way_of_node /= most == 0 ? 1 : most;
+    return shape;
+  }
+  std::vector<std::string> words() const {
+    std::vector<std::string> all;
+    const std::string call = call_;
+    if (unsymmetric_)
+      all.push_back(call +
+                    ": the tangent is not symmetric, as with friction, moments or pressure on cloth with "
+                    "free edges: these are modes of its symmetric part");
+    const auto* const contact = assembly_.terms().find<mechanics::Contacts>();
+    if (contact != nullptr)
+      all.push_back(call + ": contact stays as it is in this state: " + std::to_string(contact->touching()) +
+                    (contact->touching() == 1 ? " place touches" : " places touch") +
+                    " and remain closed, all others remain open");
+    return all;
+  }
+
+ private:
+  static std::shared_ptr<model::Model> compiled(const std::shared_ptr<model::Model>& model) {
+    model->validate();
+    model->divide_zones();
+    if (!model->zones().empty()) model->seal();  // its mesh is another one from here on
+    return model;
+  }
+  void refuse_bodies() const {
+    const auto* const contact = assembly_.terms().find<mechanics::Contacts>();
+    if (contact != nullptr && contact->bodies().any_free())
+      throw Error(
+          "the model has a rigid body with a mass, which moves with the cloth and has no place in its "
+          "modes: expected bodies without a mass");
+    if (assembly_.dofs().unknowns() == 0) throw Error("every node of the model is held: nothing can move");
+  }
+  std::vector<double> still() const {
+    return std::vector<double>(assembly_.dofs().freedoms().motions.size(), 0.0);
+  }
+
+  std::shared_ptr<model::Model> model_;
+  mechanics::Assembly assembly_;
+  const char* call_;
+  bool unsymmetric_ = false;
+};
+
+// K + m M, and its factors, with an m from `least` on for which they exist.
+struct Shifted {
+  linear::Matrix A;
+  double shift = 0;
+  std::unique_ptr<linear::LinearSolver> solver = linear::make_symmetric_solver();
+};
+
+bool definite(Shifted& shifted) {
+  shifted.solver->set_doubtful(false);
+  return shifted.solver->factorise(shifted.A) && shifted.solver->report().negative_pivots == 0;
+}
+
+void shift_by(const linear::Matrix& K, const linear::Matrix& M, double m, Shifted& out) {
+  out.shift = m;
+  out.A = K;
+  for (std::size_t i = 0; i < out.A.value.size(); ++i) out.A.value[i] += m * M.value[i];
+}
+
+void make_definite(const linear::Matrix& K, const linear::Matrix& M, double least, Shifted& out) {
+  shift_by(K, M, least, out);
+  for (int i = 0; !definite(out) && i < 16; ++i) shift_by(K, M, out.shift * 10, out);
+}
+
+// How many eigenvalues of K - lambda M are below zero; -1: the factors do not tell.
+mechanics::Index below(const linear::Matrix& K, const linear::Matrix& M, double lambda) {
+  Shifted at;
+  shift_by(K, M, -lambda, at);
+  at.solver = linear::make_unsymmetric_solver();
+  return at.solver->factorise(at.A) ? at.solver->report().negative_pivots : -1;
+}
+
+Modes<VibrationMode> vibrations(Linearised& at, const ModesWanted& wanted) {
+  const linear::Matrix K = at.stiffness(law::AtSwitch::unloading), M = at.mass();
+  const double fastest = at.fastest(K, M);
+  Shifted shifted;
+  make_definite(K, M, kShift * fastest, shifted);
+  int count = wanted.count;
+  if (wanted.below) {
+    const double omega = 2 * std::numbers::pi * *wanted.below;
+    const auto there = below(K, M, omega * omega);
+    if (there > kMost)
+      throw Error("field 'below': there are " + std::to_string(there) + " modes below " +
+                  number(*wanted.below) + " Hz: expected a frequency with at most " + std::to_string(kMost) +
+                  " below it");
+    if (there >= 0) count = static_cast<int>(there);
+  }
+  const auto found = solver::largest_eigenpairs(M, shifted.A, *shifted.solver, count);
+  Modes<VibrationMode> out{{}, at.words()};
+  const auto& masses = at.assembly().cloth().mass();
+  for (std::size_t i = 0; i < found.value.size(); ++i) {
+    const double theta = found.value[i];
+    if (!(theta > 0)) break;
+    const double square = 1 / theta - shifted.shift;  // 1/s^2
+    const bool nothing = std::abs(square) <= kNothing * fastest;
+    const mechanics::NodalRates way = at.spread(found.shape[i]);
+    Vec3 part = Vec3::Zero();
+    for (std::size_t n = 0; n < masses.size(); ++n)
+      part += masses[n] * fabricsh::at(way.x, static_cast<std::ptrdiff_t>(n));
+    VibrationMode mode;
+    mode.mass = part.cwiseAbs2() / theta;
+    if (!nothing && square > 0) mode.frequency = std::sqrt(square) / (2 * std::numbers::pi);
+    if (!nothing && square < 0) mode.growth = std::sqrt(-square);
+    if (wanted.below && mode.frequency >= *wanted.below) break;
+    mode.shape = at.shape(way);
+    out.modes.push_back(std::move(mode));
+  }
+  if (!found.converged)
+    out.words.push_back("modes: only " + std::to_string(found.value.size()) + " of " + std::to_string(count) +
+                        " modes have been found");
+  const auto grows =
+      std::count_if(out.modes.begin(), out.modes.end(), [](const auto& m) { return m.growth > 0; });
+  if (grows > 0)
+    out.words.push_back("modes: the state is not a stable equilibrium: " + std::to_string(grows) +
+                        (grows == 1 ? " mode grows" : " modes grow") +
+                        " instead of swinging, at the rate in its field 'growth'");
+  return out;
+}
+
+std::string unchanged_text(const mechanics::Dofs& dofs) {
+  if (!dofs.joints().opened().empty()) return "joints have opened";
+  const auto& closed = dofs.sewn().closed;
+  if (std::any_of(closed.begin(), closed.end(), [](auto c) { return c != 0; })) return "seams have closed";
+  return {};
+}
+
+}  // namespace
+
+Modes<VibrationMode> vibration_modes(const Run& run, const ModesWanted& wanted) {
+  Linearised at(run, "modes");
+  return vibrations(at, wanted);
+}
+
+Modes<VibrationMode> vibration_modes(const std::shared_ptr<model::Model>& model, const ModesWanted& wanted) {
+  Linearised at(model, "modes");
+  return vibrations(at, wanted);
+}
+
+Modes<BucklingMode> buckling_modes(const Run& run, int count) {
+  if (const std::string changed = unchanged_text(run.assembly().dofs()); !changed.empty())
+    throw Error("in this run " + changed +
+                " since its start, and its tangent is not to be compared with that of "
+                "the unloaded cloth");
+  Linearised loaded(run, "buckling"), bare(run.shared_model(), "buckling");
+  const linear::Matrix K = loaded.stiffness(law::AtSwitch::loading), M = loaded.mass();
+  const linear::Matrix K0 = bare.stiffness(law::AtSwitch::loading);
+  if (K0.value.size() != K.value.size())
+    throw Error(
+        "contact has closed since the run's start, and the tangent is not to be compared with that of the "
+        "unloaded cloth");
+  linear::Matrix lost = K;  // stiffness by the loads
+  double most = 0, largest = 0;
+  for (std::size_t i = 0; i < K.value.size(); ++i) {
+    lost.value[i] = K0.value[i] - K.value[i];
+    most = std::max(most, std::abs(lost.value[i]));
+    largest = std::max(largest, std::abs(K0.value[i]));
+  }
+  if (!(most > kNothing * largest))
+    throw Error(
+        "the state of this run has no stress: expected one under the loads whose factor is asked for");
+  Shifted shifted;
+  shift_by(K0, M, 0, shifted);
+  if (!definite(shifted)) make_definite(K0, M, kShift * bare.fastest(K0, M), shifted);
+  const auto found = solver::largest_eigenpairs(lost, shifted.A, *shifted.solver, count);
+  Modes<BucklingMode> out{{}, loaded.words()};
+  for (std::size_t i = 0; i < found.value.size() && found.value[i] > 0; ++i)
+    out.modes.push_back({1 / found.value[i], loaded.shape(loaded.spread(found.shape[i]))});
+  if (out.modes.empty())
+    out.words.push_back(
+        "buckling: no factor of these loads above zero makes the cloth unstable: it is pulled");
+  else if (!found.converged)
+    out.words.push_back("buckling: only " + std::to_string(out.modes.size()) + " of " +
+                        std::to_string(count) + " factors have been found");
+  return out;
+}
+
+}  // namespace fabricsh::run

@@ -1,0 +1,57 @@
+// Small vibrations about a state, and factors of loads at which a state becomes unstable: the eigenvalues of
+// its tangent beside the mass, or beside what the loads have added to the tangent of the unloaded cloth.
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mechanics/motion.hpp"
+#include "model/model.hpp"
+
+namespace fabricsh::run {
+
+class Run;
+
+// A motion of all nodes from the positions of a state; the largest displacement is 1, m.
+struct Shape {
+  std::shared_ptr<const mesh::Mesh> mesh;  // of the model
+  std::vector<Vec3> from;                  // m, positions of the state
+  std::vector<Vec3> way;                   // m
+};
+
+struct VibrationMode {
+  double frequency = 0;      // Hz; 0: a motion without stiffness, or one that grows
+  double growth = 0;         // 1/s; above 0: the state is unstable, and leaves it at this rate
+  Vec3 mass = Vec3::Zero();  // kg, effective in x, y, z
+  std::shared_ptr<const Shape> shape;
+};
+
+struct BucklingMode {
+  double factor = 0;  // of the loads of the state
+  std::shared_ptr<const Shape> shape;
+};
+
+// What is said of a result beside its numbers, one line each.
+template <class M>
+struct Modes {
+  std::vector<M> modes;
+  std::vector<std::string> words = {};
+};
+
+struct ModesWanted {
+  int count = 10;
+  std::optional<double> below = {};  // Hz
+};
+
+// In the state of a run, or of a model at rest at time 0, with the lumped masses of motion and directors
+// without inertia. Errors: a rigid body with a mass; nothing can move; more modes than can be found.
+Modes<VibrationMode> vibration_modes(const Run& run, const ModesWanted& wanted);
+Modes<VibrationMode> vibration_modes(const std::shared_ptr<model::Model>& model, const ModesWanted& wanted);
+
+// The factors, above zero and ascending, of all loads and motions of the run's state at which it would be
+// unstable if its tangent went on as from the unloaded state to the present one. Errors: as above; a state
+// without stress; joints or seams that are not as they were at the start.
+Modes<BucklingMode> buckling_modes(const Run& run, int count);
+
+}  // namespace fabricsh::run
