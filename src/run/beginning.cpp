@@ -32,13 +32,13 @@ bool is_of_contact(const model::FingerprintPart& part) {
 }
 
 template <class Wanted>
-model::Fingerprint parts_of(const model::Model& model, double duration, Wanted wanted) {
+model::Fingerprint parts_that(const model::Model& model, double duration, Wanted wanted) {
   model::Fingerprint parts = model::fingerprint(model, duration);
   std::erase_if(parts, [&](const auto& part) { return !wanted(part); });
   return parts;
 }
 
-void add_cards(const model::Model& model, model::Fingerprint& parts) {
+void add_cards_of(const model::Model& model, model::Fingerprint& parts) {
   for (const auto& region : model.regions()) {
     std::string cards = card::lua_text(region.card);
     for (const auto& ply : region.options.plies) cards += card::lua_text(ply.card);
@@ -48,8 +48,8 @@ void add_cards(const model::Model& model, model::Fingerprint& parts) {
 
 std::string cloth_differs(const Run& there, const Run& here) {
   const auto all = [](const Run& run) {
-    auto parts = parts_of(run.model(), run.duration(), is_of_cloth);
-    add_cards(run.model(), parts);
+    auto parts = parts_that(run.model(), run.duration(), is_of_cloth);
+    add_cards_of(run.model(), parts);
     return parts;
   };
   auto one = all(there), other = all(here);
@@ -69,11 +69,11 @@ void report_beginning(const Run& from, Run& run) {
         "run");
 }
 
-bool is_held(mechanics::Index equation) { return equation < 0 && equation != mechanics::tied; }
+bool is_supported(mechanics::Index equation) { return equation < 0 && equation != mechanics::tied; }
 
 // Sets to zero the part of a force that is along freedoms for which `drops` is true.
 template <class Drops>
-void drop(const mechanics::NodeFreedoms& node, Drops drops, Eigen::Ref<Vec3> force) {
+void drop_along(const mechanics::NodeFreedoms& node, Drops drops, Eigen::Ref<Vec3> force) {
   Vec3 f = node.frame * Vec3(force);
   for (int c = 0; c < 3; ++c)
     if (drops(node.equation[c])) f[c] = 0;
@@ -89,8 +89,8 @@ void Run::check_beginning(const char* kind) const {
 }
 
 bool Run::same_contact() const {
-  return model::difference(parts_of(beginning_.from->model(), duration_, is_of_contact),
-                           parts_of(*model_, duration_, is_of_contact))
+  return model::difference(parts_that(beginning_.from->model(), duration_, is_of_contact),
+                           parts_that(*model_, duration_, is_of_contact))
       .empty();
 }
 
@@ -150,12 +150,12 @@ void Run::release(const Run& from) {
     const auto i = static_cast<std::ptrdiff_t>(n);
     auto turning = at(std::span<double>(on_d), i);
     turning -= at(d, i).dot(turning) * at(d, i);
-    drop(now[n], is_held, at(std::span<double>(on_x), i));
+    drop_along(now[n], is_supported, at(std::span<double>(on_x), i));
     if (now[n].equation[3] < 0 && now[n].equation[3] != mechanics::tied) turning.setZero();
     if (!from.moves()) continue;
-    drop(
-        then[n], [](mechanics::Index e) { return !is_held(e); }, at(std::span<double>(on_x), i));
-    if (!is_held(then[n].equation[3]) && !is_held(then[n].equation[4])) turning.setZero();
+    drop_along(
+        then[n], [](mechanics::Index e) { return !is_supported(e); }, at(std::span<double>(on_x), i));
+    if (!is_supported(then[n].equation[3]) && !is_supported(then[n].equation[4])) turning.setZero();
   }
   std::vector<double> r(static_cast<std::size_t>(assembly_->dofs().unknowns()));
   const std::vector<double> zero(on_x.size(), 0);

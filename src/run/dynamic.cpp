@@ -285,7 +285,8 @@ std::string Dynamic::remedy(const EnergyAccount& e) const {
 void Dynamic::watch_flat(const EnergyAccount& e) {
   constexpr double at[] = {0.1, 0.25, 0.5, 0.75, 1 - same_time};  // of the duration
   const auto looks = static_cast<std::size_t>(now_.flat_looks);
-  if (looks >= std::size(at) || time() < at[looks] * duration_ || warned("unstable")) return;
+  if (looks >= std::size(at) || time() - began() < at[looks] * (duration_ - began()) || warned("unstable"))
+    return;
   now_.flat_looks = is_flat(*assembly_) ? now_.flat_looks + 1 : static_cast<int>(std::size(at));
   if (static_cast<std::size_t>(now_.flat_looks) != looks + 1 || !(e.stored > e.kinetic)) return;
   if (const auto place = leaves_its_plane(*model_, *assembly_))

@@ -18,9 +18,9 @@ namespace {
 
 // Of the sums of the absolute entries: what is added to a stiffness so that it has factors where cloth moves
 // freely, and what counts as none, as in solver/stability.cpp. Shares of the fastest displacements' rates.
-constexpr double kShift = 1e-10, kNothing = 1e-13;
-constexpr double kSymmetric = 1e-9;  // of entries above and below the diagonal
-constexpr int kMost = 400;           // modes
+constexpr double kShift = 1e-10, kNoStiffness = 1e-13;
+constexpr double kAlmostSymmetric = 1e-9;  // of entries above and below the diagonal
+constexpr int kMostModes = 400;            // modes
 
 // The matrices of a model in a state.
 class Linearised {
@@ -45,7 +45,16 @@ class Linearised {
     if (!assembly_.tangent({now, 0, at}, K, {}, {})) throw Error("the law fails in this state");
     linear::Vector D;
     linear::absolute_sums(K, D);
-    unsymmetric_ = linear::symmetric_part(K, D, S) > kSymmetric;
+    unsymmetric_ = linear::symmetric_part(K, D, S) > kAlmostSymmetric;
+    return S;
+  }
+  // That of the law alone, without what stresses and loads add.
+  linear::Matrix law_stiffness() {
+    linear::Matrix K, S;
+    if (!assembly_.material_tangent(K, {}, {})) throw Error("the law fails in this state");
+    linear::Vector D;
+    linear::absolute_sums(K, D);
+    linear::symmetric_part(K, D, S);
     return S;
   }
   // Directors have next to no inertia: that of the thickness is no more than (pi t / wavelength)^2 / 12 of
@@ -143,7 +152,7 @@ struct Shifted {
   std::unique_ptr<linear::LinearSolver> solver = linear::make_symmetric_solver();
 };
 
-bool definite(Shifted& shifted) {
+bool is_definite(Shifted& shifted) {
   shifted.solver->set_doubtful(false);
   return shifted.solver->factorise(shifted.A) && shifted.solver->report().negative_pivots == 0;
 }
@@ -156,11 +165,11 @@ void shift_by(const linear::Matrix& K, const linear::Matrix& M, double m, Shifte
 
 void make_definite(const linear::Matrix& K, const linear::Matrix& M, double least, Shifted& out) {
   shift_by(K, M, least, out);
-  for (int i = 0; !definite(out) && i < 16; ++i) shift_by(K, M, out.shift * 10, out);
+  for (int i = 0; !is_definite(out) && i < 16; ++i) shift_by(K, M, out.shift * 10, out);
 }
 
 // How many eigenvalues of K - lambda M are below zero; -1: the factors do not tell.
-mechanics::Index below(const linear::Matrix& K, const linear::Matrix& M, double lambda) {
+mechanics::Index count_below(const linear::Matrix& K, const linear::Matrix& M, double lambda) {
   Shifted at;
   shift_by(K, M, -lambda, at);
   at.solver = linear::make_unsymmetric_solver();
@@ -175,11 +184,11 @@ Modes<VibrationMode> vibrations(Linearised& at, const ModesWanted& wanted) {
   int count = wanted.count;
   if (wanted.below) {
     const double omega = 2 * std::numbers::pi * *wanted.below;
-    const auto there = below(K, M, omega * omega);
-    if (there > kMost)
+    const auto there = count_below(K, M, omega * omega);
+    if (there > kMostModes)
       throw Error("field 'below': there are " + std::to_string(there) + " modes below " +
-                  number(*wanted.below) + " Hz: expected a frequency with at most " + std::to_string(kMost) +
-                  " below it");
+                  number(*wanted.below) + " Hz: expected a frequency with at most " +
+                  std::to_string(kMostModes) + " below it");
     if (there >= 0) count = static_cast<int>(there);
   }
   const auto found = solver::largest_eigenpairs(M, shifted.A, *shifted.solver, count);
@@ -189,7 +198,7 @@ Modes<VibrationMode> vibrations(Linearised& at, const ModesWanted& wanted) {
     const double theta = found.value[i];
     if (!(theta > 0)) break;
     const double square = 1 / theta - shifted.shift;  // 1/s^2
-    const bool nothing = std::abs(square) <= kNothing * fastest;
+    const bool nothing = std::abs(square) <= kNoStiffness * fastest;
     const mechanics::NodalRates way = at.spread(found.shape[i]);
     Vec3 part = Vec3::Zero();
     for (std::size_t n = 0; n < masses.size(); ++n)
@@ -240,24 +249,26 @@ Modes<BucklingMode> buckling_modes(const Run& run, int count) {
                 "the unloaded cloth");
   Linearised loaded(run, "buckling"), bare(run.shared_model(), "buckling");
   const linear::Matrix K = loaded.stiffness(law::AtSwitch::loading), M = loaded.mass();
-  const linear::Matrix K0 = bare.stiffness(law::AtSwitch::loading);
-  if (K0.value.size() != K.value.size())
+  linear::Matrix K0 = loaded.law_stiffness();
+  const linear::Matrix whole = bare.stiffness(law::AtSwitch::loading), law = bare.law_stiffness();
+  if (whole.value.size() != K.value.size())
     throw Error(
         "contact has closed since the run's start, and the tangent is not to be compared with that of the "
         "unloaded cloth");
-  linear::Matrix lost = K;  // stiffness by the loads
+  linear::Matrix lost = K;  // stiffness, by the loads and the stresses
   double most = 0, largest = 0;
   for (std::size_t i = 0; i < K.value.size(); ++i) {
+    K0.value[i] += whole.value[i] - law.value[i];  // springs, bands
     lost.value[i] = K0.value[i] - K.value[i];
     most = std::max(most, std::abs(lost.value[i]));
     largest = std::max(largest, std::abs(K0.value[i]));
   }
-  if (!(most > kNothing * largest))
+  if (!(most > kNoStiffness * largest))
     throw Error(
         "the state of this run has no stress: expected one under the loads whose factor is asked for");
   Shifted shifted;
   shift_by(K0, M, 0, shifted);
-  if (!definite(shifted)) make_definite(K0, M, kShift * bare.fastest(K0, M), shifted);
+  if (!is_definite(shifted)) make_definite(K0, M, kShift * loaded.fastest(K0, M), shifted);
   const auto found = solver::largest_eigenpairs(lost, shifted.A, *shifted.solver, count);
   Modes<BucklingMode> out{{}, loaded.words()};
   for (std::size_t i = 0; i < found.value.size() && found.value[i] > 0; ++i)

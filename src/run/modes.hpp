@@ -49,9 +49,9 @@ struct ModesWanted {
 Modes<VibrationMode> vibration_modes(const Run& run, const ModesWanted& wanted);
 Modes<VibrationMode> vibration_modes(const std::shared_ptr<model::Model>& model, const ModesWanted& wanted);
 
-// The factors, above zero and ascending, of all loads and motions of the run's state at which it would be
-// unstable if its tangent went on as from the unloaded state to the present one. Errors: as above; a state
-// without stress; joints or seams that are not as they were at the start.
+// The factors, above zero and ascending, of the stresses of the run's state and of its loads, in its shape,
+// at which its tangent would have no stiffness against some motion. Errors: as above; a state without stress;
+// joints or seams that are not as they were at the start.
 Modes<BucklingMode> buckling_modes(const Run& run, int count);
 
 }  // namespace fabricsh::run

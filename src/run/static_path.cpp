@@ -195,7 +195,7 @@ bool Static::asks_path(double part) {
 bool Static::follows_path(double end, StepReport& report) {
   report.path = kUnknown;
   now_.path_ratio = 0;
-  const double part = (end - committed_time()) / duration_;
+  const double part = (end - committed_time()) / (duration_ - began());
   if (!asks_path(part)) return true;
   halves_ = path_error(end, report);
   report.path = halves_.error;

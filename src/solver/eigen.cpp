@@ -11,17 +11,17 @@ namespace fabricsh::solver {
 namespace {
 
 using Block = Eigen::MatrixXd;
-constexpr int kWidth = 8;         // of a block: a free body has six equal eigenvalues
-constexpr int kBlocks = 400;      // at most
-constexpr double kFound = 1e-10;  // residual over eigenvalue at which one has converged
+constexpr int kBlockWidth = 8;              // of a block: a free body has six equal eigenvalues
+constexpr int kMostBlocks = 400;            // at most
+constexpr double kResidualOfPairs = 1e-10;  // residual over eigenvalue at which one has converged
 
 // Sums of products must not depend on the number of threads.
-class OneThread {
+class OneEigenThread {
  public:
-  OneThread() { Eigen::setNbThreads(1); }
-  OneThread(const OneThread&) = delete;
-  OneThread& operator=(const OneThread&) = delete;
-  ~OneThread() { Eigen::setNbThreads(threads_); }
+  OneEigenThread() { Eigen::setNbThreads(1); }
+  OneEigenThread(const OneEigenThread&) = delete;
+  OneEigenThread& operator=(const OneEigenThread&) = delete;
+  ~OneEigenThread() { Eigen::setNbThreads(threads_); }
 
  private:
   int threads_ = Eigen::nbThreads();
@@ -35,7 +35,7 @@ class BlockLanczos {
         linear_(linear),
         size_(static_cast<Eigen::Index>(A.size())),
         wanted_(std::min<Eigen::Index>(count, size_)),
-        width_(std::min<Eigen::Index>(kWidth, size_)),
+        width_(std::min<Eigen::Index>(kBlockWidth, size_)),
         room_(std::min(size_, 2 * wanted_ + 6 * width_)),
         basis_(size_, 0),
         b_basis_(size_, 0),
@@ -43,7 +43,7 @@ class BlockLanczos {
 
   Eigenpairs run(const std::function<void()>& poll) {
     Block next = first();
-    for (int i = 1; i <= kBlocks; ++i) {
+    for (int i = 1; i <= kMostBlocks; ++i) {
       if (poll) poll();
       append(next);
       const Block coupling = advance(next);
@@ -147,7 +147,8 @@ class BlockLanczos {
     const double most = pairs_.eigenvalues().cwiseAbs().maxCoeff();
     Eigen::Index i = 0;
     while (i < std::min(wanted_, basis_.cols()) &&
-           (coupling * part(i).tail(last_)).norm() <= kFound * std::max(std::abs(theta(i)), 1e-6 * most))
+           (coupling * part(i).tail(last_)).norm() <=
+               kResidualOfPairs * std::max(std::abs(theta(i)), 1e-6 * most))
       ++i;
     return i;
   }
@@ -183,7 +184,7 @@ class BlockLanczos {
 Eigenpairs largest_eigenpairs(const linear::Matrix& A, const linear::Matrix& B, linear::LinearSolver& linear,
                               int count, const std::function<void()>& poll) {
   if (A.size() == 0) return {{}, {}, true, 0};
-  const OneThread one;
+  const OneEigenThread one;
   return BlockLanczos(A, B, linear, count).run(poll);
 }
 

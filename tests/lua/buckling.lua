@@ -83,4 +83,20 @@ do
   check("ring", fabric.buckling { from = run }[1].factor, 3 * D / r ^ 3, 0.01)
 end
 
+-- Prandtl's deep strip, clamped, with a force at its tip: 4.0126 sqrt(EI GJ) / L^2; its clamped end warps less than in theory.
+do
+  local length, depth, D = 0.5, 0.02, 1e-2
+  local card = fabric.svk { density = 1000, thickness = 1e-3, warp = 5e8, weft = 5e8, shear = 2.5e8, poisson = 0,
+    bending = { warp = D, weft = D, twist = D / 2 } }
+  local mesh = fabric.mesh.rectangle { width = length, height = depth, nx = 40, ny = 2, origin = { 0, -depth / 2, 0 } }
+  mesh:set("tip", function(x, y) return x > length - 1e-9 and math.abs(y) < 1e-9 end)
+  local P = 4.0126 * math.sqrt(D * depth * 2 * D * depth) / length ^ 2
+  for _, part in ipairs { 0.1, 0.9 } do
+    local m = fabric.model { mesh = mesh, card = card, warp = 0 }:fix("left", "x y z rotation")
+    m:force("tip", { y = fabric.ramp(-part * P, 1) })
+    local run = fabric.static { model = m, duration = 1, step = 1 }:solve()
+    check(("deep strip, %g of its load"):format(part), part * fabric.buckling { from = run }[1].factor, 1, 0.03)
+  end
+end
+
 fabric.expect(checks)

@@ -22,7 +22,7 @@ using run::Shape;
 
 // --- finding them
 
-void say(const Call& call, const std::vector<std::string>& words) {
+void say_all(const Call& call, const std::vector<std::string>& words) {
   for (const std::string& line : words) call.session().notices().say(line);
 }
 
@@ -59,7 +59,7 @@ void push_mode(lua_State* L, const run::BucklingMode& mode) {
 template <class M>
 int push_modes(const Call& call, const run::Modes<M>& found) {
   lua_State* L = call.L();
-  say(call, found.words);
+  say_all(call, found.words);
   lua_createtable(L, static_cast<int>(found.modes.size()), 0);
   for (std::size_t i = 0; i < found.modes.size(); ++i) {
     push_mode(L, found.modes[i]);
@@ -70,7 +70,7 @@ int push_modes(const Call& call, const run::Modes<M>& found) {
   return 1;
 }
 
-int modes(Call& call) {
+int find_modes(Call& call) {
   if (call.has("from") == call.has("model"))
     call.refuse("from", "expected an analysis, or in its place model=, got " +
                             std::string(call.has("from") ? "both" : "neither"));
@@ -89,7 +89,7 @@ int modes(Call& call) {
       call, from ? run::vibration_modes(*from->analysis, wanted) : run::vibration_modes(model, wanted));
 }
 
-int buckling(Call& call) {
+int find_buckling(Call& call) {
   const auto from = call.object<DeckRun>("from");
   const int count = call.count("count");
   const auto model = from->analysis->shared_model();
@@ -100,20 +100,20 @@ int buckling(Call& call) {
 
 // --- shapes
 
-std::vector<double> along(const Shape& shape, int axis) {
+std::vector<double> shape_along(const Shape& shape, int axis) {
   std::vector<double> values;
   for (const Vec3& way : shape.way) values.push_back(way[axis]);
   return values;
 }
 
 template <int axis>
-int component(Call& call) {
-  push_numbers(call.L(), along(*call.self<const Shape>(), axis));
+int shape_component(Call& call) {
+  push_numbers(call.L(), shape_along(*call.self<const Shape>(), axis));
   return 1;
 }
 
 // Of a model with tearable zones, the mesh as it was made; of several bodies, that of one.
-mesh::Mesh displaced(const Shape& shape, double amplitude, const std::string& body) {
+mesh::Mesh displaced_by(const Shape& shape, double amplitude, const std::string& body) {
   const mesh::Mesh& all = *shape.mesh;
   const mesh::Mesh& uncut = all.uncut();
   std::vector<Vec3> moved = uncut.nodes;
@@ -137,14 +137,14 @@ mesh::Mesh displaced(const Shape& shape, double amplitude, const std::string& bo
   return made;
 }
 
-int mesh_of(Call& call) {
+int moved_mesh(Call& call) {
   std::string body;
   if (call.has("options")) {
     const Fields options = call.fields("options");
     if (options.has("body")) body = options.text("body");
   }
   push_object(call.L(), std::make_shared<mesh::Mesh>(
-                            displaced(*call.self<const Shape>(), call.number("amplitude"), body)));
+                            displaced_by(*call.self<const Shape>(), call.number("amplitude"), body)));
   return 1;
 }
 
@@ -164,7 +164,7 @@ void write_series(const Shape& shape, const std::string& stem, double amplitude,
   }
 }
 
-int vtk(Call& call) {
+int write_swing(Call& call) {
   const auto shape = call.self<const Shape>();
   const Fields* options = &call;
   std::optional<Fields> given;
@@ -181,7 +181,7 @@ int vtk(Call& call) {
   return 1;
 }
 
-std::string sample() {
+std::string modes_sample() {
   return "local fabric = require 'fabric'\n"
          "local mesh = fabric.mesh.rectangle{ width=0.2, height=0.05, nx=8, ny=2 }\n"
          "local card = fabric.svk{ density=1000, thickness=1e-3, warp=5e6, weft=5e6, shear=2e6, poisson=0,\n"
@@ -191,8 +191,8 @@ std::string sample() {
          "local a = fabric.static{ model=m, duration=1, step=1 }:solve()\n";
 }
 
-std::vector<Entry> entries() {
-  const std::string found = sample() + "local shape = fabric.buckling{ from=a, count=1 }[1].shape\n";
+std::vector<Entry> modes_entries() {
+  const std::string found = modes_sample() + "local shape = fabric.buckling{ from=a, count=1 }[1].shape\n";
   return {
       {"fabric.modes",
        Style::fields,
@@ -203,36 +203,36 @@ std::vector<Entry> entries() {
        "Natural frequencies of small swings about a state: a list of { frequency= (Hz), mass= {x=, y=, z=} "
        "(kg, "
        "effective), growth= (1/s, above 0 where the state is unstable), shape= }.",
-       sample() +
+       modes_sample() +
            "local modes = fabric.modes{ from=a, count=3 }\n"
            "assert(#modes == 3 and modes[1].frequency < modes[2].frequency and modes[1].mass.z > 0.005)",
-       modes},
+       find_modes},
       {"fabric.buckling",
        Style::fields,
        {object_("from", "analysis", "a state under the loads, well below the critical ones or near them"),
         integer_("count", Range{1, 400}, "how many, from the lowest on").or_else(1)},
        "Factors of the loads of a state at which cloth buckles, ascending: a list of { factor=, shape= }.",
-       sample() + "local first = fabric.buckling{ from=a }[1]\n"
-                  "assert(first.factor > 1.22 and first.factor < 1.25)",
-       buckling},
+       modes_sample() + "local first = fabric.buckling{ from=a }[1]\n"
+                        "assert(first.factor > 1.22 and first.factor < 1.25)",
+       find_buckling},
       {"shape.x",
        Style::property,
        {},
        "Displacements along x, m, one for each node; the longest is 1 m.",
        found + "assert(math.abs(shape.x[1]) < 1e-9)",
-       component<0>},
+       shape_component<0>},
       {"shape.y",
        Style::property,
        {},
        "Displacements along y, m, one for each node; the longest is 1 m.",
        found + "assert(math.abs(shape.y[1]) < 1e-9)",
-       component<1>},
+       shape_component<1>},
       {"shape.z",
        Style::property,
        {},
        "Displacements along z, m, one for each node; the longest is 1 m.",
        found + "assert(math.abs(shape.z[9] - 1) < 0.01)",
-       component<2>},
+       shape_component<2>},
       {"shape:mesh",
        Style::positional,
        {number_("amplitude", "m", everything, "of its longest displacement"),
@@ -243,7 +243,7 @@ std::vector<Entry> entries() {
        found + "local bent = shape:mesh(1e-4)\n"
                "assert(#bent.nodes == #mesh.nodes and math.abs(bent.nodes[9][3] - 1e-4) < 1e-6)\n"
                "fabric.model{ mesh=bent, card=card }",
-       mesh_of},
+       moved_mesh},
       {"shape:vtk",
        Style::positional,
        {value_("stem", text, "path of the files without ending"),
@@ -259,7 +259,7 @@ std::vector<Entry> entries() {
        "Writes one swing of the shape about its state as a series for ParaView and fabric.render.",
        found + "local stem = os.tmpname()\nshape:vtk(stem, { frames=1 })\nassert(io.open(stem..'.pvd'))\n"
                "os.remove(stem..'.pvd')\nos.remove(stem..'_00000.vtu')\nos.remove(stem)",
-       vtk}};
+       write_swing}};
 }
 
 int shape_text(lua_State* L) {
@@ -271,7 +271,7 @@ int shape_text(lua_State* L) {
 }  // namespace
 
 void bind_modes(Session& session) {
-  install(session, entries());
+  install(session, modes_entries());
   set_meta(session, "shape", "__tostring", shape_text);
 }
 
