@@ -98,6 +98,11 @@ void FreeBody::kick(const Vec3& force, const Vec3& torque, double dt) {
   momentum_ += dt * torque;
 }
 
+void FreeBody::rest() {
+  velocity_.setZero();
+  momentum_.setZero();
+}
+
 // The exact motion under the part H = own_axis^2 / (2 moment)
 // of the energy, with the angular momentum in principal axes.
 void FreeBody::turn_about(int axis, Vec3& own, double dt) {

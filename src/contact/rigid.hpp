@@ -48,6 +48,7 @@ class FreeBody {
   void kick(const Vec3& force, const Vec3& torque, double dt);
   // Moves and rotates for dt (s) without forces.
   void drift(double dt);
+  void rest();  // takes its velocity and its spin
 
   Pose pose() const { return {place_, turn_ * frame_.transpose()}; }  // of the body's frame at the start
   const Vec3& centre() const { return place_; }                       // m

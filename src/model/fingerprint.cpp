@@ -171,6 +171,28 @@ void add_motion(PartCollector& part, const Rigid& body, const BodyMotion& motion
   part.add_vector(motion.turn->centre.value_or(body.centre()));
 }
 
+// Of what loads and holds a body; the numbers of the other bodies of springs.
+void add_held(PartCollector& part, const Interactions& all, const Rigid& body) {
+  const auto bodies = all.bodies();
+  for (const BodyLoad& load : all.loads())
+    if (load.body.get() == &body) part.add(load.moment).add_components(load.total);
+  for (const BodySpring& spring : all.springs()) {
+    if (spring.body.get() != &body) continue;
+    part.add(spring.damper).add_vector(spring.stiffness).add(spring.place.has_value());
+    if (spring.place) part.add_vector(*spring.place);
+    if (spring.to) part.add(std::find(bodies.begin(), bodies.end(), spring.to) - bodies.begin());
+  }
+  const BodySupport held = all.held(body);
+  for (std::size_t i = 0; i < 3; ++i) part.add(held.moves[i], held.turns[i]);
+}
+
+bool is_held(const Interactions& all, const Rigid& body) {
+  const auto of_body = [&](const auto& one) { return one.body.get() == &body; };
+  return std::any_of(all.loads().begin(), all.loads().end(), of_body) ||
+         std::any_of(all.springs().begin(), all.springs().end(), of_body) ||
+         std::any_of(all.supports().begin(), all.supports().end(), of_body);
+}
+
 // "contact of 'front', 'back' and sphere"
 std::string contact_name(const Interactions& all, const ContactGiven& contact) {
   const auto& sides = contact.between;
@@ -216,6 +238,8 @@ void add_interactions(const Model& model, const Add& add) {
     add(name, body.describe(), [&](PartCollector& part) { add_body(part, body, b); });
     if (const auto* motion = all.motion_of(body))
       add("motion of " + name, "", [&](PartCollector& part) { add_motion(part, body, *motion); });
+    if (is_held(all, body))
+      add("loads and supports of " + name, "", [&](PartCollector& part) { add_held(part, all, body); });
     if (const auto* v = all.velocity_of(body))
       add("velocity of " + name, "",
           [&](PartCollector& part) { part.add_vector(v->linear).add_vector(v->spin); });

@@ -110,6 +110,29 @@ void Interactions::add(ContactGiven contact, const mesh::Mesh& mesh) {
   contacts_.push_back(std::move(contact));
 }
 
+namespace {
+
+template <class Declaration>
+bool has(const std::vector<Declaration>& all, const Rigid& body) {
+  return std::any_of(all.begin(), all.end(), [&](const auto& one) { return one.body.get() == &body; });
+}
+
+std::string named_body(const char* call, const Rigid& body) {
+  return std::string(call) + ": the " + body.kind() +
+         (body.name().empty() ? "" : " " + quoted_name(body.name()));
+}
+
+void want_floating(const char* call, const Rigid& body, bool moved) {
+  if (body.moving() != nullptr)
+    throw Error(named_body(call, body) +
+                " moves from shape to shape by itself: expected a body that keeps its shape");
+  if (moved)
+    throw Error(named_body(call, body) +
+                " is moved by m:move, which gives its whole place: expected a body that is not moved");
+}
+
+}  // namespace
+
 void Interactions::move(BodyMotion motion) {
   const Rigid& body = *motion.body;
   const std::string what =
@@ -120,6 +143,10 @@ void Interactions::move(BodyMotion motion) {
                 "its start)");
   if (body.moving() != nullptr)
     throw Error(what + " moves from shape to shape by itself and cannot be moved");
+  if (floats(body) || has(supports_, body))
+    throw Error(what +
+                " has forces, springs or supports of its own, which decide where it is: expected these, or "
+                "m:move, which gives its whole place");
   if (motion_of(body) != nullptr)
     throw Error(what + " is moved already: expected one call with x, y, z and turn");
   const auto& u = motion.displacement;
@@ -148,7 +175,61 @@ void Interactions::remove(InteractionKind part, std::size_t i) {
   };
   if (part == InteractionKind::contact) return take(contacts_);
   if (part == InteractionKind::motion) return take(motions_);
+  if (part == InteractionKind::load) return take(loads_);
+  if (part == InteractionKind::spring) return take(springs_);
+  if (part == InteractionKind::support) return take(supports_);
   take(velocities_);
+}
+
+void Interactions::load(BodyLoad load) {
+  const char* const call = load.moment ? "moment" : "force";
+  want_floating(call, *load.body, motion_of(*load.body) != nullptr);
+  if (!load.total[0] && !load.total[1] && !load.total[2])
+    throw Error(std::string(call) + ": expected at least one of x, y, z, got none");
+  loads_.push_back(std::move(load));
+}
+
+void Interactions::spring(BodySpring spring) {
+  const char* const call = spring.damper ? "damper" : "spring";
+  want_floating(call, *spring.body, motion_of(*spring.body) != nullptr);
+  if (spring.to && spring.to->moving() != nullptr) want_floating(call, *spring.to, false);
+  if (spring.to == spring.body)
+    throw Error(named_body(call, *spring.body) + ": field 'to': expected another body than itself");
+  if (!(spring.stiffness.minCoeff() >= 0) || !(spring.stiffness.maxCoeff() > 0) ||
+      !spring.stiffness.allFinite())
+    throw Error(std::string(call) + ": expected at least one of x, y, z above 0, got none");
+  if (spring.place && !spring.place->allFinite())
+    throw Error(std::string(call) + ": field 'to': expected a finite place {x, y, z} in m");
+  springs_.push_back(std::move(spring));
+}
+
+void Interactions::support(BodySupport support) {
+  const Rigid& body = *support.body;
+  want_floating("fix", body, motion_of(body) != nullptr);
+  const auto held_axes = std::count(support.turns.begin(), support.turns.end(), true);
+  if (held_axes == 1)
+    throw Error(named_body("fix", body) +
+                " would turn about two axes: expected all of rx ry rz (\"rotation\"), two of them or none");
+  supports_.push_back(std::move(support));
+}
+
+bool Interactions::floats(const Rigid& body) const {
+  if (body.free() || has(loads_, body)) return true;
+  if (has(springs_, body)) return true;
+  if (!has(supports_, body)) return false;
+  const BodySupport all = held(body);
+  const auto whole = [](const auto& three) { return three[0] && three[1] && three[2]; };
+  return !(whole(all.moves) && whole(all.turns));
+}
+
+BodySupport Interactions::held(const Rigid& body) const {
+  BodySupport all;
+  for (const BodySupport& one : supports_)
+    for (std::size_t i = 0; i < 3 && one.body.get() == &body; ++i) {
+      all.moves[i] = all.moves[i] || one.moves[i];
+      all.turns[i] = all.turns[i] || one.turns[i];
+    }
+  return all;
 }
 
 std::vector<RigidPointer> Interactions::bodies() const {
@@ -192,6 +273,9 @@ std::vector<double> Interactions::kinks() const {
       if (h) add(*h);
     if (motion.turn) add(motion.turn->angle);
   }
+  for (const auto& load : loads_)
+    for (const auto& h : load.total)
+      if (h) add(*h);
   for (const auto& body : bodies())
     if (body->moving() != nullptr)
       all.insert(all.end(), body->moving()->times.begin(), body->moving()->times.end());
@@ -219,6 +303,35 @@ void Interactions::validate(const mesh::Mesh& mesh) const {
     if (!touches(velocity.body))
       throw Error("model: the " + velocity.body->kind() +
                   " that has a velocity touches nothing: expected m:contact{between={it, ...}}");
+  const auto want_touching = [&](const RigidPointer& body, const char* what) {
+    if (!touches(body))
+      throw Error("model: the " + body->kind() + " that " + what +
+                  " touches nothing: expected m:contact{between={it, ...}}");
+  };
+  for (const auto& load : loads_) {
+    want_touching(load.body, load.moment ? "has a moment" : "has a force");
+    try {
+      for (const auto& h : load.total)
+        if (h) h->value(0);
+    } catch (const Error& error) {
+      throw Error(std::string(load.moment ? "moment" : "force") + ": the " + name_of(*load.body) + ": " +
+                  error.what());
+    }
+  }
+  for (const auto& spring : springs_) {
+    const char* const what = spring.damper ? "has a damper" : "has a spring";
+    want_touching(spring.body, what);
+    if (spring.to) want_touching(spring.to, what);
+  }
+  for (const auto& support : supports_) want_touching(support.body, "is held");
+  for (const auto& body : known)
+    if (std::holds_alternative<Plane>(body->shape()) && floats(*body)) {
+      const auto turns = held(*body).turns;
+      if (!(turns[0] && turns[1] && turns[2]))
+        throw Error("model: the " + name_of(*body) +
+                    " is loaded, and a plane has no end about which it could turn: expected "
+                    "m:fix(body, \"rotation\")");
+    }
   work_out_surfaces(*this, mesh);
 }
 

@@ -48,6 +48,27 @@ struct BodyVelocity {  // initial velocity of a free body
   Vec3 spin = Vec3::Zero();    // rad/s
 };
 
+// What loads a body at its centre: a force, or a moment about it, along global axes.
+struct BodyLoad {
+  RigidPointer body;
+  Displacement total;  // N or N m
+  bool moment = false;
+};
+// Ties the centre of a body to the ground or to the centre of another body, along global axes: a spring, or a
+// damper, which resists the difference of their velocities.
+struct BodySpring {
+  RigidPointer body;
+  Vec3 stiffness = Vec3::Zero();  // N/m; of a damper N s/m
+  bool damper = false;
+  RigidPointer to;                 // null: the ground
+  std::optional<Vec3> place = {};  // m, of the centre when a spring to the ground is slack; default at time 0
+};
+// Directions in which the centre of a body is held, and axes about which it does not turn, global.
+struct BodySupport {
+  RigidPointer body;
+  std::array<bool, 3> moves{}, turns{};  // whether held
+};
+
 class Interactions {
  public:
   // Errors: an unknown set, a set without a whole element, fewer than two sides, only bodies whose places are
@@ -58,8 +79,13 @@ class Interactions {
   void move(BodyMotion motion);
   // Errors: a body that is not free, a body that has a velocity already, a number that is not finite.
   void velocity(BodyVelocity velocity);
+  // Errors: a body that is moved, or a moving surface; nothing given; a number that is not finite; a spring
+  // to itself; a plane that may turn; two axes of turning held but not the third.
+  void load(BodyLoad load);
+  void spring(BodySpring spring);
+  void support(BodySupport support);
   // Removes the i-th declaration (from 0) of a kind. Error: it does not exist.
-  enum class InteractionKind { contact, motion, velocity };
+  enum class InteractionKind { contact, motion, velocity, load, spring, support };
   void remove(InteractionKind part, std::size_t i);
   // Errors: a body that is moved or has a velocity but is in no contact; a history that is not finite at time
   // 0; sets that share nodes without being equal; two sides that meet twice.
@@ -69,16 +95,25 @@ class Interactions {
   const std::vector<ContactGiven>& contacts() const { return contacts_; }
   const std::vector<BodyMotion>& motions() const { return motions_; }
   const std::vector<BodyVelocity>& velocities() const { return velocities_; }
+  const std::vector<BodyLoad>& loads() const { return loads_; }
+  const std::vector<BodySpring>& springs() const { return springs_; }
+  const std::vector<BodySupport>& supports() const { return supports_; }
   std::vector<RigidPointer> bodies() const;      // each once, in the order in which the contacts name them
   std::string name_of(const Rigid& body) const;  // its own; else "sphere", or "sphere 2" if there are several
   const BodyMotion* motion_of(const Rigid& body) const;      // null: it is at rest or free
   const BodyVelocity* velocity_of(const Rigid& body) const;  // null: at rest
+  // Whether forces decide where the body is: it has a mass, or is loaded, on springs, or held in part.
+  bool floats(const Rigid& body) const;
+  BodySupport held(const Rigid& body) const;  // all of its supports together
   std::vector<double> kinks() const;
 
  private:
   std::vector<ContactGiven> contacts_;
   std::vector<BodyMotion> motions_;
   std::vector<BodyVelocity> velocities_;
+  std::vector<BodyLoad> loads_;
+  std::vector<BodySpring> springs_;
+  std::vector<BodySupport> supports_;
 };
 
 // The surfaces of the cloth. No two share a node; each consists of the elements that the same contacts name.

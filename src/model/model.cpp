@@ -455,6 +455,12 @@ void Model::remove(DeclarationKind kind, std::size_t i) {
       return interactions_.remove(Interactions::InteractionKind::motion, i);
     case DeclarationKind::body_velocity:
       return interactions_.remove(Interactions::InteractionKind::velocity, i);
+    case DeclarationKind::body_load:
+      return interactions_.remove(Interactions::InteractionKind::load, i);
+    case DeclarationKind::body_spring:
+      return interactions_.remove(Interactions::InteractionKind::spring, i);
+    case DeclarationKind::body_fix:
+      return interactions_.remove(Interactions::InteractionKind::support, i);
     case DeclarationKind::gravity:
       gravity_ = {};
   }
@@ -473,6 +479,21 @@ void Model::move(BodyMotion motion) {
 void Model::velocity(BodyVelocity velocity) {
   check_open("velocity");
   interactions_.velocity(std::move(velocity));
+}
+
+void Model::load(BodyLoad load) {
+  check_open(load.moment ? "moment" : "force");
+  interactions_.load(std::move(load));
+}
+
+void Model::spring(BodySpring spring) {
+  check_open(spring.damper ? "damper" : "spring");
+  interactions_.spring(std::move(spring));
+}
+
+void Model::support(BodySupport support) {
+  check_open("fix");
+  interactions_.support(std::move(support));
 }
 
 std::vector<double> Model::kinks() const {

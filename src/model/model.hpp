@@ -255,6 +255,9 @@ class Model {
     contact,
     body_move,
     body_velocity,
+    body_load,
+    body_spring,
+    body_fix,
     tearable,
     seam,
     band,
@@ -266,6 +269,9 @@ class Model {
   void contact(ContactGiven contact);
   void move(BodyMotion motion);
   void velocity(BodyVelocity velocity);
+  void load(BodyLoad load);
+  void spring(BodySpring spring);
+  void support(BodySupport support);
 
   // Error: a degree of freedom that is both fixed and moved, or moved twice (naming node and calls); a node
   // held in two frames; the errors of work_out_ties and work_out_seams.

@@ -62,6 +62,10 @@ Dynamic::Dynamic(std::shared_ptr<model::Model> model, const DynamicOptions& opti
       options_(options),
       given_(options) {
   check_options(options_);
+  if (const auto* const contact = assembly_->terms().find<mechanics::Contacts>();
+      contact != nullptr && !contact->bodies().without_mass().empty())
+    throw Error("dynamic: forces, springs or supports place the " + contact->bodies().without_mass() +
+                ", which has no mass: expected mass= where it is made (fabric.static needs none)");
   scaled_ = options_.scaled.value_or(options_.scheme == Scheme::explicit_steps);
   using namespace mechanics;
   inertia_ = &assembly_->terms().add(

@@ -239,9 +239,9 @@ double EquilibriumProblem::work_of_balance() {
 
 double EquilibriumProblem::force_scale() const {
   double largest = std::max(memory_.peak, assembly_.largest_force());
-  if (newmark_ == nullptr) return largest;
   for (const auto* const term : assembly_.terms().all<mechanics::OwnUnknowns>())
     largest = std::max(largest, term->largest_own_force());
+  if (newmark_ == nullptr) return largest;
   return std::max(largest, newmark_->largest_inertia());
 }
 

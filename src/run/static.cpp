@@ -104,6 +104,11 @@ bool loads_nothing(const model::Model& m, const mechanics::Assembly& assembly) {
          assembly.terms().find<mechanics::Contacts>() == nullptr;
 }
 
+bool has_free_bodies(const mechanics::Assembly& assembly) {
+  const mechanics::Contacts* contact = assembly.terms().find<mechanics::Contacts>();
+  return contact != nullptr && contact->bodies().any_free();
+}
+
 }  // namespace
 
 Static::Static(std::shared_ptr<model::Model> model, const StaticOptions& options,
@@ -112,10 +117,12 @@ Static::Static(std::shared_ptr<model::Model> model, const StaticOptions& options
       options_(options),
       given_(options),
       remembers_path_(depends_on_path()),
-      has_energy_(assembly_->cloth().symmetric()),
+      places_bodies_(has_free_bodies(*assembly_)),
+      has_energy_(assembly_->cloth().symmetric() && !places_bodies_),
       now_{control_of(options, *assembly_)} {
   check_options(options_);
   check_bodies();
+  if (places_bodies_) assembly_->terms().find<mechanics::Contacts>()->go_static();
   problem_ = std::make_unique<EquilibriumProblem>(*assembly_, 1e-7 * options_.duration, poll_);
   if (options_.stabilise > 0)
     stabilisation_ =
@@ -135,7 +142,7 @@ Static::Static(std::shared_ptr<model::Model> model, const StaticOptions& options
   if (!arc_) newton_ = std::make_unique<solver::Newton>(make_solver(options_.solver, !takes_unsymmetric()));
   if (options_.method == Method::automatic && !arc_ && has_energy_)
     helper_ = std::make_unique<solver::Descent>(make_solver(options_.solver, !takes_unsymmetric()));
-  if (options_.method != Method::newton && !arc_) {
+  if (options_.method != Method::newton && !arc_ && !places_bodies_) {
     relaxation_ = std::make_unique<solver::Relaxation>();
     if (bends_by_itself(*model_))
       descent_ = std::make_unique<solver::Descent>(make_solver(options_.solver, !takes_unsymmetric()));
@@ -151,10 +158,11 @@ bool Static::takes_unsymmetric() const { return !takes_symmetric(options_, *asse
 void Static::check_bodies() const {
   const mechanics::Contacts* contact = assembly_->terms().find<mechanics::Contacts>();
   if (contact == nullptr) return;
-  if (contact->bodies().any_free())
+  if (contact->bodies().any_free() &&
+      (options_.control == Control::arc || options_.stabilise > 0 || options_.method == Method::relaxation))
     throw Error(
-        "static: the model has a rigid body with a mass, which moves freely: expected fabric.dynamic, or a "
-        "body without a mass");
+        "static: a rigid body that forces place (a mass, m:force, m:spring, m:fix of a part) is sought by "
+        "Newton's method alone: expected control=\"load\", no stabilise and no method=\"relaxation\"");
   if (options_.control == Control::arc && contact->bodies().any_driven())
     throw Error("static: field 'control': \"arc\" does not work with moved rigid bodies: expected \"load\"");
 }
@@ -328,6 +336,7 @@ bool Static::attempt(double size, StepReport& report) {
   }
   problem_->set_time(size);
   const auto solve = [&] {
+    if (places_bodies_) return newton_->solve(*problem_, options);
     if (!has_energy_) return left_if_unstable(newton_->solve(*problem_, options), options);
     auto result = helper_ ? arrive(options) : stable_->solve(*problem_, options);
     if (result.status == solver::NewtonStatus::singular && model_->membrane()) {
@@ -397,8 +406,8 @@ bool Static::settle_jump(double size, StepReport& report) {
   const auto first = [this] {
     return now_.jumps && reports_.empty() && find_jumps(*model_, options_.duration).motions.empty();
   };
-  if (!(now_.settled || first()) || report.cuts > 0 || arc_ || descent_ || stabilisation_ != nullptr ||
-      step_.broken())
+  if (!(now_.settled || first()) || report.cuts > 0 || arc_ || places_bodies_ || descent_ ||
+      stabilisation_ != nullptr || step_.broken())
     return false;
   settling_ = true;
   const Diagnosis before = step_;

@@ -130,6 +130,7 @@ class Static final : public Run {
   StaticOptions options_;
   const StaticOptions given_;
   const bool remembers_path_;  // whether a law does
+  const bool places_bodies_;   // rigid ones, whose places are unknowns that only Newton's method knows of
   const bool has_energy_;      // whether the law's forces have one, which a search for equilibrium can lower
   std::unique_ptr<EquilibriumProblem> problem_;
   mechanics::Stabilisation* stabilisation_ = nullptr;  // a term of the assembly; null: none

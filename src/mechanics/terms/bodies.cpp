@@ -39,7 +39,7 @@ Bodies::Bodies(const model::Model& model, contact::Scene& scene) : model_(model)
     body.count = scene.reference().size() - nodes - body.first;
     body.motion = given.motion_of(*rigid);
     if (const auto* moving = rigid->moving()) body.moving.emplace(moving->times, moving->shapes);
-    if (rigid->free()) {
+    if (given.floats(*rigid)) {
       body.free = static_cast<int>(free_.size());
       free_.push_back(free_body(body, scene));
     }
@@ -58,13 +58,16 @@ Bodies::Bodies(const model::Model& model, contact::Scene& scene) : model_(model)
     free.arm = far;
     far += scene.surfaces()[static_cast<std::size_t>(body.surface)].radius;
     const double moment = Eigen::SelfAdjointEigenSolver<Mat3>(free.committed.inertia()).eigenvalues()[0];
+    const double turning = free.turns.isZero(0) ? 0 : far * far / moment;
     // Of the whole body: the other part is pushed at the same time.
-    free.bound = (1 / free.committed.mass() + far * far / moment) * std::exp2(free.moves.sum() - 3);
+    free.bound = (1 / free.committed.mass() + turning) * std::exp2(-free.planes);
     free.size = far;
   }
   free_of_.assign(reference_.size(), -1);
   for (const Body& body : bodies_)
     std::fill_n(free_of_.begin() + static_cast<std::ptrdiff_t>(body.first), body.count, body.free);
+  add_loads();
+  add_springs();
   set_time(0, 0);
   committed_ = target_;
 }
@@ -119,13 +122,19 @@ bool Bodies::is_cut(const model::SymmetryPlane& plane, const Body& body, const c
 
 Bodies::Free Bodies::free_body(const Body& body, const contact::Scene& scene) {
   contact::Mass mass = body.given->weigh();
+  const std::string name = model_.interactions().name_of(*body.given);
+  if (!body.given->free()) {  // statics need no mass
+    without_mass_ = name;
+    mass = {1, body.given->centre(), Mat3::Identity()};
+  }
   const auto* start = model_.interactions().velocity_of(*body.given);
   const Vec3 velocity = start != nullptr ? start->linear : Vec3(Vec3::Zero()),
              spin = start != nullptr ? start->spin : Vec3(Vec3::Zero());
-  const std::string name = model_.interactions().name_of(*body.given);
   Vec3 moves = Vec3::Ones(), turns = Vec3::Ones();
+  int planes = 0;
   for (const auto& plane : model::symmetry_planes(model_)) {
     if (!is_cut(plane, body, mass, scene)) continue;
+    ++planes;
     const Vec3 normal = Vec3::Unit(plane.axis);
     moves -= moves.cwiseProduct(normal);
     turns = turns.cwiseProduct(normal);
@@ -138,9 +147,20 @@ Bodies::Free Bodies::free_body(const Body& body, const contact::Scene& scene) {
       throw Error("velocity: the " + name + " is cut by " + plane.words() +
                   ": expected a velocity in the plane and a spin about its normal alone");
   }
+  const auto held = model_.interactions().held(*body.given);
+  for (int i = 0; i < 3; ++i) {
+    if (held.moves[static_cast<std::size_t>(i)]) moves[i] = 0;
+    if (!held.turns[static_cast<std::size_t>(i)]) continue;
+    turns[i] = 0;  // what holds it takes up the torque, so that it turns about the other axes alone
+    for (int j = 0; j < 3; ++j)
+      if (i != j) mass.inertia(i, j) = mass.inertia(j, i) = 0;
+  }
+  if (velocity.cwiseProduct(moves) != velocity || spin.cwiseProduct(turns) != spin)
+    throw Error("velocity: the " + name + " is held (m:fix) in a direction in which it has a velocity");
   const contact::FreeBody free(mass, velocity, spin);
   Free out{free, free, {}, {}, 0};
-  out.cut = moves != Vec3::Ones();
+  out.cut = moves != Vec3::Ones() || turns != Vec3::Ones();
+  out.planes = planes;
   out.moves = moves;
   out.turns = turns;
   return out;
@@ -287,6 +307,7 @@ Vec3 Bodies::gravity(double time) const {
 }
 
 contact::Wrench Bodies::first_half(const Free& body) const {
+  if (static_) return body.left(body.end);
   const double mass = body.committed.mass();
   if (!implicit_) return body.left({body.wrench.force + mass * gravity(from_), body.wrench.torque});
   return body.left({body.end.force + mass * (gravity(from_) + gravity(to_)) / 2, body.end.torque});
@@ -294,7 +315,7 @@ contact::Wrench Bodies::first_half(const Free& body) const {
 
 // Moves the free bodies to the end of the step.
 void Bodies::fly() {
-  const double dt = to_ - from_;
+  const double dt = flight();
   for (Body& body : bodies_) {
     if (body.free < 0) continue;
     Free& free = free_[body.free];
@@ -303,6 +324,7 @@ void Bodies::fly() {
       const contact::Wrench kick = first_half(free);
       free.predicted.kick(kick.force, kick.torque, dt / 2);
       free.predicted.drift(dt);
+      if (static_) free.predicted.rest();
     }
     body.turned = rotation(free.committed.pose().turn, free.predicted.pose().turn);
     const contact::Pose pose = free.predicted.pose();
@@ -328,7 +350,7 @@ void Bodies::set_time(double from, double to) {
 void Bodies::rollback() {
   loaded_ = false;
   for (Free& free : free_) {
-    free.end = free.iterate = free.wrench;
+    free.end = free.iterate = start_of(free);
     free.way = {};
   }
   fly();
@@ -341,8 +363,9 @@ Eigen::VectorXd Bodies::residual() const {
   for (std::size_t f = 0; f < free_.size(); ++f) {
     const contact::Wrench& is = loaded_ ? free_[f].trial : free_[f].wrench;
     const auto row = static_cast<Eigen::Index>(6 * f);
-    out.segment<3>(row) = is.force - free_[f].end.force;
-    out.segment<3>(row + 3) = is.torque - free_[f].end.torque;
+    const contact::Wrench with = static_ ? contact::Wrench{} : free_[f].end;
+    out.segment<3>(row) = is.force - with.force;
+    out.segment<3>(row + 3) = is.torque - with.torque;
   }
   return out;
 }
@@ -350,15 +373,21 @@ Eigen::VectorXd Bodies::residual() const {
 double Bodies::largest_residual() const {
   double most = 0;
   if (!implicit_ || !loaded_ || to_ == from_) return most;
-  for (const Free& free : free_)
-    most = std::max({most, (free.trial.force - free.end.force).lpNorm<Eigen::Infinity>(),
-                     (free.trial.torque - free.end.torque).lpNorm<Eigen::Infinity>() / free.size});
+  const Eigen::VectorXd all = residual();
+  for (std::size_t f = 0; f < free_.size(); ++f) {
+    const auto row = static_cast<Eigen::Index>(6 * f);
+    most = std::max({most, all.segment<3>(row).lpNorm<Eigen::Infinity>(),
+                     all.segment<3>(row + 3).lpNorm<Eigen::Infinity>() / free_[f].size});
+  }
   return most;
 }
 
 double Bodies::largest_force() const {
   double most = 0;
   for (const Free& free : free_) {
+    // Where all forces balance, each of them is compared with.
+    if (static_) most = std::max(most, free.largest);
+    if (static_) continue;
     const contact::Wrench& is = loaded_ ? free.trial : free.wrench;
     most =
         std::max({most, is.force.lpNorm<Eigen::Infinity>(), is.torque.lpNorm<Eigen::Infinity>() / free.size});
@@ -390,7 +419,7 @@ void Bodies::move(double scale) {
 }
 
 Bodies::Matrix6 Bodies::compliance(std::size_t free) const {
-  const double dt = to_ - from_;
+  const double dt = flight();
   Matrix6 out = Matrix6::Zero();
   out.topLeftCorner<3, 3>() = dt * dt / 2 / free_[free].committed.mass() * Mat3::Identity();
   out.bottomRightCorner<3, 3>() = dt * dt / 2 * free_[free].predicted.inertia().inverse();
@@ -405,11 +434,10 @@ void Bodies::begin(std::span<const Vec3> force) {
   for (const Body& body : bodies_) {
     if (body.free < 0) continue;
     Free& free = free_[body.free];
-    free.wrench =
-        free.left(wrench_on(free.committed, std::span<const Vec3>(committed_).subspan(body.first, body.count),
-                            force.subspan(body.first, body.count)));
-    free.end = free.iterate = free.wrench;
+    free.wrench = wrench_on(free.committed, std::span<const Vec3>(committed_).subspan(body.first, body.count),
+                            force.subspan(body.first, body.count));
   }
+  begin_loads();
 }
 
 void Bodies::load(std::span<const Vec3> force, std::span<const Vec3> torque) {
@@ -423,13 +451,13 @@ void Bodies::load(std::span<const Vec3> force, std::span<const Vec3> torque) {
     free.trial = wrench_on(free.predicted, std::span<const Vec3>(target_).subspan(body.first, body.count),
                            force.subspan(body.first, body.count));
     free.trial.torque += body.trial_torque;
-    free.trial = free.left(free.trial);
   }
+  apply_loads();
 }
 
 contact::FreeBody Bodies::kicked(const Free& body) const {
   if (!loaded_) return body.committed;
-  if (to_ == from_) return body.predicted;
+  if (to_ == from_ || static_) return body.predicted;
   contact::FreeBody at = body.predicted;
   // The rest of the impulse: of the mean of both forces, or in implicit steps of the force at the end.
   const contact::Wrench first = first_half(body), &other = implicit_ ? body.trial : body.wrench;
@@ -441,11 +469,16 @@ contact::FreeBody Bodies::kicked(const Free& body) const {
 }
 
 void Bodies::commit() {
+  for (Spring& spring : springs_) {
+    if (!loaded_ || !spring.damper) continue;
+    spring.lost += lost_in(spring);
+    spring.force = spring.trial_force;
+  }
   for (Free& free : free_) {
     free.committed = kicked(free);
     if (loaded_) free.wrench = free.trial;
     free.predicted = free.committed;
-    free.end = free.iterate = free.wrench;
+    free.end = free.iterate = start_of(free);
   }
   if (loaded_) force_ = trial_force_;
   for (Body& body : bodies_)
@@ -466,14 +499,20 @@ void Bodies::keep(Archive& archive) {
     archive.filled({force_.front().data(), 3 * force_.size()});
     for (Body& body : bodies_) archive.filled({body.torque.data(), 3});
   }
+  for (Spring& spring : springs_)
+    if (spring.damper) {
+      archive.filled({spring.force.data(), 3});
+      archive(spring.lost);
+    }
   archive(to_);
   if (!archive.reading()) return;
   from_ = to_;
   target_ = committed_;
   loaded_ = false;
   for (Free& free : free_) {
+    if (static_) free.committed.rest();
     free.predicted = free.committed;
-    free.end = free.iterate = free.wrench;
+    free.end = free.iterate = start_of(free);
   }
 }
 
@@ -484,13 +523,13 @@ double Bodies::kinetic() const {
 }
 
 StepWork Bodies::step_work() const {
-  StepWork sum;
-  if (!loaded_) return sum;
+  if (!loaded_) return {};
+  StepWork sum = work_of_loads();
   for (const Body& body : bodies_) {
     if (body.free >= 0) {
       const Free& free = free_[body.free];
       const Vec3 moved = free.predicted.centre() - free.committed.centre();
-      sum.work += free.committed.mass() * (gravity(from_) + gravity(to_)).dot(moved) / 2;
+      sum.work += body.given->mass().value_or(0) * (gravity(from_) + gravity(to_)).dot(moved) / 2;
       continue;
     }
     const auto& force = implicit_ ? trial_force_ : force_;

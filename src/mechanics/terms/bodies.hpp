@@ -5,7 +5,8 @@
 // half a kick, the flight, half a kick. In explicit steps the first kick is from the force at the beginning
 // of the step, the second from that at its end (velocity Verlet). In implicit steps both kicks are from the
 // force at the end, six numbers for each body, which is solved for together with the unknowns of the cloth;
-// gravity acts with its mean.
+// gravity, loads and springs act with their means, so that they make no energy. In static steps the six
+// numbers are a displacement and a rotation, and the forces on the body balance.
 // Newton's iterations take them there by shares, along straight lines, so that no contact is passed over.
 #pragma once
 #include <algorithm>
@@ -61,6 +62,11 @@ class Bodies {
   void rollback();
   // The forces at the step's end are sought from here on.
   void go_implicit() { implicit_ = true; }
+  // The places at which the bodies are at rest are sought from here on. reach: m, how far one may go in an
+  // iteration that nothing holds yet.
+  void go_static(double reach);
+  bool any_loaded() const { return !loads_.empty() || !springs_.empty(); }
+  const std::string& without_mass() const { return without_mass_; }  // a body that only statics can place
   // --- of free bodies in implicit steps: force (N) and torque (N m) on each at the step's end, six numbers a
   // body: those that act, less those with which its flight was computed.
   std::size_t unknowns() const { return implicit_ ? 6 * free_.size() : 0; }
@@ -74,6 +80,9 @@ class Bodies {
   // the step's end, 6 x 6.
   using Matrix6 = Eigen::Matrix<double, 6, 6>;
   Matrix6 compliance(std::size_t free) const;
+  // Adds to the derivative of the residual by the unknowns what springs and dampers give; in static steps
+  // also the unknowns themselves, and what holds a body that is held by nothing else.
+  void add_response(Eigen::MatrixXd& response) const;
   // The number of vertex row v's body among the free ones, -1: none; and its lever from the centre, m.
   int free_of(std::size_t v) const { return free_of_[v]; }
   Vec3 lever(std::size_t v) const { return target_[v] - free_[free_of_[v]].predicted.centre(); }
@@ -99,7 +108,10 @@ class Bodies {
   double inverse_mass_pressed(std::size_t i) const;
   // m: of its surface from its centre, a rod's or disc's radius; 0 for a plane.
   double size(std::size_t i) const;
-  double fastest_free() const;  // m/s, of the centres of free bodies
+  double fastest_free() const;   // m/s, of the centres of free bodies
+  double spring_energy() const;  // J, stored
+  double damped() const;         // J, lost in dampers so far
+  double stable_step() const;    // s, of explicit steps, for springs and dampers
   // Of each free body that a plane of symmetry cuts, what that means for it.
   const std::vector<std::string>& halves() const { return halves_; }
 
@@ -110,12 +122,15 @@ class Bodies {
     double bound = 0;               // 1/kg
     double size = 0;                // m, of what is farthest from its centre
     double arm = 0;                 // m, the same of its points, without their radius
-    // The diagonals of what planes of symmetry leave of forces and torques, if any cuts the body.
+    // The diagonals of what supports and planes of symmetry that cut the body leave of forces and torques.
     bool cut = false;
+    int planes = 0;  // of symmetry that cut it
     Vec3 moves = Vec3::Ones(), turns = Vec3::Ones();
     contact::Wrench left(const contact::Wrench& all) const {
       return cut ? contact::Wrench{all.force.cwiseProduct(moves), all.torque.cwiseProduct(turns)} : all;
     }
+    contact::Wrench load = {};  // of loads, springs and dampers, in `trial` already
+    double largest = 0;         // N, of what pushes it
     // Implicit steps: the force at the end with which it flies, that of the iterate, and the change from it.
     contact::Wrench end = {}, iterate = {}, way = {};
   };
@@ -129,7 +144,34 @@ class Bodies {
     Vec3 turned = Vec3::Zero();                               // rad, in the step
     Vec3 torque = Vec3::Zero(), trial_torque = Vec3::Zero();  // N m, that friction turns it with
   };
+  // What loads a free body, and what ties its centre.
+  struct Load {
+    std::size_t body;  // in bodies_
+    const model::BodyLoad* given;
+  };
+  struct Spring {
+    std::size_t body = 0;  // in bodies_
+    int to = -1;           // in bodies_; -1: the ground
+    // N/m or N s/m; m, the displacement of the body from the other end at which it is slack
+    Vec3 stiffness = Vec3::Zero(), slack = Vec3::Zero();
+    bool damper = false;
+    Vec3 force = Vec3::Zero(), trial_force = Vec3::Zero();  // N, of a damper on the body
+    double lost = 0;                                        // J, up to the committed state
+  };
   Free free_body(const Body& body, const contact::Scene& scene);
+  void add_loads();
+  void add_springs();
+  Vec3 displacement_of(std::size_t body, bool end) const;  // m, of its centre since time 0
+  Vec3 stretch(const Spring& spring, bool end) const;
+  Vec3 total(const Load& load, double time) const;
+  Vec3 pull(const Spring& spring) const;
+  void push(const Spring& spring, const Vec3& force);
+  void push(const Load& load, const Vec3& total);
+  double lost_in(const Spring& spring) const;
+  void begin_loads();
+  void apply_loads();
+  StepWork work_of_loads() const;
+  double flight() const { return static_ ? 1 : to_ - from_; }  // s
   bool is_cut(const model::SymmetryPlane& plane, const Body& body, const contact::Mass& mass,
               const contact::Scene& scene) const;
   contact::Pose driven(const Body& body, double time) const;
@@ -144,6 +186,8 @@ class Bodies {
   double lever(const Body& body, const BoundingBox& cloth) const;
   void place(const Body& body, double time, std::span<Vec3> x) const;
   Vec3 gravity(double time) const;
+  // The unknowns before the first iteration.
+  contact::Wrench start_of(const Free& body) const { return static_ ? contact::Wrench{} : body.wrench; }
   contact::Wrench first_half(const Free& body) const;  // what kicks it before it flies, gravity included
   void fly();
   contact::FreeBody kicked(const Free& body) const;
@@ -156,7 +200,11 @@ class Bodies {
   std::vector<Vec3> force_, trial_force_;             // N, on the vertices
   double from_ = 0, to_ = 0;                          // s
   bool loaded_ = false;                               // whether the forces in the trial state are known
-  bool implicit_ = false;
+  bool implicit_ = false, static_ = false;
+  double reach_ = 0;  // m
+  std::vector<Load> loads_;
+  std::vector<Spring> springs_;
+  std::string without_mass_;
   std::vector<int> free_of_;  // of each vertex, -1
   std::vector<std::string> halves_;
 };

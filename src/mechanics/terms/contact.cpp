@@ -590,6 +590,9 @@ void Contacts::add_energies(const Trial&, std::vector<Energy>& out) const {
                             : implicit_ ? trial_impact_
                                         : trial_.impact)});
   out.push_back({"rigid", Account::moving, bodies_.kinetic()});
+  if (!bodies_.any_loaded()) return;
+  out.push_back({"springs", Account::stored, bodies_.spring_energy()});
+  out.push_back({"damping", Account::damping, bodies_.damped()});
 }
 
 // --- tangent

@@ -83,6 +83,9 @@ class Contacts final : public Term, public StepLimiter, public OwnUnknowns, publ
   double largest_own_force() const override;  // where bodies meet each other; else 0
   double largest_own_residual() const override { return bodies_.largest_residual(); }
 
+  // The places of free bodies at rest are unknowns from here on.
+  void go_static();
+
   // --- explicit steps
   void go_explicit();
   // Whether the last state is impossible, or its motion may have passed through a surface. If the largest
@@ -244,6 +247,7 @@ class Contacts final : public Term, public StepLimiter, public OwnUnknowns, publ
   double lost_ = 0;                       // J, lost by friction up to the committed state
   double impact_ = 0, trial_impact_ = 0;  // J, taken by implicit steps; in the trial step
   double weight_ = 1;                     // of the forces at the end of an implicit step
+  bool static_ = false;
   bool implicit_ = false, rubs_ = false;  // rubs: friction or the damping of approach acts
   bool evaluated_ = false;
   std::vector<Block> blocks_;

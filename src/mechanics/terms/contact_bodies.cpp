@@ -1,5 +1,6 @@
 // Free bodies in implicit steps: how their forces and those on the cloth change with each other.
 #include <algorithm>
+#include <limits>
 
 #include "geometry/node_view.hpp"
 #include "geometry/turning.hpp"
@@ -38,9 +39,19 @@ void Contacts::add_on_body(const contact::FrictionTangent* friction) {
 
 // Two bodies may meet where no cloth has any force.
 double Contacts::largest_own_force() const {
+  if (static_) return bodies_.largest_force();
   const auto& all = scene_.interactions();
   const bool meet = std::any_of(all.begin(), all.end(), [](const auto& it) { return it.rigid; });
   return meet ? bodies_.largest_force() : 0;
+}
+
+void Contacts::go_static() {
+  if (!bodies_.any_free()) return;
+  static_ = true;
+  double reach = std::numeric_limits<double>::infinity();
+  for (const auto& it : scene_.interactions()) reach = std::min(reach, it.law.gap() - it.law.floor());
+  bodies_.go_static(reach);
+  begin_pressed();
 }
 
 bool Contacts::own_push(std::size_t j, std::span<double> on_x) const {
@@ -89,6 +100,7 @@ Eigen::MatrixXd Contacts::own_response() const {
     add(on_bodies_[i], on_bodies_[i + 1]);
     add(on_bodies_[i + 1], on_bodies_[i]);
   }
+  bodies_.add_response(out);
   return out;
 }
 

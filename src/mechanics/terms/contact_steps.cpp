@@ -44,7 +44,7 @@ double Contacts::largest_step(bool scaled) const {
   for (const auto& it : scene_.interactions())
     if (!it.rigid) stiffest = std::max(stiffest, it.law.stiffest());
   return std::min({scaled ? step_ : contact_step_of_cloth * cloth_.stable_step(false),
-                   std::sqrt(carried_stiffness * least_areal_ / stiffest),
+                   std::sqrt(carried_stiffness * least_areal_ / stiffest), bodies_.stable_step(),
                    carried_by_bodies(carried_stiffness, false)});
 }
 
@@ -84,7 +84,8 @@ double Contacts::largest_contact_step() const {
   double stiffest = 0;
   for (const auto& it : scene_.interactions())
     if (!it.rigid) stiffest = std::max(stiffest, it.law(it.law.floor() + trial_.gap).stiffness);
-  return std::min(std::sqrt(kInGuard * least_areal_ / stiffest), carried_by_bodies(kInGuard, true));
+  return std::min({std::sqrt(kInGuard * least_areal_ / stiffest), carried_by_bodies(kInGuard, true),
+                   bodies_.stable_step()});
 }
 
 }  // namespace fabricsh::mechanics

@@ -208,6 +208,18 @@ void add_contacts(const Model& m, Rows& rows) {
           .vector("axis", motion.turn->axis)
           .vector("centre", motion.turn->centre);
   }
+  for (const auto& load : given.loads())
+    rows.row(load.moment ? "moment" : "force", given.name_of(*load.body))
+        .flag("body", true)
+        .components(load.total);
+  for (const auto& s : given.springs()) {
+    rows.row(s.damper ? "damper" : "spring", given.name_of(*s.body)).flag("body", true);
+    for (int i = 0; i < 3; ++i)
+      if (s.stiffness[i] != 0) rows.number(axes[i], s.stiffness[i]);
+    rows.vector("slack", s.place).text("to", s.to ? given.name_of(*s.to) : "");
+  }
+  for (const auto& s : given.supports())
+    rows.row("fix", given.name_of(*s.body)).flag("body", true).texts("held", held({s.moves, s.turns, false}));
   for (const auto& v : given.velocities())
     rows.row("velocity", given.name_of(*v.body))
         .flag("body", true)

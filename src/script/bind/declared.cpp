@@ -191,6 +191,35 @@ void add_loads(const Model& m, std::vector<Declared>& all) {
   }
 }
 
+std::string axis_words(const Vec3& v) {
+  std::string words;
+  for (int i = 0; i < 3; ++i)
+    if (v[i] != 0) add_word(words, std::string(axis_names[i]) + " " + brief_number(v[i]));
+  return words;
+}
+
+// What loads, ties and holds rigid bodies.
+void add_body_loads(const model::Interactions& given, std::vector<Declared>& all) {
+  using DeclarationKind = Model::DeclarationKind;
+  int number = 0;
+  for (const auto& load : given.loads())
+    all.push_back({load.moment ? "moment" : "force", given.name_of(*load.body),
+                   component_words(load.total, load.moment ? "N m" : "N"), DeclarationKind::body_load,
+                   number++});
+  number = 0;
+  for (const auto& s : given.springs())
+    all.push_back({s.damper ? "damper" : "spring", given.name_of(*s.body),
+                   axis_words(s.stiffness) + (s.damper ? " N s/m" : " N/m") +
+                       (s.to      ? " to " + given.name_of(*s.to)
+                        : s.place ? ", slack at " + vector_words(*s.place) + " m"
+                                  : ""),
+                   DeclarationKind::body_spring, number++});
+  number = 0;
+  for (const auto& s : given.supports())
+    all.push_back({"fix", given.name_of(*s.body), freedom_words({s.moves, s.turns, false}),
+                   DeclarationKind::body_fix, number++});
+}
+
 void add_contacts(const Model& m, std::vector<Declared>& all) {
   const auto& given = m.interactions();
   int number = 0;
@@ -201,6 +230,7 @@ void add_contacts(const Model& m, std::vector<Declared>& all) {
                           vector_words(motion.turn->axis));
     all.push_back({"move", given.name_of(*motion.body), words, Model::DeclarationKind::body_move, number++});
   }
+  add_body_loads(given, all);
   number = 0;
   for (const auto& v : given.velocities())
     all.push_back({"velocity", given.name_of(*v.body),

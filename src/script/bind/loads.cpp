@@ -16,6 +16,12 @@ using model::Model;
 namespace {
 
 int moment(Call& call) {
+  if (auto body = call.object<const model::Rigid>("set")) {
+    model::BodyLoad load = read_body_load(call, std::move(body));
+    load.moment = true;
+    call.self<Model>()->load(std::move(load));
+    return return_self(call);
+  }
   call.self<Model>()->moment(call.text("set"), read_components(call), read_frame(call));
   return return_self(call);
 }
@@ -36,12 +42,42 @@ int pressure(Call& call) {
   return return_self(call);
 }
 
-int spring(Call& call) {
-  const Fields given = call.fields("stiffness");
+std::array<double, 3> read_stiffness(const Call& call, const char* field) {
+  const Fields given = call.fields(field);
   std::array<double, 3> k{};
   const char* const axes[] = {"x", "y", "z"};
   for (std::size_t i = 0; i < 3; ++i)
     if (given.has(axes[i])) k[i] = given.number(axes[i]);
+  return k;
+}
+
+// A spring or damper of a rigid body, to the ground, a place or another body.
+int tie_body(Call& call, const char* field, bool damper) {
+  const auto k = read_stiffness(call, field);
+  model::BodySpring spring{call.object<const model::Rigid>("set"), {k[0], k[1], k[2]}, damper, {}, {}};
+  if (call.has("options")) {
+    const Fields options = call.fields("options");
+    if (options.has("frame"))
+      options.refuse("frame", "a rigid body is tied along global axes: expected nothing");
+    if (options.has("to")) {
+      spring.to = options.object<const model::Rigid>("to");
+      if (!spring.to) spring.place = read_vector(options.numbers("to"), "field 'options.to'");
+      if (damper && spring.place)
+        options.refuse("to", "a damper has no place at which it is slack: expected a rigid body");
+    }
+  }
+  call.self<Model>()->spring(std::move(spring));
+  return return_self(call);
+}
+
+int damper(Call& call) { return tie_body(call, "rate", true); }
+
+int spring(Call& call) {
+  if (call.object<const model::Rigid>("set")) return tie_body(call, "stiffness", false);
+  if (call.has("options") && call.fields("options").has("to"))
+    throw Error("spring: field 'options.to': expected a rigid body as what is tied, got the set '" +
+                call.text("set") + "', whose springs go to the ground");
+  const std::array<double, 3> k = read_stiffness(call, "stiffness");
   if (k[0] + k[1] + k[2] == 0) throw Error("spring: expected at least one of x, y, z above 0, got none");
   call.self<Model>()->spring(call.text("set"), k, read_frame(call));
   return return_self(call);
@@ -143,6 +179,26 @@ Argument velocity_row() {
   return row;
 }
 
+Argument axis_rows(const char* name, const char* unit, const char* sentence) {
+  return fields_(name,
+                 {number_("x", unit, not_negative, "along x").optional(),
+                  number_("y", unit, not_negative, "along y").optional(),
+                  number_("z", unit, not_negative, "along z").optional()},
+                 sentence);
+}
+
+// The other end of a spring or damper of a rigid body.
+Argument far_end_row(const char* sentence, bool frame) {
+  Argument to = object_("to", "body", sentence, numbers).optional();
+  std::vector<Argument> rows;
+  if (frame) rows = frame_row().rows;
+  rows.push_back(std::move(to));
+  return fields_("options", std::move(rows),
+                 frame ? "frame = {e1, e2} for oblique directions; to = where a body's spring ends"
+                       : "to = where it ends")
+      .optional();
+}
+
 Argument loaded_set_row() { return value_("set", text, "name of a node set"); }
 
 std::vector<Entry> loads_entries() {
@@ -150,10 +206,11 @@ std::vector<Entry> loads_entries() {
   return {
       {"model:moment",
        Style::positional,
-       {loaded_set_row(),
+       {set_or_body_row(),
         components_row("N m", "{x=, y=, z=}: the total moment about axes that stay fixed in space"),
         frame_row()},
-       "Loads the directors of a node set with a moment, shared by length or area.",
+       "Loads the directors of a node set with a moment, shared by length or area; or a rigid body about "
+       "its centre.",
        sample + "m:moment('top', { x=fabric.ramp(1e-3, 1) })",
        moment},
       {"model:traction",
@@ -174,16 +231,26 @@ std::vector<Entry> loads_entries() {
        pressure},
       {"model:spring",
        Style::positional,
-       {loaded_set_row(),
-        fields_("stiffness",
-                {number_("x", "N/m", not_negative, "along x").optional(),
-                 number_("y", "N/m", not_negative, "along y").optional(),
-                 number_("z", "N/m", not_negative, "along z").optional()},
-                "{x=, y=, z=}: the total stiffness to ground, shared by length or area"),
-        frame_row()},
-       "Ties a node set to its reference position by springs.",
+       {set_or_body_row(),
+        axis_rows("stiffness", "N/m",
+                  "{x=, y=, z=}: the total stiffness to ground, shared by length or area"),
+        far_end_row("of a rigid body: another body, or {x, y, z}, m, where its centre is when the spring is "
+                    "slack; default where it begins",
+                    true)},
+       "Ties a node set to its reference position by springs; or the centre of a rigid body to the ground or "
+       "to another body.",
        sample + "m:spring('top', { x=1000 })",
        spring},
+      {"model:damper",
+       Style::positional,
+       {object_("set", "body", "the rigid body"), axis_rows("rate", "N s/m", "{x=, y=, z=}: force per speed"),
+        far_end_row("another body, whose speed is subtracted; default the ground", false)},
+       "Resists the speed of a rigid body's centre; what it takes is in a.energy.damping.",
+       sample + "local plate = fabric.rigid.disc{ radius=0.05, centre={0, 0, 0.01}, normal={0, 0, 1}, "
+                "edge=0.002, mass=1 }\n"
+                "m:contact{ between={plate, 'all'} }:fix(plate, 'x y rotation')\n"
+                "m:force(plate, { z=-100 }):damper(plate, { z=50 })",
+       damper},
       {"model:turn",
        Style::positional,
        {loaded_set_row(),

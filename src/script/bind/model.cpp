@@ -54,6 +54,20 @@ model::Components read_components(const Call& call) {
   return components;
 }
 
+model::BodyLoad read_body_load(const Call& call, model::RigidPointer body) {
+  if (call.has("options"))
+    call.refuse("options", "a rigid body is loaded along global axes: expected nothing");
+  model::BodyLoad load{std::move(body), {}};
+  const Fields given = call.fields("components");
+  const char* const axes[] = {"x", "y", "z"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (given.push(axes[i]) != LUA_TNIL)
+      load.total[i] = read_history(call.session(), call.L(), -1, std::string("field '") + axes[i] + "'");
+    lua_pop(call.L(), 1);
+  }
+  return load;
+}
+
 std::string sample_model() {
   return "local fabric = require 'fabric'\n"
          "local mesh = fabric.mesh.rectangle{ width=0.0254, height=0.0762, nx=1, ny=3 }\n"
@@ -78,7 +92,18 @@ Argument components_row(const char* unit, const char* sentence) {
 
 namespace {
 
+// Holds a rigid body in some directions.
+int fix_body(Call& call, model::RigidPointer body) {
+  if (call.has("options")) call.refuse("options", "a rigid body is held along global axes: expected nothing");
+  const auto fixed = model::parse_freedoms(call.text("freedoms"));
+  model::BodySupport support{std::move(body), fixed.translation, fixed.axis};
+  if (fixed.rotation) support.turns = {true, true, true};
+  call.self<Model>()->support(std::move(support));
+  return return_self(call);
+}
+
 int fix(Call& call) {
+  if (auto body = call.object<const model::Rigid>("set")) return fix_body(call, std::move(body));
   call.self<Model>()->fix(call.text("set"), model::parse_freedoms(call.text("freedoms")), read_frame(call));
   return return_self(call);
 }
@@ -160,6 +185,10 @@ int move(Call& call) {
 }
 
 int force(Call& call) {
+  if (auto body = call.object<const model::Rigid>("set")) {
+    call.self<Model>()->load(read_body_load(call, std::move(body)));
+    return return_self(call);
+  }
   call.self<Model>()->force(call.text("set"), read_components(call), read_frame(call));
   return return_self(call);
 }
@@ -206,8 +235,6 @@ int check_mesh(Call& call) {
   return 1;
 }
 
-Argument set_row() { return value_("set", text, "name of a node set"); }
-
 std::vector<Entry> model_entries() {
   const std::string sample = sample_model();
   return {
@@ -220,10 +247,12 @@ std::vector<Entry> model_entries() {
        make_model},
       {"model:fix",
        Style::positional,
-       {set_row(),
-        value_("freedoms", text, "some of x y z rx ry rz rotation; rotation is both of the director's"),
+       {set_or_body_row(),
+        value_("freedoms", text,
+               "some of x y z rx ry rz rotation; rotation is both of the director's, or all three of a body"),
         frame_row()},
-       "Holds freedoms of a node set; fixing twice is harmless.",
+       "Holds freedoms of a node set, or of a rigid body that forces place in the others; fixing twice is "
+       "harmless.",
        sample + "m:fix('bottom', 'x y z rotation')",
        fix},
       {"model:move",
@@ -236,9 +265,10 @@ std::vector<Entry> model_entries() {
        move},
       {"model:force",
        Style::positional,
-       {set_row(), components_row("N", "{x=, y=, z=}: the total force, shared by length or area"),
+       {set_or_body_row(), components_row("N", "{x=, y=, z=}: the total force, shared by length or area"),
         frame_row()},
-       "Loads a node set with a total force; a single node takes it whole.",
+       "Loads a node set with a total force; a single node takes it whole. Loads a rigid body at its centre "
+       "(dynamic runs need its mass), which then moves in the directions that m:fix does not hold.",
        sample + "m:force('top', { y=fabric.ramp(10, 1) })",
        force},
       {"model:gravity",

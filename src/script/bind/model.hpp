@@ -11,6 +11,7 @@ model::Components read_components(const Call& call);                      // of 
 Mat3 read_frame(const Call& call);  // of argument "options", field frame
 Argument components_row(const char* unit, const char* sentence);
 Argument frame_row();
+model::BodyLoad read_body_load(const Call& call, model::RigidPointer body);  // of "components"
 Argument set_or_body_row();
 std::string sample_model();  // for examples: defines fabric, mesh and m, a strip of three elements
 // Stores the field "model" of the call as the property of that name of the analysis object on top of the

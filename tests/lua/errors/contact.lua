@@ -200,8 +200,8 @@ wrong("fabric.dynamic", "fabric.dynamic{ model=model:move(fabric.rigid.plane{ po
   "deck.lua:1: dynamic: model: the plane that is moved touches nothing: expected m:contact{between={it, ...}}")
 wrong("fabric.dynamic", "local ball = fabric.rigid.sphere{ radius=0.005, centre={0.0127, 0.0381, 0.006} } fabric.dynamic{ model=model:contact{ between={ball, 'all'} }:move(ball, { z=function() return 0/0 end }), duration=1e-3 }",
   "deck.lua:1: dynamic: move: the sphere: field 'z': expected the history to return a finite number at t = 0 s, got nan")
-wrong("fabric.static", "fabric.static{ model=model:contact{ between={fabric.rigid.sphere{ radius=0.005, centre={0.0127, 0.0381, 0.006}, mass=0.1 }, 'all'} }, duration=1 }",
-  "deck.lua:1: static: the model has a rigid body with a mass, which moves freely: expected fabric.dynamic, or a body without a mass")
+wrong("fabric.static", "fabric.static{ model=model:contact{ between={fabric.rigid.sphere{ radius=0.005, centre={0.0127, 0.0381, 0.006}, mass=0.1 }, 'all'} }, duration=1, stabilise=true }",
+  "deck.lua:1: static: a rigid body that forces place (a mass, m:force, m:spring, m:fix of a part) is sought by Newton's method alone: expected control=\"load\", no stabilise and no method=\"relaxation\"")
 wrong("analysis:reaction", "fabric.dynamic{ model=model:contact{ self='all', thickness=1e-4 }, duration=1e-4 }:reaction(fabric.rigid.sphere{ radius=1, centre={0,0,2} })",
   "deck.lua:1: reaction: the sphere touches nothing in the model of this run")
 wrong("model:contact", "model:contact{ between={fabric.rigid.plane{ point={0,0,0}, normal={0,0,1} }, fabric.rigid.sphere{ radius=1, centre={0,0,2} }} }",
@@ -256,3 +256,32 @@ wrong("fabric.lab.ball_drop", "fabric.lab.ball_drop{ card=card, out=7 }",
   "deck.lua:1: ball_drop: field 'out': expected a string, got 7")
 wrong("fabric.lab.ball_drop", "fabric.lab.ball_drop{ card=card, height=1e-5 }",
   "deck.lua:1: ball_drop: field 'height': expected at least the clearance of 0.0001 m, got 1e-05 m")
+
+-- forces, springs and supports of rigid bodies
+local ball = "local ball = fabric.rigid.sphere{ radius=0.005, centre={0.0127, 0.0381, 0.006} } "
+wrong("model:fix", ball .. "model:fix(ball, 5)", "deck.lua:1: fix: argument 'freedoms': expected a string, got 5")
+wrong("model:fix", ball .. "model:fix(ball, 'rx')",
+  "deck.lua:1: fix: the sphere would turn about two axes: expected all of rx ry rz (\"rotation\"), two of them or none")
+wrong("model:fix", ball .. "model:move(ball, { z=1e-3 }):fix(ball, 'x')",
+  "deck.lua:1: fix: the sphere is moved by m:move, which gives its whole place: expected a body that is not moved")
+wrong("model:force", ball .. "model:force(ball, { z=1 }):move(ball, { z=1e-3 })",
+  "deck.lua:1: move: the sphere has forces, springs or supports of its own, which decide where it is: expected these, or m:move, which gives its whole place")
+wrong("model:force", ball .. "model:force(ball, {})", "deck.lua:1: force: expected at least one of x, y, z, got none")
+wrong("model:force", ball .. "fabric.dynamic{ model=model:contact{ between={ball, 'all'} }:force(ball, { z=1 }), duration=1e-4 }",
+  "deck.lua:1: dynamic: forces, springs or supports place the sphere, which has no mass: expected mass= where it is made (fabric.static needs none)")
+wrong("model:spring", ball .. "model:spring(ball, { z=10 }, { to=5 })", "deck.lua:1: spring: field 'options.to': expected a table of numbers or a body, got 5")
+wrong("model:spring", ball .. "model:spring(ball, { z=10 }, { to={1, 2} })", "deck.lua:1: spring: field 'options.to': expected {x, y, z}, got 2 numbers")
+wrong("model:spring", ball .. "model:spring(ball, { z=10 }, { to=ball })", "deck.lua:1: spring: the sphere: field 'to': expected another body than itself")
+wrong("model:spring", "model:spring('top', { z=10 }, { to={0, 0, 1} })",
+  "deck.lua:1: spring: field 'options.to': expected a rigid body as what is tied, got the set 'top', whose springs go to the ground")
+wrong("model:damper", "model:damper()", "deck.lua:1: damper: argument 'set': expected a body, got nil (missing, or a misspelt variable)")
+wrong("model:damper", "model:damper('top', { z=1 })", "deck.lua:1: damper: argument 'set': expected a body, got 'top'")
+wrong("model:damper", ball .. "model:damper(ball, 5)", "deck.lua:1: damper: argument 'rate': expected a table {x, y, z}, got 5")
+wrong("model:damper", ball .. "model:damper(ball)", "deck.lua:1: damper: argument 'rate': expected a table {x, y, z}, got nil (missing, or a misspelt variable)")
+wrong("model:damper", ball .. "model:damper(ball, { z='1' })", "deck.lua:1: damper: field 'rate.z': expected a number of at least 0 in N s/m, got '1'")
+wrong("model:damper", ball .. "model:damper(ball, { z=-1 })", "deck.lua:1: damper: field 'rate.z': expected a number of at least 0 in N s/m, got -1")
+wrong("model:damper", ball .. "model:damper(ball, {})", "deck.lua:1: damper: expected at least one of x, y, z above 0, got none")
+wrong("model:damper", ball .. "model:damper(ball, { z=1 }, { wrong=1 })", "deck.lua:1: damper: unknown field 'options.wrong', did you mean 'options.to'?")
+wrong("model:damper", ball .. "model:damper(ball, { z=1 }, { to=5 })", "deck.lua:1: damper: field 'options.to': expected a table of numbers or a body, got 5")
+wrong("model:damper", ball .. "model:damper(ball, { z=1 }, { to={0, 0, 1} })",
+  "deck.lua:1: damper: field 'options.to': a damper has no place at which it is slack: expected a rigid body")

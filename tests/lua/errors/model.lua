@@ -23,9 +23,9 @@ wrong("fabric.model", "local m = fabric.mesh{ nodes={ {0, 0}, {1, 0}, {1, 1} }, 
 
 -- model:fix
 wrong("model:fix", "model:fix()",
-  "deck.lua:1: fix: argument 'set': expected a string, got nil (missing, or a misspelt variable)")
+  "deck.lua:1: fix: argument 'set': expected a string or a body, got nil (missing, or a misspelt variable)")
 wrong("model:fix", "model:fix(7)",
-  "deck.lua:1: fix: argument 'set': expected a string, got 7")
+  "deck.lua:1: fix: argument 'set': expected a string or a body, got 7")
 wrong("model:fix", "model:fix('top', 'x', 5)",
   "deck.lua:1: fix: argument 'options': expected a table {frame}, got 5")
 wrong("model:fix", "model:fix('top', 'x', { frame=5 })",
@@ -33,9 +33,9 @@ wrong("model:fix", "model:fix('top', 'x', { frame=5 })",
 
 -- model:force
 wrong("model:force", "model:force()",
-  "deck.lua:1: force: argument 'set': expected a string, got nil (missing, or a misspelt variable)")
+  "deck.lua:1: force: argument 'set': expected a string or a body, got nil (missing, or a misspelt variable)")
 wrong("model:force", "model:force(7)",
-  "deck.lua:1: force: argument 'set': expected a string, got 7")
+  "deck.lua:1: force: argument 'set': expected a string or a body, got 7")
 wrong("model:force", "model:force('top', 5)",
   "deck.lua:1: force: argument 'components': expected a table {x, y, z}, got 5")
 wrong("model:force", "model:force('top', { x='1' })",
@@ -51,9 +51,9 @@ wrong("model:gravity", "model:gravity(5)",
 
 -- model:moment
 wrong("model:moment", "model:moment()",
-  "deck.lua:1: moment: argument 'set': expected a string, got nil (missing, or a misspelt variable)")
+  "deck.lua:1: moment: argument 'set': expected a string or a body, got nil (missing, or a misspelt variable)")
 wrong("model:moment", "model:moment(7)",
-  "deck.lua:1: moment: argument 'set': expected a string, got 7")
+  "deck.lua:1: moment: argument 'set': expected a string or a body, got 7")
 wrong("model:moment", "model:moment('top', 5)",
   "deck.lua:1: moment: argument 'components': expected a table {x, y, z}, got 5")
 wrong("model:moment", "model:moment('top', { x='1' })",
@@ -81,9 +81,9 @@ wrong("model:pressure", "model:pressure(nil, 7)",
 
 -- model:spring
 wrong("model:spring", "model:spring()",
-  "deck.lua:1: spring: argument 'set': expected a string, got nil (missing, or a misspelt variable)")
+  "deck.lua:1: spring: argument 'set': expected a string or a body, got nil (missing, or a misspelt variable)")
 wrong("model:spring", "model:spring(7)",
-  "deck.lua:1: spring: argument 'set': expected a string, got 7")
+  "deck.lua:1: spring: argument 'set': expected a string or a body, got 7")
 wrong("model:spring", "model:spring('top', 5)",
   "deck.lua:1: spring: argument 'stiffness': expected a table {x, y, z}, got 5")
 wrong("model:spring", "model:spring('top', { x='1' })",
