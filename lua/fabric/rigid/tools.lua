@@ -1,0 +1,293 @@
+-- fabric.rigid.punch, .dome and .die: tools of forming whose shapes are given by a few lengths.
+--
+--          |  punch  |                The lowest point of a punch and the face of a die lie at `at`. A die has an opening, whose edge is
+--          \_       _/                rounded; facing down it is a blank holder.
+--            `-----'  <- at
+--     -------.       .-------  at
+--      die    \     /  edge
+--             |     |
+local define = require "fabric.define"
+local fabric = require "fabric"
+local loft = require "fabric.rigid.loft"
+local tools = {}
+
+local quarter = 8 -- facets of a rounded edge
+
+local function fail(call, field, words) define.fail(("%s: field '%s': %s"):format(call, field, words)) end
+
+-- Outlines: lists of {x, y, nx, ny}, counter-clockwise, n points outwards.
+
+local function arc(out, cx, cy, r, from, to, n, inwards)
+  for i = 0, n do
+    local a = from + (to - from) * i / n
+    local c, s = math.cos(a), math.sin(a)
+    local k = inwards and -1 or 1
+    out[#out + 1] = { cx + r * c, cy + r * s, k * c, k * s }
+  end
+end
+
+local function line(out, length, size)
+  local a, n = out[#out], math.ceil(length / size - 1e-9)
+  local tx, ty = -a[4], a[3]
+  for i = 1, n - 1 do out[#out + 1] = { a[1] + tx * length * i / n, a[2] + ty * length * i / n, a[3], a[4] } end
+end
+
+local function circle(r, around)
+  local out = {}
+  arc(out, 0, 0, r, 0, 2 * math.pi, around)
+  out[#out] = nil
+  return out
+end
+
+-- A rectangle a x b with round corners.
+local function rounded(a, b, r, around)
+  local out, n, size = {}, math.max(3, around // 8), 2 * (a + b) / around
+  local x, y = a / 2 - r, b / 2 - r
+  for k, c in ipairs { { x, y }, { -x, y }, { -x, -y }, { x, -y } } do
+    arc(out, c[1], c[2], r, (k - 1) * math.pi / 2, k * math.pi / 2, n)
+    line(out, 2 * (k % 2 == 1 and x or y), size)
+  end
+  if x == 0 or y == 0 then -- arcs meet
+    local kept = {}
+    for i, p in ipairs(out) do
+      local q = out[i % #out + 1]
+      if (p[1] - q[1]) ^ 2 + (p[2] - q[2]) ^ 2 > 1e-18 then kept[#kept + 1] = p end
+    end
+    return kept
+  end
+  return out
+end
+
+-- Two circles of the radius r, a distance apart, joined by arcs of the radius f.
+local function peanut(r, apart, f, around)
+  local c = apart / 2
+  local h = math.sqrt((r + f) ^ 2 - c ^ 2)
+  local theta, w = math.atan(h, -c), math.atan(c, h)
+  local long, short = math.max(6, math.ceil(around * theta / (2 * theta + 2 * w) / 2) * 2), math.max(3, math.ceil(around * w / (2 * theta + 2 * w)))
+  local out = {}
+  local function add(...)
+    arc(out, ...)
+    out[#out] = nil
+  end
+  add(c, 0, r, -theta, theta, long)
+  add(0, h, f, -math.pi / 2 + w, -math.pi / 2 - w, short, true)
+  add(-c, 0, r, math.pi - theta, math.pi + theta, long)
+  add(0, -h, f, math.pi / 2 + w, math.pi / 2 - w, short, true)
+  return out
+end
+
+local function waist(call, t)
+  local least = t.length / 2 - t.radius
+  if t.waist <= least then
+    fail(call, "waist", ("the arcs do not reach from dome to dome: expected more than %.4g m, got %.4g"):format(least, t.waist))
+  end
+end
+
+-- The outline of what is given; room: how far it is offset outwards.
+local function outline(call, t, room)
+  if t.shape == "hemisphere" then return circle(t.radius, t.around) end
+  if t.shape == "double dome" then
+    waist(call, t)
+    if room >= t.waist then fail(call, "waist", ("expected more than the edge, %.4g m, got %.4g"):format(room, t.waist)) end
+    return peanut(t.radius, t.length, t.waist, t.around)
+  end
+  local a, b = table.unpack(t.size)
+  if t.corner > math.min(a, b) / 2 + 1e-12 then
+    fail(call, "corner", ("expected at most half of the shorter side, %.4g m, got %.4g"):format(math.min(a, b) / 2, t.corner))
+  end
+  return rounded(a, b, math.min(t.corner, a / 2, b / 2), t.around)
+end
+
+local function at_of(call, t)
+  local p = t.at or { 0, 0, 0 }
+  if #p ~= 3 then fail(call, "at", ("expected {x, y, z}, got %s"):format(#p == 1 and "1 number" or #p .. " numbers")) end
+  return p
+end
+
+local function ring(line, at, offset, z)
+  local out = {}
+  for i, p in ipairs(line) do out[i] = { at[1] + p[1] + offset * p[3], at[2] + p[2] + offset * p[4], at[3] + z } end
+  return out
+end
+
+-- A box from its flat bottom up.
+local function box(t, at)
+  local around, rings = outline("punch", t, 0), {}
+  if t.edge > t.corner then fail("punch", "edge", ("expected at most the corner, %.4g m, got %.4g"):format(t.corner, t.edge)) end
+  for k = 0, quarter do
+    local a = math.pi / 2 * k / quarter
+    rings[#rings + 1] = ring(around, at, t.edge * (math.sin(a) - 1) + (k == 0 and 1e-9 * t.edge or 0), t.edge * (1 - math.cos(a)))
+  end
+  rings[#rings + 1] = ring(around, at, 0, t.height)
+  return loft.mesh({ at[1], at[2], at[3] }, rings, { at[1], at[2], at[3] + t.height })
+end
+
+-- A body of revolution about a line along x, whose outline is that of two circles and the arcs between them.
+local function double_dome(call, t, at)
+  waist(call, t)
+  local c, r, f = t.length / 2, t.radius, t.waist
+  local h = math.sqrt((r + f) ^ 2 - c ^ 2)
+  local touch, n = c * f / (r + f), math.max(8, t.around // 4)
+  local stations = {}
+  local function dome(side, from, to) -- angles from the outer end
+    for i = from, to do
+      local a = math.acos(-(c - touch) / r) * i / n
+      stations[#stations + 1] = { side * (c + r * math.cos(a)), r * math.sin(a) }
+    end
+  end
+  for i = 1, n do dome(-1, i, i) end
+  for i = 1, n - 1 do
+    local x = touch * (2 * i / n - 1)
+    stations[#stations + 1] = { x, h - math.sqrt(f ^ 2 - x ^ 2) }
+  end
+  for i = n, 1, -1 do dome(1, i, i) end
+  local rings = {}
+  for k, s in ipairs(stations) do
+    rings[k] = {}
+    for i = 1, t.around do
+      local a = 2 * math.pi * (i - 1) / t.around
+      rings[k][i] = { at[1] + s[1], at[2] + s[2] * math.cos(a), at[3] + r + s[2] * math.sin(a) }
+    end
+  end
+  return loft.mesh({ at[1] - c - r, at[2], at[3] + r }, rings, { at[1] + c + r, at[2], at[3] + r })
+end
+
+local function want(call, t, names)
+  for _, name in ipairs(names) do
+    if t[name] == nil then fail(call, name, ("expected a length in m for shape='%s', got none"):format(t.shape)) end
+  end
+end
+
+-- A table of named lengths becomes a body; also used by fabric.lab.form.
+function tools.punch(t, call)
+  call = call or "punch"
+  local at = at_of(call, t)
+  if t.shape == "box" then
+    want(call, t, { "size", "corner", "edge" })
+    if #t.size ~= 2 then fail(call, "size", ("expected {width, height}, got %s"):format(#t.size == 1 and "1 number" or #t.size .. " numbers")) end
+    t.height = t.height or math.min(t.size[1], t.size[2])
+    if t.height <= t.edge then fail(call, "height", ("expected more than the edge, %.4g m, got %.4g"):format(t.edge, t.height)) end
+    return fabric.rigid.surface { mesh = box(t, at), closed = true, mass = t.mass, name = t.name }
+  end
+  want(call, t, { "radius" })
+  if t.shape == "double dome" then
+    want(call, t, { "length", "waist" })
+    return fabric.rigid.surface { mesh = double_dome(call, t, at), closed = true, mass = t.mass, name = t.name }
+  end
+  local z = at[3] + t.radius
+  return fabric.rigid.cylinder { radius = t.radius, from = { at[1], at[2], z }, to = { at[1], at[2], z + (t.height or t.radius) }, mass = t.mass, name = t.name }
+end
+
+-- A closed ring: the rounded edge of the opening, the face, the outer side and the back.
+function tools.die(t, call)
+  call = call or "die"
+  local at = at_of(call, t)
+  want(call, t, t.shape == "box" and { "size", "corner" } or t.shape == "double dome" and { "radius", "length", "waist" } or { "radius" })
+  local inner = outline(call, t, t.edge)
+  local up = t.facing == "down" and 1 or -1
+  local reach = 0
+  for _, p in ipairs(inner) do reach = math.max(reach, math.sqrt(p[1] ^ 2 + p[2] ^ 2)) end
+  if t.outer <= reach + t.edge then
+    fail(call, "outer", ("expected more than the opening with its edge, %.4g m, got %.4g"):format(reach + t.edge, t.outer))
+  end
+  local depth = 2 * t.edge
+  local rings = { ring(inner, at, 0, up * depth) }
+  for k = 0, quarter do
+    local a = math.pi / 2 * k / quarter
+    rings[#rings + 1] = ring(inner, at, t.edge * (1 - math.cos(a)), up * t.edge * (1 - math.sin(a)))
+  end
+  local face, n = rings[#rings], math.max(2, t.around // 16)
+  local function out(share, z)
+    local points = {}
+    for i, p in ipairs(face) do
+      local x, y = p[1] - at[1], p[2] - at[2]
+      local k = 1 + share * (t.outer / math.sqrt(x ^ 2 + y ^ 2) - 1)
+      points[i] = { at[1] + k * x, at[2] + k * y, at[3] + z }
+    end
+    return points
+  end
+  for k = 1, n do rings[#rings + 1] = out(k / n, 0) end
+  rings[#rings + 1] = out(1, up * depth)
+  local nodes, elements, count = {}, {}, #inner
+  for _, points in ipairs(rings) do
+    for _, p in ipairs(points) do nodes[#nodes + 1] = p end
+  end
+  local function node(k, i) return ((k - 1) % #rings) * count + (i - 1) % count + 1 end
+  for k = 1, #rings do
+    for i = 1, count do
+      local a, b, c, d = node(k, i), node(k + 1, i), node(k + 1, i + 1), node(k, i + 1)
+      elements[#elements + 1] = up < 0 and { a, b, c, d } or { a, d, c, b }
+    end
+  end
+  local mesh = fabric.mesh { nodes = nodes, elements = elements }
+  return fabric.rigid.surface { mesh = mesh, closed = true, mass = t.mass, name = t.name }
+end
+
+local shapes = { "hemisphere", "box", "double dome" }
+tools.rows = {
+  { name = "shape", kind = "text", choices = shapes, default = "hemisphere", sentence = "of the punch or of the opening: hemisphere (round), box, double dome" },
+  { name = "radius", kind = "number", unit = "m", above = 0, optional = true, sentence = "of a hemisphere, a dome or a round opening" },
+  { name = "size", kind = "numbers", unit = "m", above = 0, optional = true, sentence = "{along x, along y} of a box" },
+  { name = "corner", kind = "number", unit = "m", above = 0, optional = true, sentence = "radius of a box's corners, seen from above" },
+  { name = "length", kind = "number", unit = "m", above = 0, optional = true, sentence = "from centre to centre of a double dome, along x" },
+  { name = "waist", kind = "number", unit = "m", above = 0, optional = true, sentence = "radius of the arcs that join both domes" },
+}
+local function rows(own, edge)
+  local all = {}
+  for _, row in ipairs(tools.rows) do all[#all + 1] = row end
+  all[#all + 1] = edge
+  for _, row in ipairs(own) do all[#all + 1] = row end
+  for _, row in ipairs {
+    { name = "at", kind = "numbers", optional = true, sentence = "{x, y, z}: its lowest point, or the middle of the opening in the face of a die, m; default the origin" },
+    { name = "around", kind = "integer", low = 24, high = 2000, default = 64, sentence = "facets around" },
+    { name = "mass", kind = "number", unit = "kg", above = 0, optional = true, sentence = "with it forces and contact move the body" },
+    { name = "name", kind = "text", optional = true, sentence = "for messages and files; default the shape's" },
+  } do all[#all + 1] = row end
+  return all
+end
+
+define {
+  name = "fabric.rigid.punch",
+  arguments = rows({
+    { name = "height", kind = "number", unit = "m", above = 0, optional = true, sentence = "of a box; of the shaft of a hemisphere; default the shorter side, the radius" },
+  }, { name = "edge", kind = "number", unit = "m", above = 0, optional = true, sentence = "radius of a box's lower edge" }),
+  sentence = "A punch for forming, its lowest point at `at`: a hemisphere with its shaft (a rod, round without facets), a box with radii, or a double dome.",
+  example = "local fabric = require 'fabric'\nlocal mm = fabric.units.mm\n"
+    .. "local punch = fabric.rigid.punch{ radius=50*mm }\n"
+    .. "local box = fabric.rigid.punch{ shape='box', size={60*mm, 40*mm}, corner=10*mm, edge=5*mm }",
+  run = function(t) return tools.punch(t) end,
+}
+
+define {
+  name = "fabric.rigid.dome",
+  arguments = {
+    { name = "radius", kind = "number", unit = "m", above = 0, sentence = "of the dome, or of both" },
+    { name = "length", kind = "number", unit = "m", above = 0, optional = true, sentence = "from centre to centre along x; without it a hemisphere" },
+    { name = "waist", kind = "number", unit = "m", above = 0, optional = true, sentence = "radius of the arcs that join both domes; default the radius" },
+    { name = "at", kind = "numbers", optional = true, sentence = "{x, y, z}: its lowest point, m; default the origin" },
+    { name = "around", kind = "integer", low = 24, high = 2000, default = 64, sentence = "facets around" },
+    { name = "mass", kind = "number", unit = "kg", above = 0, optional = true, sentence = "with it forces and contact move the body" },
+    { name = "name", kind = "text", optional = true, sentence = "for messages and files; default the shape's" },
+  },
+  sentence = "A dome or a double dome as a punch: fabric.rigid.punch of these shapes.",
+  example = "local fabric = require 'fabric'\nlocal mm = fabric.units.mm\nlocal dome = fabric.rigid.dome{ radius=60*mm, length=110*mm, waist=40*mm }",
+  run = function(t)
+    t.shape = t.length and "double dome" or "hemisphere"
+    t.waist = t.waist or t.radius
+    return tools.punch(t, "dome")
+  end,
+}
+
+define {
+  name = "fabric.rigid.die",
+  arguments = rows({
+    { name = "outer", kind = "number", unit = "m", above = 0, sentence = "radius of the round outside" },
+    { name = "facing", kind = "text", choices = { "up", "down" }, default = "up", sentence = "up: the cloth lies on it; down: a blank holder" },
+  }, { name = "edge", kind = "number", unit = "m", above = 0, sentence = "radius of the rounded edge of the opening" }),
+  sentence = "A plate with an opening for forming, its face at `at`: a die, or facing down a blank holder. shape, radius, size, corner, length and waist are those of the opening.",
+  example = "local fabric = require 'fabric'\nlocal mm = fabric.units.mm\nlocal die = fabric.rigid.die{ radius=55*mm, edge=6*mm, outer=150*mm }",
+  run = function(t) return tools.die(t) end,
+}
+
+tools.outline = outline
+return tools

@@ -1,0 +1,67 @@
+-- Wrong calls and their messages: tools and forming. Read by tests/lua/errors.lua.
+local at = "deck.lua:1: "
+local form = "local t = { card=fabric.card('blend', { bending='estimated' }), blank=0.2, punch={ radius=0.03 }, die={ radius=0.035, edge=0.006 }, holder={ force=100 }, stroke=0.02, cells=8 } "
+local run = " fabric.lab.form(t)"
+
+wrong("fabric.rigid.punch", "fabric.rigid.punch{ wrong=1 }",
+  at .. "punch: unknown field 'wrong' (known: shape radius size corner length waist edge height at around mass name)")
+wrong("fabric.rigid.punch", "fabric.rigid.punch{}", at .. "punch: field 'radius': expected a length in m for shape='hemisphere', got none")
+wrong("fabric.rigid.punch", "fabric.rigid.punch{ shape='cone' }", at .. "punch: field 'shape': expected 'hemisphere' or 'box' or 'double dome', got 'cone'")
+wrong("fabric.rigid.punch", "fabric.rigid.punch{ radius=-1 }", at .. "punch: field 'radius': expected a positive number in m, got -1")
+wrong("fabric.rigid.punch", "fabric.rigid.punch{ shape='box', size={0.1}, corner=0.02, edge=0.01 }", at .. "punch: field 'size': expected {width, height}, got 1 number")
+wrong("fabric.rigid.punch", "fabric.rigid.punch{ shape='box', size={0.1, 0.06}, corner=0.04, edge=0.01 }", at .. "punch: field 'corner': expected at most half of the shorter side, 0.03 m, got 0.04")
+wrong("fabric.rigid.punch", "fabric.rigid.punch{ shape='box', size={0.1, 0.06}, corner=0.01, edge=0.02 }", at .. "punch: field 'edge': expected at most the corner, 0.01 m, got 0.02")
+wrong("fabric.rigid.punch", "fabric.rigid.punch{ shape='double dome', radius=0.05, length=0.2, waist=0.04 }",
+  at .. "punch: field 'waist': the arcs do not reach from dome to dome: expected more than 0.05 m, got 0.04")
+wrong("fabric.rigid.punch", "fabric.rigid.punch{ radius=0.05, at={1} }", at .. "punch: field 'at': expected {x, y, z}, got 1 number")
+wrong("fabric.rigid.dome", "fabric.rigid.dome{ radius=0.05, length=0.2 }",
+  at .. "dome: field 'waist': the arcs do not reach from dome to dome: expected more than 0.05 m, got 0.05")
+wrong("fabric.rigid.die", "fabric.rigid.die{ radius=0.05, edge=0.01, outer=0.055 }", at .. "die: field 'outer': expected more than the opening with its edge, 0.06 m, got 0.055")
+wrong("fabric.rigid.die", "fabric.rigid.die{ radius=0.05, edge=0.01, outer=0.1, facing='left' }", at .. "die: field 'facing': expected 'up' or 'down', got 'left'")
+
+wrong("fabric.lab.form", form .. "t.die.radius = 0.025" .. run,
+  at .. "form: field 'die': the punch goes through the die: its outline is 0.005 m outside of the opening at 0 degrees from x")
+wrong("fabric.lab.form", form .. "t.die.radius = 0.0302" .. run,
+  at .. "form: field 'die': the nip of punch and die is thinner than the plies: expected an opening at least 0.00038 m wider on each side, got 0.0002 m at 0 degrees from x")
+wrong("fabric.lab.form", form .. "t.holder = {}" .. run, at .. "form: field 'holder': expected one of force= (N), springs= (N/m) and gap= (m), got none")
+wrong("fabric.lab.form", form .. "t.holder = { force=10, gap=1e-3 }" .. run, at .. "form: field 'holder': expected one of force= (N), springs= (N/m) and gap= (m), got several")
+wrong("fabric.lab.form", form .. "t.holder = { gap=1e-4 }" .. run,
+  at .. "form: field 'holder.gap': the plies, 0.00038 m thick, would be pressed to less than half: expected more than 0.00019 m, got 0.0001")
+wrong("fabric.lab.form", form .. "t.blank = 0.08" .. run,
+  at .. "form: field 'blank': it does not cover the opening of the die with its edge: expected more than {0.082, 0.082} m, got {0.08, 0.08}")
+wrong("fabric.lab.form", form .. "t.punch.radius = 30" .. run, at .. "form: field 'punch.radius': expected lengths in m, got 30 m: is it in mm? (write 50*mm)")
+wrong("fabric.lab.form", form .. "t.die.edge = 6" .. run, at .. "form: field 'die.edge': expected lengths in m, got 6 m: is it in mm? (write 50*mm)")
+wrong("fabric.lab.form", form .. "t.stroke = 20" .. run, at .. "form: field 'stroke': expected lengths in m, got 20 m: is it in mm? (write 50*mm)")
+wrong("fabric.lab.form", form .. "t.stroke = 0.07" .. run, at .. "form: field 'stroke': expected at most the height of the punch, 0.06 m, got 0.07")
+wrong("fabric.lab.form", form .. "t.contact = 1e-4" .. run,
+  at .. "form: field 'contact': the plies would start inside each other: expected at least their thickness, 0.00038 m, got 0.0001")
+wrong("fabric.lab.form", form .. "t.blank = { 0.2, 0.2, 0.2 }" .. run, at .. "form: field 'blank': expected a side or {width, height} in m, got 3 numbers")
+wrong("fabric.lab.form", form .. "t.stack = {}" .. run, at .. "form: field 'stack': expected a table of numbers in degrees, got an empty table")
+wrong("fabric.lab.form", form .. "t.stack = { 45 } t.quarter = true" .. run,
+  at .. "form: field 'quarter': a quarter stands for the whole where yarns run along x and y: expected angles of 0 and 90 degrees, got 45")
+wrong("fabric.lab.form", form .. "t.die.edge = nil" .. run, at .. "form: field 'die.edge': expected a length in m for shape='hemisphere', got none")
+wrong("fabric.lab.form", form .. "t.punch = 5" .. run, at .. "form: field 'punch': expected a table, got 5")
+wrong("fabric.lab.form", form .. "t.card = 5" .. run, at .. "form: field 'card': expected a card, got 5")
+wrong("fabric.lab.form", form .. "t.friction = -1" .. run, at .. "form: field 'friction': expected a number of at least 0, got -1")
+wrong("fabric.lab.form", form .. "t.holder = { force=-5 }" .. run, at .. "form: field 'holder.force': expected a positive number in N, got -5")
+wrong("fabric.lab.form", form .. "t.holder = { spring=5 }" .. run, at .. "form: field 'holder.spring': unknown (known: force springs gap mass)")
+wrong("fabric.lab.form", form .. "t.quarter = 5" .. run, at .. "form: field 'quarter': expected true or false, got 5")
+wrong("fabric.lab.form", form .. "t.prepare = 5" .. run, at .. "form: field 'prepare': expected a function, got 5")
+wrong("fabric.lab.form", form .. "t.out = 5" .. run, at .. "form: field 'out': expected a string, got 5")
+wrong("fabric.lab.form", form .. "t.rows = 1.5" .. run, at .. "form: field 'rows': expected an integer from 2 to 10000, got 1.5")
+wrong("fabric.lab.form", form .. "t.strok = 1" .. run, at .. "form: unknown field 'strok', did you mean 'stroke'?")
+wrong("fabric.lab.form", form .. "t.stroke = nil" .. run, at .. "form: field 'stroke': expected a positive number in m, got nil (missing, or a misspelt variable)")
+wrong("fabric.rigid.die", "fabric.rigid.die{ edge=0.01, outer=0.1, at=5 }", at .. "die: field 'at': expected a table of numbers, got 5")
+wrong("fabric.rigid.die", "fabric.rigid.die{ edge=0.01, outer=0.1, name=5 }", at .. "die: field 'name': expected a string, got 5")
+wrong("fabric.rigid.die", "fabric.rigid.die{ edge=0.01, outer=0.1, around=8.5 }", at .. "die: field 'around': expected an integer from 24 to 2000, got 8.5")
+wrong("fabric.rigid.die", "fabric.rigid.die{ edge=0.01 }", at .. "die: field 'outer': expected a positive number in m, got nil (missing, or a misspelt variable)")
+wrong("fabric.rigid.die", "fabric.rigid.die{ outr=1 }", at .. "die: unknown field 'outr', did you mean 'outer'?")
+wrong("fabric.rigid.dome", "fabric.rigid.dome{ radius=0.1, at=5 }", at .. "dome: field 'at': expected a table of numbers, got 5")
+wrong("fabric.rigid.dome", "fabric.rigid.dome{ radius=0.1, name=5 }", at .. "dome: field 'name': expected a string, got 5")
+wrong("fabric.rigid.dome", "fabric.rigid.dome{ radius=0.1, around=8.5 }", at .. "dome: field 'around': expected an integer from 24 to 2000, got 8.5")
+wrong("fabric.rigid.dome", "fabric.rigid.dome{ radius=0.1, mass='1' }", at .. "dome: field 'mass': expected a positive number in kg, got '1'")
+wrong("fabric.rigid.dome", "fabric.rigid.dome{ radius=0.1, mass=-1 }", at .. "dome: field 'mass': expected a positive number in kg, got -1")
+wrong("fabric.rigid.dome", "fabric.rigid.dome{ radus=1 }", at .. "dome: unknown field 'radus', did you mean 'radius'?")
+wrong("fabric.rigid.dome", "fabric.rigid.dome{}", at .. "dome: field 'radius': expected a positive number in m, got nil (missing, or a misspelt variable)")
+wrong("fabric.rigid.punch", "fabric.rigid.punch{ radius=0.1, name=5 }", at .. "punch: field 'name': expected a string, got 5")
+wrong("fabric.rigid.punch", "fabric.rigid.punch{ radius=0.1, around=8.5 }", at .. "punch: field 'around': expected an integer from 24 to 2000, got 8.5")
