@@ -191,14 +191,14 @@ Vec3 Contact::of_body(const Candidate& c, std::span<const Vec3> by_point) const 
   return Vec3::Zero();
 }
 
-// How many parts of a model that planes of symmetry cut share the pair: 1, or 2 for each plane that all of
-// its nodes lie in.
-double Contact::images(const Candidate& c, std::span<const unsigned char> planes) const {
-  if (planes.empty()) return 1;
+// The planes of symmetry that all nodes of the pair lie in, one bit each. The parts of the model on both
+// sides share such a pair.
+unsigned Contact::planes_of(const Candidate& c, std::span<const unsigned char> planes) const {
+  if (planes.empty()) return 0;
   unsigned in = 7;
   for (const std::int32_t p : c.point)
     if (p >= 0 && !rigid(p)) in &= planes[std::size_t(p)];
-  return double(1u << std::popcount(in));
+  return in;
 }
 
 // The first rigid corner of a pair holds its torque.

@@ -23,8 +23,8 @@ struct Way {
   double dt = 0;                    // s, of a step in time; 0: a static step
   // Explicit steps: the points' inverse masses, 1/kg, 0: held or driven.
   std::span<const double> inverse_mass = {};
-  // The planes of symmetry that a node lies in, one bit each, if masses are those of the whole model; else
-  // empty.
+  // The planes of symmetry that a node lies in, or that cut the body of a rigid vertex, one bit each. Masses
+  // are then those of the whole model. Empty: there are no planes.
   std::span<const unsigned char> planes = {};
 };
 
@@ -141,7 +141,8 @@ class Contact {
   void note_slips(std::span<const Vec3> x, const Way& way);
   bool passes_on(const Candidate& c) const;
   bool holds_torque(std::uint32_t slot_and_corner) const;
-  double images(const Candidate& c, std::span<const unsigned char> planes) const;
+  unsigned planes_of(const Candidate& c, std::span<const unsigned char> planes) const;
+  std::array<double, 4> resists(const Candidate& c, const Force& force, const Way& way) const;
   double margin(const Candidate& c, std::span<const Vec3> x) const;
   void mark_checked(std::span<const Vec3> x, double change);
   void search(std::span<const Vec3> x);
@@ -195,6 +196,7 @@ class Contact {
     Vec3 slip = Vec3::Zero(), pull = Vec3::Zero();
     double damped = 0;
     bool slides = false;
+    std::array<double, 4> resists{};
     bool is(const Candidate& c) const {
       return point == c.point && interaction == c.interaction && kind == c.pair.kind;
     }
@@ -206,8 +208,8 @@ class Contact {
     std::vector<Held> held;
   };
   static void join(std::span<Held> of_one_point);
-  // How many of the committed slips act at each point. Their resistances add up there.
-  std::vector<std::uint16_t> rubbing_at_;
+  // The resistances of all committed slips at each point, mirror images included, over 0.2 m / dt.
+  std::vector<double> rubbing_at_;
   void count_rubbing(bool come);
   std::vector<Held> held_;
   std::optional<Tried> tried_;

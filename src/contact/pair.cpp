@@ -82,12 +82,20 @@ Slid slide(const ContactLaw& law, const Pair& pair, const PressedPlace& at, cons
   return out;
 }
 
-// N/m: what resists the sliding of an explicit step.
-double resistance(const Touch& touch, const Slip& slip) {
+// N/m: what resists the sliding of an explicit step at a place that counts `times`; adds to `resists` what of
+// it acts on the corners, see Force.
+double resistance(const Touch& touch, const Slip& slip, double times, std::array<double, 4>& resists) {
   if (slip.step == 0) return 0;
-  double lightness = 0;  // 1/kg
-  for (std::size_t i = 0; i < 4; ++i) lightness += touch.weight[i] * touch.weight[i] * slip.inverse_mass[i];
-  return lightness > 0 ? 0.2 / (lightness * slip.step * slip.step) : 0;
+  double lightness = 0, alone = 0;  // 1/kg: with all that resists at the corners, and without
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double share = touch.weight[i] * touch.weight[i] * slip.inverse_mass[i];
+    lightness += share;
+    alone += share / slip.crowd[i];
+  }
+  if (!(lightness > 0)) return 0;
+  for (std::size_t i = 0; i < 4; ++i)
+    resists[i] += times * std::abs(touch.weight[i]) * slip.inverse_mass[i] / (slip.crowd[i] * alone);
+  return 0.2 * std::abs(times) / (lightness * slip.step * slip.step);
 }
 
 // The slip of a pair is that of its nearest place, which comes first; that of an edge on a rod the mean.
@@ -105,7 +113,8 @@ class Friction {
  private:
   void rub(const PressedPlace& at, const Slid& s) {
     const Touch& touch = at.place.touch;
-    Vec3 pull = s.spring * s.trial + resistance(touch, slip_) * s.slid;
+    const double times = at.count / pair_.area;
+    Vec3 pull = s.spring * s.trial + resistance(touch, slip_, times, force_.resists) * s.slid;
     const double size = pull.norm(), kept = s.kept();
     if (size > s.bound()) pull *= s.bound() / size;
     if (at.count < 0) pull = -pull;

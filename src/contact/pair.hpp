@@ -56,10 +56,12 @@ struct Slip {
   double sticking = 0;       // the static coefficient; below mu: the same as mu
   bool slides = false;       // at the beginning of the step
   // Explicit steps: a resistance of 0.2 m / dt to the sliding velocity below the bound of Coulomb, with the
-  // effective mass m of the pair at the place, damps the vibration of what sticks. It cannot reverse the
-  // sliding.
+  // effective mass m of the pair at the place and as often as the place counts, damps the vibration of what
+  // sticks. It cannot reverse the sliding.
   double step = 0;                       // s; 0: an implicit or static step
   std::array<double, 4> inverse_mass{};  // 1/kg; 0: the corner is held or driven
+  // Factors in these of what else resists at the corners, see Force::resists.
+  std::array<double, 4> crowd{1, 1, 1, 1};
 };
 
 struct Force {
@@ -71,6 +73,8 @@ struct Force {
   double stick = 0;            // J, elastic energy of the slip
   double damped = 0;           // N, of the damping of approach
   bool slides = false;         // at the end of the step
+  // Explicit steps: the resistance at each corner over 0.2 m / dt of its own mass, but for Slip::crowd.
+  std::array<double, 4> resists{};
   // J, work that the sliding of the step does against friction: in explicit steps by the forces at both ends,
   // else by those at the end; and against the damping of approach.
   double work = 0, impact = 0;

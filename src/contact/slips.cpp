@@ -4,6 +4,7 @@
 // slip along: all facets that have common corners hold it with the slip at the nearest of them. So the
 // weights of facets, edges and corners cancel for friction as they do for pressure.
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "contact/contact.hpp"
@@ -16,9 +17,9 @@ namespace {
 // carries both.
 constexpr double tangential = 2.0 / 7;
 
-// The resistances of so many pairs at one point, 0.2 m / dt each, do not yet reverse its motion within an
-// explicit step; those of more share what these have.
-constexpr double resisting_pairs = 4;
+// So many times 0.2 m / dt at a point of the mass m do not yet reverse its motion within an explicit step;
+// pairs whose resistances add up to more share this.
+constexpr double most_resistance = 4;
 
 // The vector with the components in the frame of u and v that `slip` has in the frame of u0 and v0.
 Vec3 carried(const Vec3& slip, const Vec3& u0, const Vec3& v0, const Vec3& u, const Vec3& v) {
@@ -64,7 +65,7 @@ bool Contact::Held::beside(const Held& other) const {
 void Contact::Held::keep(Archive& archive) {
   archive(point[0], point[1], point[2], point[3], interaction, kind);
   for (Vec3* v : {&slip, &pull}) archive((*v)[0], (*v)[1], (*v)[2]);
-  archive(gap, damped, slides);
+  archive(gap, damped, slides, resists[0], resists[1], resists[2], resists[3]);
 }
 
 // Balls and rods lie on many facets at once, each with a slip of its own.
@@ -114,14 +115,24 @@ Slip Contact::slip_of(std::size_t i, std::span<const Vec3> x, const Way& way) {
   slip.dt = way.dt;
   if (way.inverse_mass.empty()) return slip;
   slip.step = way.dt;
-  const double images = this->images(c, way.planes);
+  const double images = 1u << std::popcount(planes_of(c, way.planes));
   for (std::size_t k = 0; k < 4; ++k)
     if (const auto p = c.point[k]; p >= 0) {
-      const double count = rubbing_at_.empty() ? 0 : rubbing_at_[std::size_t(p)];
-      slip.inverse_mass[k] =
-          images * way.inverse_mass[std::size_t(p)] * std::max(1.0, count / resisting_pairs);
+      if (!rubbing_at_.empty()) slip.crowd[k] = std::max(1.0, rubbing_at_[std::size_t(p)] / most_resistance);
+      slip.inverse_mass[k] = images * way.inverse_mass[std::size_t(p)] * slip.crowd[k];
     }
   return slip;
+}
+
+// With those of the pair's mirror images, which the part of the model beyond a plane of symmetry would have.
+std::array<double, 4> Contact::resists(const Candidate& c, const Force& force, const Way& way) const {
+  std::array<double, 4> out = force.resists;
+  if (way.planes.empty()) return out;
+  const unsigned own = planes_of(c, way.planes);
+  for (std::size_t k = 0; k < 4; ++k)
+    if (const auto p = c.point[k]; p >= 0)
+      out[k] *= 1u << std::popcount(way.planes[std::size_t(p)] & ~own & 7u);
+  return out;
 }
 
 // Facets beside each other hold a point with the slip at the nearest of them.
@@ -163,8 +174,8 @@ void Contact::note_slips(std::span<const Vec3> x, const Way& way) {
     Vec3 slip = force.slip;
     if (!slip.isZero(0))
       slip = turned(c, slip, corners_of(c, way.start), corners_of(c, x), of_body(c, way.turn));
-    held[slip_at_[k]] = {c.point, c.interaction, c.pair.kind,  slot,        force.gap,
-                         slip,    force.pull,    force.damped, force.slides};
+    held[slip_at_[k]] = {c.point, c.interaction, c.pair.kind,  slot,         force.gap,
+                         slip,    force.pull,    force.damped, force.slides, resists(c, force, way)};
   }
 #pragma omp parallel for schedule(static) if (many)
   for (std::size_t row = 0; row < touched_.size(); ++row) {
@@ -179,10 +190,10 @@ void Contact::note_slips(std::span<const Vec3> x, const Way& way) {
 void Contact::count_rubbing(bool come) {
   rubbing_at_.resize(scene_->reference().size());
   for (const Held& h : held_)
-    for (const std::int32_t p : h.point)
-      if (p >= 0) {
-        auto& count = rubbing_at_[std::size_t(p)];
-        count = come ? std::uint16_t(std::min(int(count) + 1, 0xffff)) : std::uint16_t(0);
+    for (std::size_t k = 0; k < 4; ++k)
+      if (const auto p = h.point[k]; p >= 0) {
+        double& all = rubbing_at_[std::size_t(p)];
+        all = come ? all + h.resists[k] : 0;
       }
 }
 

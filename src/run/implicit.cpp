@@ -128,25 +128,27 @@ void Implicit::set_motion(const mechanics::NodalRates& rates) {
   problem_.start(possible);
 }
 
-// A repeated step that fails is made as at first; if it is interrupted it leaves no trace.
-double Implicit::try_step(double limit, StepReport& report) {
-  using Try = Repeatable::Try;
-  const bool repeats = repeatable_.which != Try::first || repeatable_.halved > 0;
-  if (!repeats) mark_repeatable();
-  try {
-    return reach(limit, report);
-  } catch (const NumericalFailure&) {
-    if (!repeats || repeatable_.which == Try::first_again) throw;
-  } catch (...) {
-    if (repeats) return_to_start(Try::first);
-    throw;
-  }
-  return_to_start(Try::first_again);
-  report = {};
-  return reach(limit, report);
+void Implicit::mark_repeatable() {
+  repeatable_ = {};
+  repeatable_.step = control_.current();
+  repeatable_.start = save_state();
+  repeatable_.surplus = energy().surplus();
+  repeatable_.settling = now_.settling > 0;
 }
 
-void Implicit::mark_repeatable() { repeatable_ = {save_state(), energy().surplus(), 0, now_.settling > 0}; }
+// A repeated step that fails is made as at first; any other that ends without a result leaves no trace, and
+// can be made later with the same bits.
+bool Implicit::tries_again(bool failed) {
+  using Try = Repeatable::Try;
+  newmark_.show_trial(false);
+  if (!repeats()) {
+    control_.set(repeatable_.step);
+    return false;
+  }
+  const bool again = failed && repeatable_.which != Try::first_again;
+  return_to_start(again ? Try::first_again : Try::first);
+  return again;
+}
 
 void Implicit::return_to_start(Repeatable::Try next) {
   const DynamicState reported = now_;
@@ -156,15 +158,13 @@ void Implicit::return_to_start(Repeatable::Try next) {
   repeatable_.halved = 0;
 }
 
-double Implicit::reach(double limit, StepReport& report) {
+double Implicit::try_step(double limit, StepReport& report) {
+  if (!repeats()) mark_repeatable();
   double size = control_.end(committed_time(), next_landing(limit, control_.current()));
-  const StepControl before = control_;
   step_.tries.clear();
   while (!attempt(size, report)) {
-    if (step_.broken() || ++report.cuts > options_.max_cuts || !control_.cut(size - committed_time())) {
-      control_ = before;  // a failed step leaves no trace
+    if (step_.broken() || ++report.cuts > options_.max_cuts || !control_.cut(size - committed_time()))
       give_up(report);
-    }
     size = control_.end(committed_time(), next_landing(limit, control_.current()));
   }
   return size;

@@ -40,8 +40,8 @@ class Implicit final : public Dynamic {
   std::string begin_to_damp(double error) override;
   void damp(Damping damping);
   std::string damping_text() const;
-  double reach(double limit, StepReport& report);  // the step, cut where necessary; see try_step()
   bool takes_back() override;
+  bool tries_again(bool failed) override;
   void weigh_step_ends();
   void take_scheme();  // that of the options, the one that damps, or the one in which directors settle
   bool has_turning_directors() const;
@@ -56,6 +56,7 @@ class Implicit final : public Dynamic {
   // or as at first for good.
   struct Repeatable {
     enum class Try { first, damped, first_again };
+    double step = 0;               // s, for which it began
     std::string start;             // the state before it; empty: it is not taken back
     double surplus = 0, made = 0;  // J, of the ledger before it; its first try's share of the ledger's scale
     bool settling = false;         // whether directors settle in it
@@ -63,6 +64,7 @@ class Implicit final : public Dynamic {
     int halved = 0;  // times, for its error of the ledger
   } repeatable_;
   void mark_repeatable();
+  bool repeats() const { return repeatable_.which != Repeatable::Try::first || repeatable_.halved > 0; }
   void return_to_start(Repeatable::Try next);
   bool shortens(double error, int most);  // at most so many times
 };

@@ -24,6 +24,7 @@ std::string absolute(const std::string& path) {
 Job::Job(std::shared_ptr<Run> run, std::shared_ptr<Journal> journal, std::int64_t number)
     : run_(std::move(run)), journal_(std::move(journal)), number_(number) {
   listen(make_run_json());
+  run_->when_ready([this](Run&) { notify(&Listener::ready, *this); });
   run_->when_settled([this](Run&) { notify(&Listener::step, *this); });
   run_->on_restore([this](Run&) {
     notify(&Listener::forget, *this);

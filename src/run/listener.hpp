@@ -31,6 +31,8 @@ class Listener {
 
   // Fires when a call is about to drive the run and its files are locked. If one throws, no step is made.
   virtual void begin(Job&) {}
+  // Fires when the hooks that were due before the first step of the call are done.
+  virtual void ready(Job&) {}
   // Fires after each committed step, when its frames are written and its hooks and events are done: the state
   // can be saved. If one throws, the call ends at the committed state.
   virtual void step(Job&) {}

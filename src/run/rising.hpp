@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "run/values.hpp"
 
 namespace fabricsh::run {
@@ -18,12 +19,13 @@ class RisingAccounts {
   // The account that has fallen farthest below the most that it was in earlier calls, if that is by more than
   // `tolerance` (J), or, for what the time scheme takes, `of_scheme`.
   std::optional<Fall> look(const EnergyAccount& account, double time, double tolerance, double of_scheme);
-  void forget() { highest_.clear(); }  // the next call begins anew
+  void keep(Archive& archive) { archive(highest_); }
 
  private:
   struct Highest {
     std::string name;
     double value = 0, time = 0;  // J, s
+    void keep(Archive& archive) { archive(name, value, time); }
   };
   std::vector<Highest> highest_;
 };

@@ -178,6 +178,12 @@ void Run::start() {
   windows_.sample(*this);
 }
 
+void Run::prepare() {
+  start();
+  run_pending();
+  for (std::size_t i = 0; i < ready_.size(); ++i) ready_[i](*this);
+}
+
 void Run::advance(double to) {
   if (!std::isfinite(to)) throw Error("advance: expected a finite time in s, got " + number(to));
   if (to < time() - same_time * duration_)
@@ -190,8 +196,7 @@ void Run::advance(double to) {
   const Busy busy(*this, "advance");
   stopped_ = false;
   stop_reason_.clear();
-  start();
-  run_pending();
+  prepare();
   while (!stopped_ && time() < to - same_time * duration_) advance_to(to);
   watch_shape();
   watch_compression();
@@ -202,8 +207,7 @@ void Run::step() {
   const Busy busy(*this, "step");
   stopped_ = false;
   stop_reason_.clear();
-  start();
-  run_pending();
+  prepare();
   if (!stopped_ && time() < duration_ - same_time * duration_) advance_to(duration_);
 }
 
@@ -260,15 +264,27 @@ void Run::rollback() {
   trial_time_ = committed_time();
 }
 
-StepReport Run::make_step(double limit) {
-  StepReport report;
+bool Run::finds_step(double limit, StepReport& report) {
+  const auto again = [this](bool failed) {
+    rollback();
+    return stepping_ = tries_again(failed);
+  };
   stepping_ = true;
+  report = {};
   try {
     land(try_step(limit, report), report);
+    return true;
+  } catch (const NumericalFailure&) {
+    if (!again(true)) throw;
   } catch (...) {
-    stepping_ = false;
-    rollback();
-    throw;
+    if (!again(false)) throw;
+  }
+  return false;
+}
+
+StepReport Run::make_step(double limit) {
+  StepReport report;
+  while (!finds_step(limit, report)) {
   }
   commit(report);
   return report;

@@ -77,6 +77,9 @@ class Run {
   // begun it counts from now.
   Window& window(const std::string& name, Window made);
   Window* window(const std::string& name) { return windows_.find(name); }
+  // Called by each call that drives the run, before its first step, when hooks that were due before it are
+  // done.
+  void when_ready(Hook hook) { ready_.push_back(std::move(hook)); }
   // Called after each step when everything else is done, so that the state can be saved. May throw.
   void when_settled(Hook hook) { settled_.push_back(std::move(hook)); }
   // Called while a step is solved. If it throws, the step ends and the run stays at the committed state.
@@ -224,6 +227,9 @@ class Run {
   virtual void commit(StepReport& report) = 0;                   // commits the trial state; adds the work
   // Whether the step just committed is taken back to be repeated in another way; nothing else has seen it.
   virtual bool takes_back() { return false; }
+  // The step has ended by an exception, in try_step() or where it was shortened to an event, and leaves no
+  // trace. failed: by a NumericalFailure. Returns whether it is tried once more, in another way.
+  virtual bool tries_again(bool /*failed*/) { return false; }
   [[noreturn]] virtual void give_up(const StepReport& report) = 0;
   // Ends the run if an account of energy that can only rise has fallen by more than rounding. scale: J, the
   // largest energies of the run; of_scheme: the share of it by which the loss to the time scheme may swing.
@@ -331,8 +337,10 @@ class Run {
   Windows windows_;
   void check_interval(double interval) const;
   void start();
+  void prepare();  // starts the run, and runs the hooks that are due before the next step
   StepReport make_step(double limit);
-  void advance_to(double limit);  // one committed step towards the limit
+  bool finds_step(double limit, StepReport& report);  // false: it is to be tried again
+  void advance_to(double limit);                      // one committed step towards the limit
   void watch_folds();
   void watch_compression();  // says once that elements carry what would fold their cloth (compression.cpp)
   void refuse_serious();     // throws if strict and a serious warning has not been thrown yet
@@ -375,7 +383,7 @@ class Run {
   std::vector<Event> events_;
   std::vector<TimedState> kept_timed_;  // as last restored, for hooks that are added later
   std::vector<EventState> kept_events_;
-  std::vector<Hook> settled_;
+  std::vector<Hook> ready_, settled_;
   std::vector<Hook> restored_;
   std::vector<double> kinks_;
   RisingAccounts accounts_;

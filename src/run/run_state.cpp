@@ -32,9 +32,8 @@ void Run::keep(Archive& archive) {
   if (archive.reading()) {
     trial_time_ = committed_time();
     assembly_->set_time(trial_time_);
-    accounts_.forget();
   }
-  archive.section("ledger", [&] { archive(dead_, initial_energy_, work_, reports_); });
+  archive.section("ledger", [&] { archive(dead_, initial_energy_, work_, reports_, accounts_); });
   archive.section("progress",
                   [&] { archive(started_, stopped_, stop_reason_, beyond_, *warnings_, thrown_); });
   archive.section(kind(), [&] { memory(archive); });

@@ -237,6 +237,28 @@ TEST_CASE("pair: explicit friction resists slow sliding and is mu times the norm
   CHECK(friction_of(law(), pair, flat, slip).on[0].y() == Approx(-0.2 * mass * 1e-5 / dt).epsilon(1e-12));
 }
 
+TEST_CASE("pair: what resists slow sliding counts as often as its place", "[contact]") {
+  Pair pair = pair_of(PairKind::facet);
+  const double mass = 0.5, dt = 1e-3;
+  Slip slip{0.3, 0};
+  slip.step = dt;
+  slip.inverse_mass = {2 / mass, 2 / mass, 0, 0};
+  slip.crowd = {2, 2, 1, 1};
+  slip.moved[0] = dt * Vec3(1e-5, 0, 0);
+  // Above a corner, which the first side shares with it in equal parts.
+  Corners x = {Vec3(0, 0, 0.3), Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
+  const double once = -0.2 * mass / 4 * 1e-5 / dt;
+  for (const int times : {0, -1, -2, 3}) {
+    pair.edge = {};
+    pair.corner = {std::int8_t(times), 0, 0};
+    const Force got = friction_of(law(), pair, x, slip);
+    CHECK(got.on[0].x() == Approx((1 + times) * once).epsilon(1e-12).margin(1e-20));
+    CHECK(got.resists[0] == Approx((1 + times) / 2.0).margin(1e-15));
+    CHECK(got.resists[1] == Approx((1 + times) / 2.0).margin(1e-15));
+    CHECK(got.resists[2] == 0);
+  }
+}
+
 TEST_CASE("pair: an approach is damped by the law's stiffness where it is, at most by its largest",
           "[contact]") {
   const Pair pair = pair_of(PairKind::plane);

@@ -32,6 +32,11 @@ TEST_CASE("accounts of one name are one, and a loss of the scheme may swing by w
   CHECK(!accounts.look(account(0.9, 0, 2, 1), 1, 1e-6, 0.2));
   CHECK(name_of(accounts.look(account(0.9, 0, 2, 0.5), 2, 1e-6, 0.2)) == "warp");
   CHECK(name_of(accounts.look(account(0.7, 0, 2, 1), 3, 1e-6, 0.2)) == "damping");
-  accounts.forget();
-  CHECK(!accounts.look(account(0.1, 0, 0, 0), 4, 1e-6, 0.2));
+  CHECK(!RisingAccounts().look(account(0.1, 0, 0, 0), 4, 1e-6, 0.2));
+  fabricsh::Archive kept;
+  accounts.keep(kept);
+  RisingAccounts restored;
+  fabricsh::Archive read(kept.bytes());
+  restored.keep(read);
+  CHECK(name_of(restored.look(account(0.7, 0, 2, 1), 4, 1e-6, 0.2)) == "damping");
 }

@@ -627,4 +627,11 @@ double Bodies::inverse_mass(std::size_t i) const {
   return bodies_[i].free < 0 ? 0 : free_[bodies_[i].free].bound;
 }
 
+unsigned char Bodies::planes_through(std::size_t i) const {
+  unsigned char planes = 0;
+  for (int axis = 0; axis < 3 && bodies_[i].free >= 0; ++axis)
+    if (free_[bodies_[i].free].moves[axis] == 0) planes |= static_cast<unsigned char>(1 << axis);
+  return planes;
+}
+
 }  // namespace fabricsh::mechanics

@@ -104,6 +104,8 @@ class Bodies {
   std::vector<Vec3> moved(std::size_t i, const std::vector<Vec3>& points) const;
   // 1/kg, an upper bound of the inverse effective mass of a vertex.
   double inverse_mass(std::size_t i) const;
+  // The planes of symmetry that cut a free body, one bit each; 0 for others.
+  unsigned char planes_through(std::size_t i) const;
   // 1/kg, the same of what pressing meets; a ball has all of its mass there.
   double inverse_mass_pressed(std::size_t i) const;
   // m: of its surface from its centre, a rod's or disc's radius; 0 for a plane.

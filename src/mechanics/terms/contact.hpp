@@ -238,8 +238,8 @@ class Contacts final : public Term, public StepLimiter, public OwnUnknowns, publ
   std::vector<Vec3> x_, start_, marked_, force_, torque_, turning_, by_;
   std::vector<double> inverse_mass_;
   std::vector<Index> led_by_;  // per node, the leader of its joint; empty: there are no zones
-  // With parts of bodies that planes of symmetry cut: the planes that each node lies in, a bit each. Inverse
-  // masses are then those of the whole model.
+  // With planes of symmetry: those that each node lies in, or that cut the body of a rigid vertex, a bit
+  // each. Inverse masses are then those of the whole model.
   std::vector<unsigned char> planes_;
   double share_ = 0, at_ = 0;  // share of the bodies' way: trial, iterate
   double moved_ = 0;           // m, largest motion in the step

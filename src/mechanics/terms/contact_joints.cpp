@@ -19,9 +19,11 @@ void Contacts::find_masses() {
     const bool moves = std::any_of(eq.begin(), eq.begin() + 3, [](Index e) { return e >= 0 || e == tied; });
     if (moves && mass[n] > 0) inverse_mass_[n] = 1 / mass[n];
   }
-  if (!bodies_.halves().empty()) planes_.assign(nodes_, 0);
+  const bool cut = std::any_of(model_.supports().begin(), model_.supports().end(),
+                               [](const auto& support) { return support.symmetry >= 0; });
+  if (cut) planes_.assign(x_.size(), 0);
   for (const auto& support : model_.supports())
-    if (support.symmetry >= 0 && !planes_.empty())
+    if (support.symmetry >= 0)
       for (const Index n : model_.mesh().set(support.set)) {
         const auto plane = static_cast<unsigned char>(1 << support.symmetry);
         if ((planes_[n] & plane) == 0) inverse_mass_[n] /= 2;
@@ -29,7 +31,10 @@ void Contacts::find_masses() {
       }
   for (std::size_t b = 0; b < bodies_.count(); ++b) {
     const auto [first, last] = bodies_.vertices(b);
-    for (std::size_t v = first; v < last; ++v) inverse_mass_[nodes_ + v] = bodies_.inverse_mass(b);
+    for (std::size_t v = first; v < last; ++v) {
+      inverse_mass_[nodes_ + v] = bodies_.inverse_mass(b);
+      if (cut) planes_[nodes_ + v] = bodies_.planes_through(b);
+    }
   }
 }
 

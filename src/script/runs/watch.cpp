@@ -18,6 +18,7 @@ class Watch final : public run::Listener {
   explicit Watch(DeckRun& run) : run_(run) {}
   ListenerOrder turn() const override { return ListenerOrder::watch; }
   void begin(run::Job& job) override;
+  void ready(run::Job&) override { hold_tables(run_); }  // as the hooks of the start have left them
   void step(run::Job& job) override;
   void end(run::Job& job, const run::Ending& ending) override;
 
