@@ -23,7 +23,7 @@ double approach(Simplices kind, const Corners& by) {
 
 }  // namespace
 
-double safe_share(Simplices kind, const Corners& start, const Corners& end, double least) {
+double safe_fraction(Simplices kind, const Corners& start, const Corners& end, double least) {
   constexpr double kept = 0.1;       // share of the first distance at which it stops
   constexpr int most_steps = 20000;  // what slides far along at a tiny distance stops short
   const Vec3 centre = 0.25 * (start[0] + start[1] + start[2] + start[3]);

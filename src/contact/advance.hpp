@@ -13,7 +13,7 @@ enum class Simplices : std::uint8_t { point_triangle, segment_segment };
 // Share of the motion from `start` to `end`, 0 to 1, during which the distance stays above `least`
 // (m); never too large. 1: all of it. It may be less although the simplices only come within a
 // tenth of their first distance. 0: not above `least` at the start, or equal within rounding.
-double safe_share(Simplices kind, const Corners& start, const Corners& end, double least);
+double safe_fraction(Simplices kind, const Corners& start, const Corners& end, double least);
 
 // Bound for an explicit step: while twice the largest displacement of any
 // corner (m) is below the smallest gap (m), no two simplices can meet.

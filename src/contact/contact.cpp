@@ -38,14 +38,14 @@ double safe_fraction_of(const Candidate& c, const ContactLaw& law, const Corners
   const auto pairs = Simplices::segment_segment;
   switch (c.pair.kind) {
     case PairKind::facet:
-      return safe_share(Simplices::point_triangle, x, end, least);
+      return safe_fraction(Simplices::point_triangle, x, end, least);
     case PairKind::edges:
     case PairKind::wrap:
-      return safe_share(pairs, x, end, least);
+      return safe_fraction(pairs, x, end, least);
     case PairKind::segment:
-      return safe_share(pairs, {x[0], x[0], x[1], x[2]}, {end[0], end[0], end[1], end[2]}, least);
+      return safe_fraction(pairs, {x[0], x[0], x[1], x[2]}, {end[0], end[0], end[1], end[2]}, least);
     case PairKind::centre:
-      return safe_share(pairs, {x[0], x[0], x[1], x[1]}, {end[0], end[0], end[1], end[1]}, least);
+      return safe_fraction(pairs, {x[0], x[0], x[1], x[1]}, {end[0], end[0], end[1], end[1]}, least);
     case PairKind::plane:
       break;
   }
@@ -129,8 +129,8 @@ double Contact::least_apart(const Candidate& c) const {
   return least;
 }
 
-std::vector<Candidate> Contact::find(std::span<const Vec3> x, double skin) const {
-  std::vector<Candidate> found = find_pairs(*scene_, x, skin);
+std::vector<Candidate> Contact::find(std::span<const Vec3> x, double skin, std::span<const Vec3> by) const {
+  std::vector<Candidate> found = find_pairs(*scene_, x, skin, by);
   for (Candidate& c : found) scale(c);
   return found;
 }
@@ -391,8 +391,8 @@ void Contact::couples(std::span<const Vec3> x,
   for (const Candidate& c : inner_) visit(c.point);
 }
 
-double Contact::safe_share(std::span<const Vec3> x, std::span<const Vec3> by,
-                           std::span<const char> among) const {
+double Contact::safe_fraction(std::span<const Vec3> x, std::span<const Vec3> by,
+                              std::span<const char> among) const {
   Vec3 mean = Vec3::Zero();
   for (const Vec3& u : by) mean += u;
   mean /= double(by.size());
@@ -402,7 +402,7 @@ double Contact::safe_share(std::span<const Vec3> x, std::span<const Vec3> by,
   for (std::size_t i = 0; i < end.size(); ++i) end[i] += by[i];
   const double against =
       vertex_motion_bounds_surface_motion(x, end) ? 2 * most : patches_.against_on_way(x, end);
-  std::vector<Candidate> pairs = find(x, against * (1 + rounding));
+  std::vector<Candidate> pairs = find(x, against * (1 + rounding), by);
   const auto other = [among](const Candidate& c) {
     return std::any_of(c.point.begin(), c.point.end(),
                        [among](std::int32_t p) { return p >= 0 && among[std::size_t(p)] == 0; });
@@ -417,7 +417,7 @@ bool Contact::may_have_passed(std::span<const Vec3> x, std::span<const Vec3> by,
   // If two points approach each other by `most`, each of them moves by half of it.
   const double most = patches_.against_on_way(x, end);
   if (cannot_meet(most / 2 * (1 + rounding), gap)) return false;
-  return share_of(find(x, most * (1 + rounding)), x, by) < 1;
+  return share_of(find(x, most * (1 + rounding), by), x, by) < 1;
 }
 
 double Contact::share_of(const std::vector<Candidate>& pairs, std::span<const Vec3> x,

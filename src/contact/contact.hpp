@@ -93,8 +93,8 @@ class Contact {
 
   // The largest share, 0 to 1, of the displacement `by` (m) during which no pair reaches its floor; with
   // `among` no pair all of whose points are marked there.
-  double safe_share(std::span<const Vec3> x, std::span<const Vec3> by,
-                    std::span<const char> among = {}) const;
+  double safe_fraction(std::span<const Vec3> x, std::span<const Vec3> by,
+                       std::span<const char> among = {}) const;
 
   // Pairs below their floor, and edges that cut a facet: states that cannot be computed.
   struct Overlap {
@@ -127,7 +127,7 @@ class Contact {
 
  private:
   void prepare(std::span<const Vec3> x);
-  std::vector<Candidate> find(std::span<const Vec3> x, double skin) const;
+  std::vector<Candidate> find(std::span<const Vec3> x, double skin, std::span<const Vec3> by = {}) const;
   void scale(Candidate& c) const;
   void scale_all();
   double least_apart(const Candidate& c) const;

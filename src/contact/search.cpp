@@ -17,7 +17,8 @@ using Rows = std::vector<Candidate>;
 
 class Search {
  public:
-  Search(const Scene& scene, std::span<const Vec3> x, double skin) : scene_(scene), x_(x), skin_(skin) {
+  Search(const Scene& scene, std::span<const Vec3> x, double skin, std::span<const Vec3> by)
+      : scene_(scene), x_(x), by_(by), skin_(skin) {
     const auto& surfaces = scene.surfaces();
     number_.assign(surfaces.size() * surfaces.size(), -1);
     reach_.assign(surfaces.size(), 0);
@@ -197,11 +198,22 @@ class Search {
   }
   // Pairs out of reach at the law's whole gap need no further look.
   bool far(const Candidate& row, const ContactLaw& law) const {
-    return gap_of(row, corners_of(row, x_)) >= law.gap() + skin_;
+    return gap_of(row, corners_of(row, x_)) >= law.gap() + skin_of(row);
+  }
+  // m: no two points of the pair come nearer to each other on their ways than by this. Those between its
+  // corners move by means of these.
+  double skin_of(const Candidate& row) const {
+    if (by_.empty() || row.pair.kind == PairKind::plane) return skin_;
+    constexpr double rounding = 1 + 1e-9;
+    double most = 0;
+    for (std::size_t i = 1; i < 4; ++i)
+      for (std::size_t j = 0; j < i && row.point[i] >= 0; ++j)
+        most = std::max(most, (by_[std::size_t(row.point[i])] - by_[std::size_t(row.point[j])]).norm());
+    return std::min(skin_, rounding * most);
   }
   bool keep(Candidate& row, const ContactLaw& law, Rows& rows) const {
     const double gap = gap_of(row, corners_of(row, x_));
-    if (gap >= law.gap() * row.pair.scale + skin_) return false;
+    if (gap >= law.gap() * row.pair.scale + skin_of(row)) return false;
     row.whole = row.pair.scale;
     row.start = start(row, scene_.interactions()[std::size_t(row.interaction)].opening);
     rows.push_back(row);
@@ -391,7 +403,7 @@ class Search {
   }
 
   const Scene& scene_;
-  std::span<const Vec3> x_;
+  std::span<const Vec3> x_, by_;
   double skin_;
   std::vector<int> number_;
   std::vector<double> reach_;                 // of each surface to others that have facets, m; 0: to none
@@ -403,8 +415,9 @@ class Search {
 
 }  // namespace
 
-std::vector<Candidate> find_pairs(const Scene& scene, std::span<const Vec3> x, double skin) {
-  return Search(scene, x, skin).run();
+std::vector<Candidate> find_pairs(const Scene& scene, std::span<const Vec3> x, double skin,
+                                  std::span<const Vec3> by) {
+  return Search(scene, x, skin, by).run();
 }
 
 Corners corners_of(const Candidate& candidate, std::span<const Vec3> x) {

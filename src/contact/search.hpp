@@ -18,7 +18,10 @@ struct Candidate {
 // of threads. Pairs of one cloth that share a node are left out. For neighbours whose reference distance
 // is smaller than the gap, the law's lengths are scaled down so that the gap is 0.9 of that distance. Lips
 // that shared a node before are no neighbours.
-std::vector<Candidate> find_pairs(const Scene& scene, std::span<const Vec3> x, double skin);
+// by: m, displacements of all points; then a pair whose corners do not come that near on their way is left
+// out, too. Those with walls, which are larger than their corners show, stay.
+std::vector<Candidate> find_pairs(const Scene& scene, std::span<const Vec3> x, double skin,
+                                  std::span<const Vec3> by = {});
 
 // Distance of a pair less its radii, m.
 double gap_of(const Candidate& candidate, const Corners& x);

@@ -75,6 +75,8 @@ std::shared_ptr<const BendingCurve> compiled(const BendingDirection& side, const
   b.P_limit = end.P;
   b.U_limit = end.U;
   b.initial = raw_curve(out->pieces, 0).D;
+  for (int i = 0; i <= samples; ++i)
+    out->steepest = std::max(out->steepest, raw_curve(out->pieces, b.limit * i / samples).D);
   return out;
 }
 
@@ -102,10 +104,8 @@ std::array<BendingSpring, 3> bending_springs(const card::Card& card) {
 }
 
 double stiffest(const BendingSpring& spring) {
-  double most = spring.rigidity;
-  if (spring.curve != nullptr)
-    for (int i = 0; i <= samples; ++i)
-      most = std::max(most, raw_curve(spring.curve->pieces, spring.curve->backbone.limit * i / samples).D);
+  const double most =
+      spring.curve != nullptr ? std::max(spring.rigidity, spring.curve->steepest) : spring.rigidity;
   // After a reversal fading friction has twice its initial stiffness.
   const double rubs = spring.friction > 0 ? spring.friction / spring.curvature : 0;
   return most + (spring.fading ? 2 : 1) * rubs;

@@ -24,6 +24,7 @@ struct BendingCurve {
   BendingCurve& operator=(const BendingCurve&) = delete;
   Backbone backbone;
   std::vector<CurvePiece> pieces;  // what the backbone points to
+  double steepest = 0;             // N.m, its largest slope
 };
 
 struct BendingSpring {

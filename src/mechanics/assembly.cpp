@@ -32,7 +32,7 @@ Assembly::Assembly(const model::Model& model)
   if (std::any_of(model.gravity().begin(), model.gravity().end(), [](const auto& g) { return bool(g); }))
     make<Gravity>(model, cloth.mass(), cloth.mass_moment());
   if (!model.forces().empty() || !model.tractions().empty()) make<DeadLoads>(model);
-  if (!model.pressures().empty()) make<Pressure>(model);
+  if (!model.pressures().empty()) make<Pressure>(model, dofs_.freedoms());
   if (!model.moments().empty()) make<Moments>(model);
   if (!model.springs().empty()) make<Springs>(model);
   if (!model.bands().empty()) make<EdgeBands>(model);
@@ -72,10 +72,10 @@ double Assembly::limit(std::span<const double> delta, std::span<const double> ta
   // A step across many elements would have to be checked against everything; only its beginning is checked.
   double fraction = least(&StepLimiter::near_share);
   if (fraction < 1) apply_increment(delta, fraction, targets);
-  fraction *= least(&StepLimiter::safe_share);
+  fraction *= least(&StepLimiter::safe_fraction);
   for (int i = 0; fraction < 1 && fraction > 0; ++i) {
     apply_increment(delta, fraction, targets);
-    const double again = least(&StepLimiter::safe_share);
+    const double again = least(&StepLimiter::safe_fraction);
     if (again >= 1) return fraction;
     fraction = i == tries ? 0 : fraction * again;
   }

@@ -80,7 +80,7 @@ class StepLimiter {
   virtual double near_share(const Trial&) { return 1; }
   // The fraction, 0 to 1, of the way that is safe. It is asked again at the end of that fraction, and has to
   // answer 1 there. 0: the step must be cut.
-  virtual double safe_share(const Trial&) = 0;
+  virtual double safe_fraction(const Trial&) = 0;
   // s: the latest end, up to `to`, of a step from the committed state.
   virtual double latest_end(double to) const { return to; }
 };

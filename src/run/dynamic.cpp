@@ -35,6 +35,18 @@ void refuse(const char* field, const char* expected, double got) {
   throw Error(std::string("dynamic: field '") + field + "': expected " + expected + ", got " + number(got));
 }
 
+void check_radius(const DynamicOptions& o) {
+  const double radius = *o.spectral_radius;
+  if (o.scheme == Scheme::explicit_steps)
+    throw Error("dynamic: field 'spectral_radius': unknown for scheme=\"explicit\", which damps nothing");
+  if (!(radius >= 0 && radius <= 1)) refuse("spectral_radius", "a number from 0 to 1", radius);
+  if (o.gamma != 0.5 || o.beta || o.hht)
+    throw Error(
+        "dynamic: field 'spectral_radius': expected without 'gamma', 'beta' and 'hht', which choose the "
+        "scheme "
+        "in another way");
+}
+
 void check_options(const DynamicOptions& o) {
   const bool is_explicit = o.scheme == Scheme::explicit_steps;
   const double hht = o.hht.value_or(0);
@@ -43,12 +55,15 @@ void check_options(const DynamicOptions& o) {
   if (o.step) check_step("dynamic", *o.step, o.duration);
   if (!(o.gamma >= 0.5) || o.gamma > 1) refuse("gamma", "a number from 0.5 to 1", o.gamma);
   if (is_explicit && o.beta.value_or(0) != 0) refuse("beta", "0 (scheme=\"explicit\")", *o.beta);
+  if (is_explicit && o.linear != Symmetry::automatic)
+    throw Error("dynamic: field 'linear': unknown for scheme=\"explicit\", which solves no equations");
   if (!is_explicit && o.beta && !(*o.beta >= 0.25 * (0.5 + o.gamma) * (0.5 + o.gamma) * (1 - 1e-12)))
     refuse("beta", "at least (1/2 + gamma)^2/4, below which steps are only conditionally stable", *o.beta);
   if (is_explicit && hht != 0) refuse("hht", "0 (scheme=\"explicit\")", hht);
   if (!(hht <= 0) || hht < -1.0 / 3) refuse("hht", "a number from -1/3 to 0", hht);
   if (hht != 0 && (o.gamma != 0.5 || o.beta))
     refuse("hht", "0 beside gamma or beta, which it sets itself", hht);
+  if (o.spectral_radius) check_radius(o);
   if (!(o.mass_damping >= 0)) refuse("damping.mass", "a rate in 1/s, 0 or more", o.mass_damping);
   if (!(o.stiffness_damping >= 0)) refuse("damping.stiffness", "a time in s, 0 or more", o.stiffness_damping);
   if (!(o.ledger_limit > 0)) refuse("ledger_limit", "a positive number", o.ledger_limit);
@@ -85,6 +100,8 @@ std::string Dynamic::method() const {
        << ", damping " << number(o.mass_damping) << " and " << number(o.stiffness_damping)
        << ", scaled inertia " << scaled_ << ", line search " << o.line_search << ", force " << o.force
        << solver_text(o.solver);
+  if (o.spectral_radius) text << ", spectral radius " << number(*o.spectral_radius);
+  if (o.linear != Symmetry::automatic) text << ", linear " << static_cast<int>(o.linear);
   return text.str();
 }
 
@@ -377,7 +394,8 @@ void Dynamic::check() {
   watch_flat(e);
   if (end) watch_guard(e);
   const double scale = ledger_scale(e);
-  const bool swings = options_.hht.value_or(0) != 0 || options_.beta || now_.damping == Damping::hht;
+  const bool swings = options_.hht.value_or(0) != 0 || options_.beta || options_.spectral_radius ||
+                      now_.damping == Damping::hht;
   watch_accounts(e, scale, swings ? options_.ledger_limit : 0);
   const double made = imbalance(e, scale) + e.created;
   const mechanics::Contacts* contact = assembly_->terms().find<mechanics::Contacts>();

@@ -30,6 +30,9 @@ struct DynamicOptions {
   // Hilbert, Hughes and Taylor's alpha, -1/3 to 0 (implicit). Default: 0, and from the step on in which
   // average acceleration has made energy another scheme, see Damping.
   std::optional<double> hht = {};
+  // Implicit: the share of an amplitude that is left after a step much longer than its period, 0 to 1.
+  // Instead of gamma, beta and hht.
+  std::optional<double> spectral_radius = {};
   double mass_damping = 0;          // a of a M + b K_M, 1/s
   double stiffness_damping = 0;     // b, s
   std::optional<bool> scaled = {};  // scale up rotary inertia; default: explicit yes, implicit no
@@ -38,6 +41,7 @@ struct DynamicOptions {
   double tolerance = 1e-8;          // implicit; this and the following as in StaticOptions
   int max_iterations = 30, max_cuts = 12;
   bool line_search = true;
+  Symmetry linear = Symmetry::automatic;    // implicit
   std::optional<SolverChoice> solver = {};  // implicit
 };
 
@@ -70,7 +74,8 @@ class Dynamic : public Run {
   // The dissipation of the scheme (gamma, hht) in a step: W_ext - W_int - W_damp - change of kinetic energy.
   bool damps() const {
     const bool implicit = options_.scheme == Scheme::implicit_steps;
-    return now_.damping != Damping::none || options_.gamma != 0.5 || options_.hht.value_or(0) != 0 ||
+    return now_.damping != Damping::none || options_.spectral_radius.value_or(1) < 1 ||
+           options_.gamma != 0.5 || options_.hht.value_or(0) != 0 ||
            (implicit && options_.beta.value_or(0.25) != 0.25);
   }
   std::vector<double> driven_rates() const;  // of the driven freedoms at the trial time, m/s or 1/s

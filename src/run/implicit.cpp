@@ -36,7 +36,15 @@ constexpr double kStanding = 100;
 // With the modes of Newmark's method for gamma and the beta that damps most.
 NewmarkScheme damping_by(double gamma) { return NewmarkScheme::trapezoidal((0.5 + gamma) / 2); }
 
+// Hilbert, Hughes and Taylor's alpha has radii from 1/2 on and is of second order; below that only the
+// generalised trapezoidal rule has, down to Euler's backward rule.
+NewmarkScheme scheme_of_radius(double radius) {
+  return radius < 0.5 ? NewmarkScheme::trapezoidal(1 / (1 + radius))
+                      : NewmarkScheme::of_hht(-(1 - radius) / (1 + radius));
+}
+
 NewmarkScheme scheme_of(const DynamicOptions& o) {
+  if (o.spectral_radius) return scheme_of_radius(*o.spectral_radius);
   const double hht = o.hht.value_or(0);
   if (hht != 0) return NewmarkScheme::of_hht(hht);
   return o.beta ? NewmarkScheme::of_newmark(o.gamma, *o.beta) : damping_by(o.gamma);

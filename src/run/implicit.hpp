@@ -18,7 +18,9 @@ class Implicit final : public Dynamic {
   std::string kernels() const override { return linear::blas_kernels(); }
 
  private:
-  bool takes_unsymmetric() const override { return !assembly_->terms().symmetric(); }
+  bool takes_unsymmetric() const override {
+    return !takes_symmetric(options_.linear, assembly_->terms().symmetric());
+  }
   void begin() override;
   void take_options(const DynamicOptions& options) override;
   void set_motion(const mechanics::NodalRates& rates) override;
@@ -36,7 +38,9 @@ class Implicit final : public Dynamic {
   void take(const mechanics::Transfer& change, const std::vector<double>& rates) override;
   void watch_hht();
   void begin_free();
-  bool chooses_scheme() const { return !options_.hht && !options_.beta && options_.gamma == 0.5; }
+  bool chooses_scheme() const {
+    return !options_.hht && !options_.beta && !options_.spectral_radius && options_.gamma == 0.5;
+  }
   std::string begin_to_damp(double error) override;
   void damp(Damping damping);
   std::string damping_text() const;

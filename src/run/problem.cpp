@@ -348,8 +348,10 @@ void EquilibriumProblem::look_ahead() {
 // follower loads from a difference of forces. Leaves the forces of the trial time.
 Answer EquilibriumProblem::tangent_and_rate(law::AtSwitch at, linear::Matrix& K, std::span<double> q) {
   const auto& terms = assembly_.terms();  // the cloth is the first
+  const auto loads = terms.all<mechanics::FollowerLoad>();
   const bool follower =
-      std::any_of(terms.begin() + 1, terms.end(), [](const auto& t) { return !t->symmetric(); });
+      std::any_of(terms.begin() + 1, terms.end(), [](const auto& t) { return !t->symmetric(); }) ||
+      std::any_of(loads.begin(), loads.end(), [](const auto* load) { return load->follows_positions(); });
   if (follower) {
     assembly_.set_time(trial_time_ + small_time_);
     const bool done = assembly_.forces(step(at));

@@ -9,11 +9,19 @@
 
 namespace fabricsh::run {
 
+// Of the direct solver's matrices. automatic: symmetric where law and loads are.
+enum class Symmetry { automatic, symmetric, unsymmetric };
+
 struct SolverChoice {
   std::string name;  // for checkpoints: a restart with another solver is refused, since results would differ
   // symmetric: whether the matrices are; both triangles are stored even if they are.
   std::function<std::unique_ptr<linear::LinearSolver>(bool symmetric)> make;
 };
+
+// Whether the solver takes the matrices for symmetric; symmetric: whether those of all terms are.
+inline bool takes_symmetric(Symmetry wanted, bool symmetric) {
+  return wanted == Symmetry::symmetric || (wanted == Symmetry::automatic && symmetric);
+}
 
 inline std::unique_ptr<linear::LinearSolver> make_solver(const std::optional<SolverChoice>& choice,
                                                          bool symmetric) {

@@ -49,7 +49,7 @@ void check_options(const StaticOptions& o) {
 }
 
 bool takes_symmetric(const StaticOptions& o, const mechanics::Assembly& assembly) {
-  return o.linear == Symmetry::symmetric || (o.linear == Symmetry::automatic && assembly.terms().symmetric());
+  return takes_symmetric(o.linear, assembly.terms().symmetric());
 }
 
 StepControl control_of(const StaticOptions& o, const mechanics::Assembly& assembly) {

@@ -17,7 +17,6 @@
 
 namespace fabricsh::run {
 
-enum class Symmetry { automatic, symmetric, unsymmetric };  // automatic: symmetric if law and loads are
 // load: a step has a given end time. arc: a step has a given length along the path, and time, on which loads
 // and supports depend, is computed; it decreases after a limit point. The run ends when time first reaches
 // the duration.

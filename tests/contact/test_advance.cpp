@@ -69,7 +69,7 @@ void check_queries(Simplices kind, const char* file) {
   }
   int missed = 0, false_alarms = 0, apart = 0, bound_missed = 0, bound_free = 0;
   for (const Query& q : queries) {
-    const bool alarm = safe_share(kind, q.start, q.end, 0) < 1;
+    const bool alarm = safe_fraction(kind, q.start, q.end, 0) < 1;
     if (q.meets && !alarm) {
       ++missed;
       UNSCOPED_INFO("missed: " << q.name);
@@ -86,7 +86,7 @@ void check_queries(Simplices kind, const char* file) {
   }
   const auto begin = std::chrono::steady_clock::now();
   double sum = 0;
-  for (const Query& q : queries) sum += safe_share(kind, q.start, q.end, 0);
+  for (const Query& q : queries) sum += safe_fraction(kind, q.start, q.end, 0);
   const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - begin;
   std::cout << file << ": " << queries.size() << " queries, " << missed << " missed, " << false_alarms
             << " of " << apart << " false alarms, " << took.count() / double(queries.size())
@@ -125,7 +125,7 @@ TEST_CASE("advance: motions made to meet are stopped before they do, and not lon
     if (first < 0.02) continue;  // slides along at so small a distance take more steps than are allowed
     Corners end;
     for (std::size_t i = 0; i < 4; ++i) end[i] = x[i] + by[i];
-    const double share = safe_share(Simplices::point_triangle, x, end, 0);
+    const double share = safe_fraction(Simplices::point_triangle, x, end, 0);
     REQUIRE(share < when);
     Corners there;
     for (std::size_t i = 0; i < 4; ++i) there[i] = x[i] + share * by[i];
@@ -138,13 +138,13 @@ TEST_CASE("advance: a least distance is kept, and a start nearer than it goes no
   const Corners start = {Vec3(0.3, 0.3, 1), Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
   Corners end = start;
   end[0].z() = -1;
-  const double share = safe_share(Simplices::point_triangle, start, end, 0.2);
+  const double share = safe_fraction(Simplices::point_triangle, start, end, 0.2);
   CHECK(1 - 2 * share >= 0.2);
   CHECK(1 - 2 * share < 0.2 + 0.1 * 0.8);
-  CHECK(safe_share(Simplices::point_triangle, start, end, 1) == 0);
+  CHECK(safe_fraction(Simplices::point_triangle, start, end, 1) == 0);
   Corners drift = start;
   for (Vec3& x : drift) x += Vec3(5, -3, 2);
-  CHECK(safe_share(Simplices::point_triangle, start, drift, 0.9) == 1);  // all move alike
+  CHECK(safe_fraction(Simplices::point_triangle, start, drift, 0.9) == 1);  // all move alike
 }
 
 TEST_CASE("intersect: an edge through a triangle, beside it, and short of it", "[contact]") {

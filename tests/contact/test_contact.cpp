@@ -387,12 +387,12 @@ TEST_CASE("contact: a step stops before cloth passes cloth, a ball, a rod and a 
                         Case{scene.nodes() + 3, all, 0.03, 0.02}}) {
     std::vector<Vec3> by = none(all);
     for (std::size_t i = c.from; i < c.to; ++i) by[i].z() = c.by;
-    const double share = contact.safe_share(scene.reference(), by), way = share * std::fabs(c.by);
+    const double share = contact.safe_fraction(scene.reference(), by), way = share * std::fabs(c.by);
     INFO("moves " << c.from << " to " << c.to << " by " << c.by);
     CHECK(way < c.clear - law.floor());
     CHECK(way > 0.89 * (c.clear - law.floor()));
   }
-  CHECK(contact.safe_share(scene.reference(), std::vector<Vec3>(all, Vec3(1, 2, 3))) == 1);
+  CHECK(contact.safe_fraction(scene.reference(), std::vector<Vec3>(all, Vec3(1, 2, 3))) == 1);
 }
 
 TEST_CASE("contact: overlaps at the start are found, pair by pair", "[contact]") {

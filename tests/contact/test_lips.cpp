@@ -84,7 +84,7 @@ TEST_CASE("contact: lips are not pressed when they part, and are held up at 0.9 
   const std::vector<Vec3> end = rows.moved(-far * way);
   std::vector<Vec3> by(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) by[i] = end[i] - x[i];
-  const double share = contact.safe_share(x, by), at = 0.95 - 1.95 * share;
+  const double share = contact.safe_fraction(x, by), at = 0.95 - 1.95 * share;
   CHECK(at * far > 0.9 * far * law.floor() / law.gap());
   CHECK(share > 0);
 }

@@ -64,7 +64,7 @@ class SpringsOfPairs final : public mechanics::Term, public mechanics::StepLimit
     marked_.assign(x.begin(), x.end());
   }
   // Exact for pairs that are stretched along themselves.
-  double safe_share(const mechanics::Trial& trial) override {
+  double safe_fraction(const mechanics::Trial& trial) override {
     double share = 1;
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
       const auto [a, b] = pairs_[i];

@@ -347,7 +347,7 @@ class Leash final : public mechanics::Term, public mechanics::StepLimiter {
     const auto x = trial.configuration.x();
     marked_.assign(x.begin(), x.end());
   }
-  double safe_share(const mechanics::Trial& trial) override {
+  double safe_fraction(const mechanics::Trial& trial) override {
     double most = 0;
     for (const auto n : nodes_)
       most = std::max(most, (at(trial.configuration.x(), n) - at(marked_, n)).norm());

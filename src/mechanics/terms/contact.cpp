@@ -678,7 +678,7 @@ double Contacts::near_share(const Trial& trial) {
   return far > 0 && most > far * far ? far / std::sqrt(most) : 1;
 }
 
-double Contacts::safe_share(const Trial& trial) {
+double Contacts::safe_fraction(const Trial& trial) {
   positions(trial.configuration.x(), share_, by_);
   const bool vertex_motion_bounds_surface_motion =
       contact_->vertex_motion_bounds_surface_motion(marked_, by_);
@@ -689,7 +689,7 @@ double Contacts::safe_share(const Trial& trial) {
   }
   if (evaluated_ && contact::cannot_meet(std::sqrt(most), trial_.gap) && vertex_motion_bounds_surface_motion)
     return 1;
-  return contact_->safe_share(marked_, by_);
+  return contact_->safe_fraction(marked_, by_);
 }
 
 void Contacts::commit() {

@@ -57,7 +57,7 @@ class Contacts final : public Term, public StepLimiter, public OwnUnknowns, publ
   // --- steps. Explicit ones have a check of their own, below.
   bool limits() const override { return !explicit_; }
   void mark(const Trial& trial) override;
-  double safe_share(const Trial& trial) override;  // without any surface passing another
+  double safe_fraction(const Trial& trial) override;  // without any surface passing another
   // The share during which nothing moves farther than a few elements, relative to the mean motion.
   double near_share(const Trial& trial) override;
   // Until then the straight ways of the bodies stand for their paths: they leave them by no more than the

@@ -58,7 +58,7 @@ bool Contacts::driven_meet() {
     moved = moved || !by_[i].isZero(0);
   }
   if (!moved) return false;
-  met_ = contact_->safe_share(start_, by_, driven_) < 1;
+  met_ = contact_->safe_fraction(start_, by_, driven_) < 1;
   return *met_;
 }
 

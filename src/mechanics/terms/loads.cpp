@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <set>
 
 #include "base/error.hpp"
 #include "geometry/node_view.hpp"
@@ -110,13 +112,70 @@ bool DeadLoads::constant() const {
 
 // --- pressure
 
-Pressure::Pressure(const model::Model& model) {
+namespace {
+
+// The directions in which a node may move, as far as supports leave them to it; empty: it is tied.
+std::optional<std::vector<Vec3>> free_directions(const NodeFreedoms& node) {
+  std::vector<Vec3> free;
+  for (int c = 0; c < 3; ++c) {
+    if (node.equation[c] == tied) return {};
+    if (node.equation[c] >= 0) free.push_back(node.frame.row(c).transpose());
+  }
+  return free;
+}
+
+// Whether both ends are held along a direction across the edge, so that it stays in a plane.
+bool stays_in_plane(const NodeFreedoms& a, const NodeFreedoms& b, const Vec3& edge) {
+  constexpr double same = 1e-9;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      const Vec3 n = a.frame.row(i).transpose(), m = b.frame.row(j).transpose();
+      if (a.equation[i] == held && b.equation[j] == held && n.cross(m).norm() < same &&
+          std::abs(n.dot(edge)) < same * edge.norm())
+        return true;
+    }
+  return false;
+}
+
+// The work of pressure on a variation u of a surface's edge, the integral of (u x delta u) . dl, is that of
+// no potential. It vanishes where both are parallel, or lie in a plane with the edge.
+bool is_held(const NodeFreedoms& a, const NodeFreedoms& b, const Vec3& edge) {
+  const auto u = free_directions(a), v = free_directions(b);
+  if (!u || !v) return false;
+  if (stays_in_plane(a, b, edge)) return true;
+  if (u->size() > 1 || v->size() > 1) return false;
+  return u->empty() || v->empty() || u->front().cross(v->front()).norm() < 1e-9;
+}
+
+// Edges that two elements share in opposite directions are inside. Joints of tearable zones may open
+// anywhere.
+bool edges_are_held(const model::Model& model, const Freedoms& freedoms,
+                    const std::vector<std::array<Index, 4>>& elements) {
+  if (model.mesh().whole) return false;
+  std::set<std::pair<Index, Index>> open;
+  for (const auto& nodes : elements)
+    for (int k = 0, n = corners(nodes); k < n; ++k) {
+      const std::pair<Index, Index> edge{nodes[k], nodes[(k + 1) % n]};
+      if (open.erase({edge.second, edge.first}) == 0 && !open.insert(edge).second) return false;
+    }
+  return std::all_of(open.begin(), open.end(), [&](const auto& edge) {
+    const auto& X = model.mesh().nodes;
+    return is_held(freedoms.nodes[edge.first], freedoms.nodes[edge.second], X[edge.second] - X[edge.first]);
+  });
+}
+
+}  // namespace
+
+Pressure::Pressure(const model::Model& model, const Freedoms& freedoms) {
   const auto& mesh = model.mesh();
   for (const auto& p : model.pressures()) {
     Faces faces{{}, p.value};
     for (const auto e : mesh.elements_in(mesh.set(p.set))) faces.elements.push_back(mesh.elements[e]);
     faces_.push_back(std::move(faces));
   }
+  edges_are_held_ = std::all_of(faces_.begin(), faces_.end(), [&](const Faces& faces) {
+    return edges_are_held(model, freedoms, faces.elements);
+  });
   set_time(0);
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "mechanics/facets.hpp"
+#include "mechanics/freedoms.hpp"
 #include "mechanics/mesh_tools.hpp"
 #include "model/model.hpp"
 
@@ -53,16 +54,16 @@ class DeadLoads final : public Term {
   std::vector<DistributedLoad> loads_;
 };
 
-// Pressure along the normal of the present surface: f_A = p sum_g N_A a1 x a2. Its stiffness is not
-// symmetric.
+// Pressure along the normal of the present surface: f_A = p sum_g N_A a1 x a2. It has a potential, p times
+// the volume that the surface sweeps, and a symmetric stiffness, where its edges stay or move in planes.
 class Pressure final : public Term, public FollowerLoad {
  public:
-  explicit Pressure(const model::Model& model);
+  Pressure(const model::Model& model, const Freedoms& freedoms);
   const char* name() const override { return "pressure"; }
   void set_time(double time) override;
   bool follows_positions() const override { return true; }
   void add_follower(double time, const Trial&, std::span<double> on_x, std::span<double> on_d) const override;
-  bool symmetric() const override { return false; }
+  bool symmetric() const override { return edges_are_held_; }
   Outcome add_forces(const law::Step&, const Trial& trial, Forces& forces) override;
   void add_tangent(const Trial& trial, TangentSink& sink) const override;
 
@@ -73,6 +74,7 @@ class Pressure final : public Term, public FollowerLoad {
   };
   std::vector<Faces> faces_;
   std::vector<double> at_trial_time_;  // Pa
+  bool edges_are_held_ = false;
 };
 
 // Moments about axes fixed in space: the work M . (d x delta d) gives M x d on a director. Not symmetric.
