@@ -90,7 +90,6 @@ std::string sample() {
 }
 
 std::vector<Argument> arguments() {
-<<<<<<< HEAD
   return with_beginning(
       {number_("duration", "s", positive, "time to run, from 0 or from the other run's time"),
        Argument{"step",
@@ -113,6 +112,20 @@ std::vector<Argument> arguments() {
                "step on "
                "in which implicit steps have made energy")
            .optional(),
+       number_(
+           "spectral_radius", "", Range{0, 1},
+           "implicit: share of an amplitude that is left after a step much longer than its period; what is "
+           "lost is in energy.damping. From 1/2 on by alpha, of second order; below by the generalised "
+           "trapezoidal rule, which beside contact never makes energy")
+           .optional(),
+       value_("slow", boolean,
+              "implicit: motion that passes through near-equilibria, as spectral_radius=0 (Euler's backward "
+              "rule): what is faster than the steps dies within them")
+           .or_else(false),
+       value_("linear", text,
+              "implicit: direct solver: auto (symmetric where law and loads are), symmetric, unsymmetric")
+           .or_else("auto")
+           .one_of(linears),
        fields_("damping",
                {number_("mass", "1/s", not_negative, "a of the damping matrix a M + b K_M").optional(),
                 number_("stiffness", "s", not_negative, "b of the damping matrix a M + b K_M").optional()},
@@ -130,63 +143,6 @@ std::vector<Argument> arguments() {
            .or_else(1e-8),
        integer_("max_iterations", from_one, "implicit: of one step, before it is cut").or_else(30),
        integer_("max_cuts", not_negative, "implicit: halvings of one step").or_else(12), limit_row()});
-=======
-  return {
-      object_("model", "model", "what is computed"),
-      number_("duration", "s", positive, "time to run to"),
-      Argument{"step",
-               number | text,
-               "s",
-               positive,
-               "of time; auto: explicit 0.7 of the stable step or less, implicit duration/200",
-               true,
-               {},
-               {"auto"}}
-          .optional(),
-      value_("scheme", text, "explicit (central differences) or implicit (Newmark with Newton)")
-          .or_else("explicit")
-          .one_of({"explicit", "implicit"}),
-      number_("gamma", "", Range{0.5, 1}, "of Newmark; above 1/2 it damps; default 1/2").optional(),
-      number_("beta", "", Range{0, 1}, "of Newmark; default 0 explicit, (1/2 + gamma)^2/4 implicit")
-          .optional(),
-      number_(
-          "hht", "", Range{-1.0 / 3, 0},
-          "alpha of Hilbert, Hughes and Taylor: damps high frequencies; default 0, and -0.2 from the step on "
-          "in which implicit steps have made energy")
-          .optional(),
-      number_(
-          "spectral_radius", "", Range{0, 1},
-          "implicit: share of an amplitude that is left after a step much longer than its period; what is "
-          "lost is in energy.damping. From 1/2 on by alpha, of second order; below by the generalised "
-          "trapezoidal rule, which beside contact never makes energy")
-          .optional(),
-      value_("slow", boolean,
-             "implicit: motion that passes through near-equilibria, as spectral_radius=0 (Euler's backward "
-             "rule): what is faster than the steps dies within them")
-          .or_else(false),
-      value_("linear", text,
-             "implicit: direct solver: auto (symmetric where law and loads are), symmetric, unsymmetric")
-          .or_else("auto")
-          .one_of(linears),
-      fields_("damping",
-              {number_("mass", "1/s", not_negative, "a of the damping matrix a M + b K_M").optional(),
-               number_("stiffness", "s", not_negative, "b of the damping matrix a M + b K_M").optional()},
-              "Rayleigh's damping {mass=a, stiffness=b}; none unless given")
-          .optional(),
-      value_("inertia", text,
-             "rotary inertia of the cloth: true, or scaled up where it would limit the explicit step")
-          .optional()
-          .one_of({"scaled", "true"}),
-      value_("force", boolean, "take the step even above the stable one").or_else(false),
-      number_("ledger_limit", "", positive,
-              "the run stops when the error of the energy ledger exceeds this part of the external work")
-          .or_else(0.05),
-      number_("tolerance", "", Range{0, 1, true, true}, "implicit: residual over the largest nodal force")
-          .or_else(1e-8),
-      integer_("max_iterations", from_one, "implicit: of one step, before it is cut").or_else(30),
-      integer_("max_cuts", not_negative, "implicit: halvings of one step").or_else(12),
-      limit_row()};
->>>>>>> e0fe1fdd (Wip: next)
 }
 
 std::vector<Entry> dynamic_entries() {
