@@ -9,7 +9,8 @@ namespace fabricsh::mechanics {
 namespace {
 
 constexpr double kPart = 0.02;  // of what can flow before pressures are equal: no part of a step moves more
-constexpr int kParts = 200;     // of a step at most
+constexpr double kSupplied = 5e-4;  // of the mass that there is, supplied in a part
+constexpr int kParts = 200;         // of a step at most
 
 // With p V^n constant.
 GasState at_volume(const GasState& s, double volume, double exponent) {
@@ -171,15 +172,13 @@ double GasFlow::available(const GasStep& step) const {
   return sum;
 }
 
-void GasFlow::change_volumes(const std::vector<GasState>& from, const std::vector<double>& to, double share,
-                             GasStep& step) const {
-  for (std::size_t i = 0; i < size(); ++i)
-    step.states[i] =
-        at_volume(step.states[i], from[i].volume + share * (to[i] - from[i].volume), gas(i).exponent);
+void GasFlow::change_volume(std::size_t i, double volume, GasStep& step) const {
+  step.states[i] = at_volume(step.states[i], volume, gas(i).exponent);
 }
 
 // So many that little flows in each; known from the state at the beginning alone.
-int GasFlow::parts(const std::vector<GasState>& from, const std::vector<char>& open, double dt) const {
+int GasFlow::parts(const std::vector<GasState>& from, const std::vector<char>& open, double time,
+                   double dt) const {
   double most = 1;
   for (std::size_t i = 0; i < openings_.size(); ++i) {
     const Opening& o = openings_[i];
@@ -193,31 +192,61 @@ int GasFlow::parts(const std::vector<GasState>& from, const std::vector<char>& o
       most = std::max(most, fast / (kPart * up.mass * std::min(1.0, difference / up.pressure)));
   }
   for (std::size_t i = 0; i < size(); ++i)
-    if (gas(i).inflow && flows_ && !openings_.empty()) most = std::max(most, 10.0);
+    if (gas(i).inflow)
+      most = std::max(most, std::abs(gas(i).inflow->value(time + dt / 2)) * dt / (kSupplied * from[i].mass));
   return static_cast<int>(std::ceil(std::min<double>(most, kParts)));
+}
+
+// kg that flow in by half parts of a step.
+std::vector<double> GasFlow::supplies(std::size_t i, int count, double time, double dt) const {
+  std::vector<double> all(static_cast<std::size_t>(2 * count), 0.0);
+  if (!gas(i).inflow) return all;
+  const double h = dt / (2 * count);
+  for (std::size_t k = 0; k < all.size(); ++k)
+    all[k] = h * gas(i).inflow->value(time + h * (static_cast<double>(k) + 0.5));
+  return all;
+}
+
+// A volume that is filled grows as its mass does: then the pressure changes evenly, as equilibrium asks.
+// Others change evenly in time.
+std::vector<double> GasFlow::progress(const std::vector<double>& supplies) {
+  const auto [least, most] = std::minmax_element(supplies.begin(), supplies.end());
+  const bool fills = *least >= 0 && *most > 0;
+  std::vector<double> shares;
+  double sum = 0;
+  for (const double s : supplies) shares.push_back(sum += fills ? s : 1);
+  for (double& s : shares) s /= sum;
+  shares.back() = 1;
+  return shares;
 }
 
 GasFlow::GasStep GasFlow::advance(const std::vector<GasState>& from, const std::vector<char>& open,
                                   std::vector<double> volumes, double time, double dt) const {
   GasStep step{from};
   if (!flows_ || !(dt > 0)) {
-    change_volumes(from, volumes, 1, step);
+    for (std::size_t i = 0; i < size(); ++i) change_volume(i, volumes[i], step);
     return step;
   }
-  const int count = parts(from, open, dt);
-  const double h = dt / count;
-  const auto supply_all = [&](double at) {
-    for (std::size_t i = 0; i < size(); ++i)
-      if (gas(i).inflow) supply(i, gas(i).inflow->value(at) * h / 2, step);
+  const int count = parts(from, open, time, dt);
+  std::vector<std::vector<double>> masses, shares;
+  for (std::size_t i = 0; i < size(); ++i) {
+    masses.push_back(supplies(i, count, time, dt));
+    shares.push_back(progress(masses.back()));
+  }
+  const auto change = [&](std::size_t half) {
+    for (std::size_t i = 0; i < size(); ++i) {
+      const double share = shares[i][half];
+      change_volume(i, share == 1 ? volumes[i] : from[i].volume + share * (volumes[i] - from[i].volume),
+                    step);
+    }
   };
-  for (int k = 0; k < count; ++k) {
-    const double begin = time + k * h;
-    change_volumes(from, volumes, (k + 0.5) / count, step);
-    supply_all(begin + h / 4);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
+    change(2 * k);
+    for (std::size_t i = 0; i < size(); ++i) supply(i, masses[i][2 * k], step);
     for (std::size_t i = 0; i < openings_.size(); ++i)
-      if (open[i] != 0) pass(openings_[i], h, step);
-    supply_all(begin + 3 * h / 4);
-    change_volumes(from, volumes, k + 1 == count ? 1 : (k + 1.0) / count, step);
+      if (open[i] != 0) pass(openings_[i], dt / count, step);
+    for (std::size_t i = 0; i < size(); ++i) supply(i, masses[i][2 * k + 1], step);
+    change(2 * k + 1);
   }
   return step;
 }

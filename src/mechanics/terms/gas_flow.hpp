@@ -62,9 +62,10 @@ class GasFlow {
                 const model::GasGiven& gas, double outside) const;
   void pass(const Opening& o, double dt, GasStep& step) const;
   void supply(std::size_t i, double mass, GasStep& step) const;
-  void change_volumes(const std::vector<GasState>& from, const std::vector<double>& to, double share,
-                      GasStep& step) const;
-  int parts(const std::vector<GasState>& from, const std::vector<char>& open, double dt) const;
+  void change_volume(std::size_t i, double volume, GasStep& step) const;
+  std::vector<double> supplies(std::size_t i, int count, double time, double dt) const;
+  static std::vector<double> progress(const std::vector<double>& supplies);
+  int parts(const std::vector<GasState>& from, const std::vector<char>& open, double time, double dt) const;
   double available(const GasStep& step) const;
 
   std::vector<VolumeGiven> volumes_;
