@@ -22,7 +22,7 @@ constexpr double kBalanced = 1e-6;
 // Whether the part says what the cloth is, and not what is done to it.
 bool is_of_cloth(const model::FingerprintPart& part) {
   for (const char* name : {"mesh", "region", "thickness", "warp direction", "ties", "tearable zones",
-                           "strengths", "seams", "bands"})
+                           "strengths", "seams", "bands", "gas"})
     if (part.name.starts_with(name)) return true;
   return false;
 }
@@ -47,8 +47,9 @@ void add_cards_of(const model::Model& model, model::Fingerprint& parts) {
 }
 
 std::string cloth_differs(const Run& there, const Run& here) {
-  const auto all = [](const Run& run) {
-    auto parts = parts_that(run.model(), run.duration(), is_of_cloth);
+  if (there.shared_model() == here.shared_model()) return {};
+  const auto all = [&here](const Run& run) {
+    auto parts = parts_that(run.model(), here.duration(), is_of_cloth);
     add_cards_of(run.model(), parts);
     return parts;
   };

@@ -149,7 +149,7 @@ class Linearised {
 struct Shifted {
   linear::Matrix A;
   double shift = 0;
-  std::unique_ptr<linear::LinearSolver> solver = linear::make_symmetric_solver();
+  std::unique_ptr<linear::LinearSolver> solver = linear::with_ranks(linear::make_symmetric_solver());
 };
 
 bool is_definite(Shifted& shifted) {
@@ -172,7 +172,7 @@ void make_definite(const linear::Matrix& K, const linear::Matrix& M, double leas
 mechanics::Index count_below(const linear::Matrix& K, const linear::Matrix& M, double lambda) {
   Shifted at;
   shift_by(K, M, -lambda, at);
-  at.solver = linear::make_unsymmetric_solver();
+  at.solver = linear::with_ranks(linear::make_unsymmetric_solver());
   return at.solver->factorise(at.A) ? at.solver->report().negative_pivots : -1;
 }
 
@@ -256,6 +256,8 @@ Modes<BucklingMode> buckling_modes(const Run& run, int count) {
         "contact has closed since the run's start, and the tangent is not to be compared with that of the "
         "unloaded cloth");
   linear::Matrix lost = K;  // stiffness, by the loads and the stresses
+  K0.ranks = K.ranks;       // gas resists also without a change of its pressure
+  lost.ranks = {};
   double most = 0, largest = 0;
   for (std::size_t i = 0; i < K.value.size(); ++i) {
     K0.value[i] += whole.value[i] - law.value[i];  // springs, bands
