@@ -111,4 +111,20 @@ do
   end
 end
 
+-- A ring of cloth that breathes against its gas: (S t / r^2 + 2 n p / r) / (density t), with the absolute pressure p.
+do
+  local r, t, S, n = 0.05, 0.5e-3, 8e6, 1.4
+  local ring = fabric.svk { density = 500, thickness = t, warp = S, weft = S, shear = 3e6, poisson = 0,
+    bending = { warp = 2e-5, weft = 2e-5, twist = 1e-5 } }
+  local m = fabric.model { mesh = fabric.mesh.cylinder { radius = r, length = 0.02, around = 24, along = 1 }, card = ring,
+    warp = { 0, 0, 1 } }
+  m:fix("all", "z"):gas { set = "all", lids = { "bottom", "top" }, initial = 10, exponent = n }
+  local want = math.sqrt((S * t / r ^ 2 + 2 * n * 101325 / r) / (500 * t)) / (2 * pi)
+  local nearest = 0
+  for _, one in ipairs(fabric.modes { model = m, count = 160 }) do
+    if math.abs(one.frequency - want) < math.abs(nearest - want) then nearest = one.frequency end
+  end
+  check("ring that breathes", nearest, want, 0.005)
+end
+
 fabric.expect(checks)
