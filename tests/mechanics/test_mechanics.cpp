@@ -212,7 +212,8 @@ TEST_CASE("the assembled tangent is the derivative of the residual, with every k
 
 namespace {
 
-// The largest difference of two entries of a displaced sheet's tangent that mirror each other, over the largest.
+// The largest difference of two entries of a displaced sheet's tangent that mirror each other, over the
+// largest.
 double skewness(mechanics::Assembly& a) {
   tangent_errors(a);  // displaces it
   linear::Matrix K;
@@ -240,8 +241,14 @@ TEST_CASE("pressure is symmetric where the surface's edges are held or stay in p
   };
   const std::tuple<const char*, bool, Supports> cases[] = {
       {"free", false, [](model::Model&) {}},
-      {"one edge free", false, [&](model::Model& m) { fix(m, {"left", "bottom", "right"}, "x y z"); }},
-      {"held", true, [&](model::Model& m) { fix(m, {"left", "bottom", "right", "top"}, "x y z"); }},
+      {"one edge free", false,
+       [&](model::Model& m) {
+         fix(m, {"left", "bottom", "right"}, "x y z");
+       }},
+      {"held", true,
+       [&](model::Model& m) {
+         fix(m, {"left", "bottom", "right", "top"}, "x y z");
+       }},
       {"driven", true,
        [&](model::Model& m) {
          fix(m, {"bottom", "top", "right"}, "x y z");
@@ -259,8 +266,7 @@ TEST_CASE("pressure is symmetric where the surface's edges are held or stay in p
          fix(m, {"left", "right"}, "x z");
          fix(m, {"bottom", "top"}, "x y z");
        }},
-      {"held across one way alone", false,
-       [&](model::Model& m) {
+      {"held across one way alone", false, [&](model::Model& m) {
          fix(m, {"left", "bottom", "top"}, "x y z");
          fix(m, {"right"}, "y");
        }}};
