@@ -101,20 +101,16 @@ NewtonResult Newton::iterate(Problem& problem, const NewtonOptions& options, boo
     result.negative_pivots = linear_->report().negative_pivots;
     const Answer found = search(problem, options.line_search && !(predicted && i == 0));
     if (found != Answer::ok) return stop(status_of(found));
+    problem.accept();
     const auto [size, where] = problem.largest(r_);
     if (!std::isfinite(size)) return stop(NewtonStatus::diverged);
     const double relative = compared(size, problem.force_scale());
     result.residuals.push_back(relative);
     result.worst = where;
-    const bool found_it =
-        problem.at_target() && (relative <= options.tolerance || size <= problem.rounding_floor(K_));
-    if (found_it || !(relative < 1e12)) {
-      problem.accept();
-      return stop(found_it ? NewtonStatus::converged : NewtonStatus::diverged);
-    }
-    const Answer answer = problem.extrapolated_tangent(K_);
-    problem.accept();
-    if (answer != Answer::ok) return stop(status_of(answer));
+    if (problem.at_target() && (relative <= options.tolerance || size <= problem.rounding_floor(K_)))
+      return stop(NewtonStatus::converged);
+    if (!(relative < 1e12)) return stop(NewtonStatus::diverged);
+    if (const Answer answer = problem.tangent(K_); answer != Answer::ok) return stop(status_of(answer));
   }
   return stop(NewtonStatus::too_many_iterations);
 }

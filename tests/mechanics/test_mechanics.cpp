@@ -1,6 +1,5 @@
 #include <omp.h>
 
-#include <map>
 #include <random>
 
 #include "catch.hpp"
@@ -208,83 +207,6 @@ TEST_CASE("the assembled tangent is the derivative of the residual, with every k
       0.8);
   mechanics::Assembly a(*m);
   CHECK(tangent_errors(a)[1] < 1e-9);
-}
-
-namespace {
-
-// The largest difference of two entries of a displaced sheet's tangent that mirror each other, over the
-// largest.
-double skewness(mechanics::Assembly& a) {
-  tangent_errors(a);  // displaces it
-  linear::Matrix K;
-  REQUIRE(a.tangent({}, K, {}, {}));
-  std::map<std::pair<linear::Index, linear::Index>, double> entry;
-  const auto& p = *K.pattern;
-  for (std::size_t c = 0; c + 1 < p.column.size(); ++c)
-    for (auto k = p.column[c]; k < p.column[c + 1]; ++k)
-      entry[{p.row[static_cast<std::size_t>(k)], static_cast<linear::Index>(c)}] =
-          K.value[static_cast<std::size_t>(k)];
-  double most = 0, largest = 0;
-  for (const auto& [at, value] : entry) {
-    most = std::max(most, std::abs(value - entry[{at.second, at.first}]));
-    largest = std::max(largest, std::abs(value));
-  }
-  return most / largest;
-}
-
-}  // namespace
-
-TEST_CASE("pressure is symmetric where the surface's edges are held or stay in planes, and says so") {
-  using Supports = std::function<void(model::Model&)>;
-  const auto fix = [](model::Model& m, std::initializer_list<const char*> sets, const char* what) {
-    for (const char* set : sets) m.fix(set, model::parse_freedoms(what));
-  };
-  const std::tuple<const char*, bool, Supports> cases[] = {
-      {"free", false, [](model::Model&) {}},
-      {"one edge free", false,
-       [&](model::Model& m) {
-         fix(m, {"left", "bottom", "right"}, "x y z");
-       }},
-      {"held", true,
-       [&](model::Model& m) {
-         fix(m, {"left", "bottom", "right", "top"}, "x y z");
-       }},
-      {"driven", true,
-       [&](model::Model& m) {
-         fix(m, {"bottom", "top", "right"}, "x y z");
-         m.move("left", along_x(0));
-         fix(m, {"left"}, "y z");
-       }},
-      {"a quarter", true,
-       [&](model::Model& m) {
-         m.symmetry("left", 0);
-         m.symmetry("bottom", 1);
-         fix(m, {"right", "top"}, "x y z");
-       }},
-      {"lines", true,
-       [&](model::Model& m) {
-         fix(m, {"left", "right"}, "x z");
-         fix(m, {"bottom", "top"}, "x y z");
-       }},
-      {"held across one way alone", false, [&](model::Model& m) {
-         fix(m, {"left", "bottom", "top"}, "x y z");
-         fix(m, {"right"}, "y");
-       }}};
-  for (const bool triangles : {false, true})
-    for (const auto& [name, symmetric, supports] : cases) {
-      INFO(name << (triangles ? ", mixed mesh" : ""));
-      const auto m = loaded_sheet(
-          [&, &hold = supports](model::Model& sheet) {
-            hold(sheet);
-            sheet.pressure("all", history::History::constant(2e7));
-          },
-          0, 0.004, triangles);
-      mechanics::Assembly a(*m);
-      CHECK(a.terms().symmetric() == symmetric);
-      const double skew = skewness(a);
-      INFO(skew);
-      CHECK((skew < 1e-13) == symmetric);
-    }
 }
 
 TEST_CASE("a tangent that keeps its upper triangle has the whole one's entries, to the bit") {
