@@ -59,12 +59,19 @@ local history = {}
 ---@field steps table[] Of each committed step: time, step, iterations, cuts, residuals, negative_pivots (none on a stable path), stable: true, false, or "unchecked" in motion and where loads have no potential.
 ---@field stopped string|false The reason it was stopped for, or false.
 ---@field time number Where the run is, s.
----@field warnings any What the run has said about how far its results can be trusted, in order: a list of {code, text, time (s), element (nil: no particular one), serious}. Also in run.json. Under --strict the serious ones raise a numerical failure. The codes: ledger (energy appears or is lost beyond what the steps explain), inverted (an element is turned inside out), director (a director has turned over to the other side of the sheet), beyond (the strain is beyond what the card was tested to; serious with limit="stop"), path (steps of a static run are long for laws that remember their path), unstable (a step of a static run has ended in a shape that is not stable), compressed (elements carry compression under which the cloth within them would fold), pivots (a static run has passed a limit or bifurcation point, or left an unstable shape), relaxed (relaxation took a noticeable part of a static run's work, or its first step), stabilise (stabilisation has taken a noticeable part of the work), jump (a load or motion is at full value at once, not ramped), step (the explicit step is near the stable one, or is split because stretch has shortened that), inertia (much of the kinetic energy is in rotary inertia that is scaled up for the step), guard (contact is pressed so far that a barrier keeps the surfaces apart), fold (cloth turns sharply between two elements where contact presses on it), seam (edges that are sewn had not met when their time was over), held (the cloth pulls on yarns beyond their strength where a support holds them, and none breaks there), dropped (an initial velocity is dropped along supports), oblique (yarns cross elements so obliquely, and are so stiff, that these lock), idle (supports take up the whole of a load, or nothing loads or moves the cloth at all), bending (the bending rigidity of the card is far from that of cloth), card (the check of the card has a warning), units (a value of the deck is far outside the usual), mesh (the file of a mesh was cut short or holds what is left out), restart (the run was continued from the checkpoint of another deck), lost (an output of the restarted run is gone), retired (an argument of an earlier release has no effect any more), deck (the deck or a virtual test has said it with fabric.warn).
+---@field warnings any What the run has said about how far its results can be trusted, in order: a list of {code, text, time (s), element (nil: no particular one), serious}. Also in run.json. Under --strict the serious ones raise a numerical failure. The codes: ledger (energy appears or is lost beyond what the steps explain), inverted (an element is turned inside out), director (a director has turned over to the other side of the sheet), beyond (the strain is beyond what the card was tested to; serious with limit="stop"), path (steps of a static run are long for laws that remember their path), unstable (a step of a static run has ended in a shape that is not stable), compressed (elements carry compression under which the cloth within them would fold), pivots (a static run has passed a limit or bifurcation point, or left an unstable shape), relaxed (relaxation took a noticeable part of a static run's work, or its first step), stabilise (stabilisation has taken a noticeable part of the work), jump (a load or motion is at full value at once, not ramped), step (the explicit step is near the stable one, or is split because stretch has shortened that), inertia (much of the kinetic energy is in rotary inertia that is scaled up for the step), guard (contact is pressed so far that a barrier keeps the surfaces apart), fold (cloth turns sharply between two elements where contact presses on it), seam (edges that are sewn had not met when their time was over), held (the cloth pulls on yarns beyond their strength where a support holds them, and none breaks there), dropped (an initial velocity is dropped along supports), oblique (yarns cross elements so obliquely, and are so stiff, that these lock), shear (transverse shear that is derived from other numbers of the card shows in bending), lean (the guard of the directors has a noticeable part of the stored energy), splay (elements are so long across stiff fibres that they lose stability where cloth does not), idle (supports take up the whole of a load, or nothing loads or moves the cloth at all), bending (the bending rigidity of the card is far from that of cloth), card (the check of the card has a warning), units (a value of the deck is far outside the usual), mesh (the file of a mesh was cut short or holds what is left out), restart (the run was continued from the checkpoint of another deck), lost (an output of the restarted run is gone), retired (an argument of an earlier release has no effect any more), deck (the deck or a virtual test has said it with fabric.warn).
 local analysis = {}
 
 ---The whole state of a run.
 ---@class snapshot
 local snapshot = {}
+
+---How the nodes of a model move in a mode.
+---@class shape
+---@field x any Displacements along x, m, one for each node; the longest is 1 m.
+---@field y any Displacements along y, m, one for each node; the longest is 1 m.
+---@field z any Displacements along z, m, one for each node; the longest is 1 m.
+local shape = {}
 
 ---One material point.
 ---@class point
@@ -152,6 +159,11 @@ function analysis:field(name, options) end
 ---Smallest distance of surfaces that may touch, less the smallest distance that contact allows, m, and which surfaces these are; where none are near: the reach of contact, and nil.
 ---@return number, string?
 function analysis:gap() end
+
+---The gas of a volume as it is: four numbers, the pressure above that outside (Pa), the volume (m3), the mass (kg), and the temperature (K).
+---@param gas gas a volume of the model, what m:gas returned
+---@return any
+function analysis:gas(gas) end
 
 ---@class analysis_join_fields
 ---@field set? string the edges between nodes of this set
@@ -304,6 +316,15 @@ function card:write(path) end
 ---@return any
 function fabric.asked_case() end
 
+---@class fabric_buckling_fields
+---@field from analysis a state under the loads, well below the critical ones or near them
+---@field count? integer how many, from the lowest on (default 1)
+
+---Factors of the loads of a state at which cloth buckles, ascending: a list of { factor=, shape= }.
+---@param fields fabric_buckling_fields
+---@return any
+function fabric.buckling(fields) end
+
 ---@class fabric_budget_fields
 ---@field run function run(p) returns numbers by name; p.card, p.mesh, p.step, p.specimen (a seed) and p.assumed.NAME are those of this run
 ---@field card? card its measured bands and what it assumes are varied
@@ -349,13 +370,16 @@ function fabric.columns(rows) end
 ---@field stiffness? number s: b of the damping matrix a M + b K_M
 
 ---@class fabric_dynamic_fields
----@field model model what is computed
----@field duration number s: time to run to
+---@field model? model what is computed; with from= that of the other run unless given
+---@field duration number s: time to run, from 0 or from the other run's time
 ---@field step? number|"auto" s: of time; auto: explicit 0.7 of the stable step or less, implicit duration/200
 ---@field scheme? "explicit"|"implicit" explicit (central differences) or implicit (Newmark with Newton) (default "explicit")
 ---@field gamma? number of Newmark; above 1/2 it damps; default 1/2
 ---@field beta? number of Newmark; default 0 explicit, (1/2 + gamma)^2/4 implicit
 ---@field hht? number alpha of Hilbert, Hughes and Taylor: damps high frequencies; default 0, and -0.2 from the step on in which implicit steps have made energy
+---@field spectral_radius? number implicit: share of an amplitude that is left after a step much longer than its period; what is lost is in energy.damping. From 1/2 on by alpha, of second order; below by the generalised trapezoidal rule, which beside contact never makes energy
+---@field slow? boolean implicit: motion that passes through near-equilibria, as spectral_radius=0 (Euler's backward rule): what is faster than the steps dies within them (default false)
+---@field linear? "auto"|"symmetric"|"unsymmetric" implicit: direct solver: auto (symmetric where law and loads are), symmetric, unsymmetric (default "auto")
 ---@field damping? fabric_dynamic_fields.damping Rayleigh's damping {mass=a, stiffness=b}; none unless given
 ---@field inertia? "scaled"|"true" rotary inertia of the cloth: true, or scaled up where it would limit the explicit step
 ---@field force? boolean take the step even above the stable one (default false)
@@ -364,6 +388,8 @@ function fabric.columns(rows) end
 ---@field max_iterations? integer implicit: of one step, before it is cut (default 30)
 ---@field max_cuts? integer implicit: halvings of one step (default 12)
 ---@field limit? "tell"|"stop" tell: warns once when the cloth is strained beyond what the card was tested to (2 % are let pass); stop: ends the run there, on the strain, however long the steps (default "tell")
+---@field from? analysis a run of the same cloth, whose state and time this one begins with
+---@field release? number s: with from=: over which the forces of what no longer holds the cloth are taken away; default at once
 
 ---A dynamic run by Newmark's method, explicit or implicit, with a balance (ledger) of its energies.
 ---@param fields fabric_dynamic_fields
@@ -937,6 +963,34 @@ function fabric.lab.fast_card(fields) end
 ---@param fields fabric_lab_fit_fields
 ---@return table<string, any>
 function fabric.lab.fit(fields) end
+
+---@class fabric_lab_form_fields
+---@field card card the fabric of all plies
+---@field stack? number[] degrees: {lowest, ..., upmost}: warp of each ply from x, default {0}
+---@field blank number|number[] m: side of a square, or {along x, along y}
+---@field punch table the arguments of fabric.rigid.punch: { radius= }, { shape='box', size=, corner=, edge= }, { shape='double dome', radius=, length=, waist= }
+---@field die table of fabric.rigid.die: { radius=, edge= }, ...; its shape is that of the punch unless told
+---@field holder? table { force=N }, { springs=N/m } or { gap=m }; mass= of the plate, default four times that of the plies; without it none
+---@field friction? number of tools and plies (default 0.2)
+---@field ply_friction? number of plies on each other; default that of the tools
+---@field stroke number m: way of the punch from first contact
+---@field cells? integer elements along the longer side (of a quarter: of its own) (default 32)
+---@field triangles? boolean elements of three nodes (default false)
+---@field quarter? boolean only x > 0, y > 0, between planes of symmetry; forces and energies are those of the whole (default false)
+---@field speed? number m/s: largest speed of the punch, default 2
+---@field contact? number m: thickness of a ply in contact; default a fifth of the die's edge, or that of the card
+---@field stiffness? number Pa/m: of contact; default what carries 6 MPa, which tight yarns press on the die's edge
+---@field points? integer through the thickness of a single ply (default 1)
+---@field damping? number 1/s: of motion, as damping.mass of fabric.dynamic; default 3 over the duration
+---@field rows? integer of the curve (default 50)
+---@field out? string folder for curve.csv, force.svg and the VTK series, whose fields warp and weft are the directions of the yarns
+---@field ledger_limit? number as for fabric.dynamic (default 0.05)
+---@field prepare? function prepare(analysis), called before it runs
+
+---Plies are pressed through the opening of a die by a punch, under a blank holder. Returns curve (a list of stroke, force of punch, holder and die, N, and energies), angles (of each element ply, X, Y flat, x, y, z formed, and its shear angle, degrees; max and place), draw_in (of each node of the edges ply, edge, X, Y, draw_in, m; max, mean, left, right, bottom, top), wrinkles (height above the flat of the die, m, x, y, ply), report (text), peak (N), stroke (m, reached), series (VTK), analysis, model, punch, die, holder, and trouble where the run stopped.
+---@param fields fabric_lab_form_fields
+---@return table<string, any>
+function fabric.lab.form(fields) end
 
 ---@class fabric_lab_grab_fields
 ---@field card card the fabric, with rupture
@@ -1932,6 +1986,17 @@ function fabric.mesh.rectangle(fields) end
 ---@return model
 function fabric.model(fields) end
 
+---@class fabric_modes_fields
+---@field from? analysis the state about which the cloth swings
+---@field model? model in its place: the cloth as it is at time 0, without stress
+---@field count? integer how many, from the lowest on (default 10)
+---@field below? number Hz: in its place: all that are below this frequency
+
+---Natural frequencies of small swings about a state: a list of { frequency= (Hz), mass= {x=, y=, z=} (kg, effective), growth= (1/s, above 0 where the state is unstable), shape= }.
+---@param fields fabric_modes_fields
+---@return any
+function fabric.modes(fields) end
+
 ---@class fabric_plot_fields
 ---@field rows? table in the place of curves: a list of tables, a test with a curve, or a table of lists
 ---@field x? string with rows: the field along x
@@ -2021,6 +2086,26 @@ function fabric.render(fields) end
 ---@return body
 function fabric.rigid.cylinder(fields) end
 
+---@class fabric_rigid_die_fields
+---@field shape? "hemisphere"|"box"|"double dome" of the punch or of the opening: hemisphere (round), box, double dome (default "hemisphere")
+---@field radius? number m: of a hemisphere, a dome or a round opening
+---@field size? number[] m: {along x, along y} of a box
+---@field corner? number m: radius of a box's corners, seen from above
+---@field length? number m: from centre to centre of a double dome, along x
+---@field waist? number m: radius of the arcs that join both domes
+---@field edge number m: radius of the rounded edge of the opening
+---@field outer number m: radius of the round outside
+---@field facing? "up"|"down" up: the cloth lies on it; down: a blank holder (default "up")
+---@field at? number[] {x, y, z}: its lowest point, or the middle of the opening in the face of a die, m; default the origin
+---@field around? integer facets around (default 64)
+---@field mass? number kg: with it forces and contact move the body
+---@field name? string for messages and files; default the shape's
+
+---A plate with an opening for forming, its face at `at`: a die, or facing down a blank holder. shape, radius, size, corner, length and waist are those of the opening.
+---@param fields fabric_rigid_die_fields
+---@return body
+function fabric.rigid.die(fields) end
+
 ---@class fabric_rigid_disc_fields
 ---@field radius number m: over all
 ---@field centre number[] m: {x, y, z}: of the disc
@@ -2033,6 +2118,20 @@ function fabric.rigid.cylinder(fields) end
 ---@param fields fabric_rigid_disc_fields
 ---@return body
 function fabric.rigid.disc(fields) end
+
+---@class fabric_rigid_dome_fields
+---@field radius number m: of the dome, or of both
+---@field length? number m: from centre to centre along x; without it a hemisphere
+---@field waist? number m: radius of the arcs that join both domes; default the radius
+---@field at? number[] {x, y, z}: its lowest point, m; default the origin
+---@field around? integer facets around (default 64)
+---@field mass? number kg: with it forces and contact move the body
+---@field name? string for messages and files; default the shape's
+
+---A dome or a double dome as a punch: fabric.rigid.punch of these shapes.
+---@param fields fabric_rigid_dome_fields
+---@return body
+function fabric.rigid.dome(fields) end
 
 ---@class fabric_rigid_limb_fields
 ---@field upper number m: length of the first part, up to the middle of the joint
@@ -2075,6 +2174,25 @@ function fabric.rigid.motion(fields) end
 ---@param fields fabric_rigid_plane_fields
 ---@return body
 function fabric.rigid.plane(fields) end
+
+---@class fabric_rigid_punch_fields
+---@field shape? "hemisphere"|"box"|"double dome" of the punch or of the opening: hemisphere (round), box, double dome (default "hemisphere")
+---@field radius? number m: of a hemisphere, a dome or a round opening
+---@field size? number[] m: {along x, along y} of a box
+---@field corner? number m: radius of a box's corners, seen from above
+---@field length? number m: from centre to centre of a double dome, along x
+---@field waist? number m: radius of the arcs that join both domes
+---@field edge? number m: radius of a box's lower edge
+---@field height? number m: of a box; of the shaft of a hemisphere; default the shorter side, the radius
+---@field at? number[] {x, y, z}: its lowest point, or the middle of the opening in the face of a die, m; default the origin
+---@field around? integer facets around (default 64)
+---@field mass? number kg: with it forces and contact move the body
+---@field name? string for messages and files; default the shape's
+
+---A punch for forming, its lowest point at `at`: a hemisphere with its shaft (a rod, round without facets), a box with radii, or a double dome.
+---@param fields fabric_rigid_punch_fields
+---@return body
+function fabric.rigid.punch(fields) end
 
 ---@class fabric_rigid_sphere_fields
 ---@field radius number m: of the ball
@@ -2129,8 +2247,8 @@ function fabric.show(rows, options) end
 function fabric.sobol(inputs) end
 
 ---@class fabric_static_fields
----@field model model what is computed
----@field duration number s: time to run to
+---@field model? model what is computed; with from= that of the other run unless given
+---@field duration number s: time to run, from 0 or from the other run's time
 ---@field step? number s: largest step; default duration/20
 ---@field tolerance? number residual over the largest nodal force (default 1e-10)
 ---@field max_iterations? integer of one step, before it is cut (default 200)
@@ -2142,8 +2260,9 @@ function fabric.sobol(inputs) end
 ---@field control? "load"|"arc" load: steps in time; arc: steps along the path, past limit points, where time may go down (default "load")
 ---@field method? "newton"|"relaxation"|"either"|"auto" auto: Newton's method, and where it is slow an overdamped motion and relaxation, in turn; newton: that alone; relaxation: every step by dynamic relaxation, of cloth with bending of its own by an overdamped motion; either: relaxation for steps in which Newton fails (default "auto")
 ---@field limit? "tell"|"stop" tell: warns once when the cloth is strained beyond what the card was tested to (2 % are let pass); stop: ends the run there, on the strain, however long the steps (default "tell")
----@field path? number error of a run by the length of its steps, where laws remember their path, over the largest displacement or force: each step is compared with two halves and cut; without it some are, and a warning says so
 ---@field stabilise? number|boolean viscous forces on the nodes that lose this fraction of a step's work; true: 2e-4
+---@field from? analysis a run of the same cloth, whose state and time this one begins with
+---@field release? number s: with from=: over which the forces of what no longer holds the cloth are taken away; default at once
 
 ---A quasi-static run: Newton's method through the histories' time.
 ---@param fields fabric_static_fields
@@ -2596,6 +2715,29 @@ function model:check() end
 ---@return model
 function model:contact(fields) end
 
+---@class model_copy_fields.changes
+---@field without? string|table what the copy does not have: a kind of m:list() or kind and set, 'pressure' or 'fix left', or a list of these
+
+---A model of the same cloth with the same supports and loads, which may be changed also where a run has compiled this one.
+---@param changes? model_copy_fields.changes what differs; supports and loads are added by its calls
+---@return model
+function model:copy(changes) end
+
+---@class model_damper_fields.rate
+---@field x? number N s/m: along x
+---@field y? number N s/m: along y
+---@field z? number N s/m: along z
+
+---@class model_damper_fields.options
+---@field to? number[]|body another body, whose speed is subtracted; default the ground
+
+---Resists the speed of a rigid body's centre; what it takes is in a.energy.damping.
+---@param set body the rigid body
+---@param rate model_damper_fields.rate {x=, y=, z=}: force per speed
+---@param options? model_damper_fields.options to = where it ends
+---@return model
+function model:damper(set, rate, options) end
+
 ---What it was told, as data: rows of kind (sheet, or the call's name) and set, with the numbers, vectors and histories of the call under their names, in SI units and degrees; freedoms as the list `held`, axes of their own as `frame`. model:list says the same in words.
 ---@return model
 function model:declared() end
@@ -2603,9 +2745,9 @@ function model:declared() end
 ---@class model_fix_fields.options
 ---@field frame? table {e1, e2}: directions of x and y in this call
 
----Holds freedoms of a node set; fixing twice is harmless.
----@param set string name of a node set
----@param freedoms string some of x y z rx ry rz rotation; rotation is both of the director's
+---Holds freedoms of a node set, or of a rigid body that forces place in the others; fixing twice is harmless.
+---@param set string|body name of a node set, or a rigid body
+---@param freedoms string some of x y z rx ry rz rotation; rotation is both of the director's, or all three of a body
 ---@param options? model_fix_fields.options frame = {e1, e2} for oblique directions
 ---@return model
 function model:fix(set, freedoms, options) end
@@ -2618,12 +2760,34 @@ function model:fix(set, freedoms, options) end
 ---@class model_force_fields.options
 ---@field frame? table {e1, e2}: directions of x and y in this call
 
----Loads a node set with a total force; a single node takes it whole.
----@param set string name of a node set
+---Loads a node set with a total force; a single node takes it whole. Loads a rigid body at its centre (dynamic runs need its mass), which then moves in the directions that m:fix does not hold.
+---@param set string|body name of a node set, or a rigid body
 ---@param components model_force_fields.components {x=, y=, z=}: the total force, shared by length or area
 ---@param options? model_force_fields.options frame = {e1, e2} for oblique directions
 ---@return model
 function model:force(set, components, options) end
+
+---@class model_gas_fields.gas
+---@field molar number kg/mol: its molar mass
+---@field cp number J/(kg K): its specific heat at constant pressure
+
+---@class model_gas_fields
+---@field set? string|table elements that close around the gas: a set, or a list of sets (default "all")
+---@field lids? string|table sets of nodes around holes that something closes which is not of cloth and weighs nothing: the gas pushes on it, and it on the nodes, evenly
+---@field initial? number Pa: pressure above that outside at time 0; default 0
+---@field mass? number kg: mass of the gas at time 0, in place of a pressure
+---@field temperature? number K: at time 0, and of what flows in (default 293.15)
+---@field gas? "air"|model_gas_fields.gas "air" or {molar=, cp=}
+---@field exponent? number n of p V^n: 1 isothermal, 1.4 adiabatic (default 1)
+---@field inflow? number|function|table|history kg/s: { {time, kg/s}, ... } or a history: mass that flows in
+---@field vents? table { {set=|area=, coefficient=0.6, to=?, opens=?}, ... }: holes through which gas flows out, or to another volume, as through a nozzle; a set counts by its area at the start
+---@field leakage? number|function|number[] speed of the air through the cloth, m/s at 100 Pa; {m/s, Pa} at another pressure; or function(Pa) returning m/s
+---@field outside? number Pa: absolute pressure outside (default 101325)
+
+---Fills a closed volume with gas. Its pressure is the same everywhere and follows from the volume, the mass and the temperature. Returns the volume, for a:gas and for vents of others.
+---@param fields model_gas_fields
+---@return model
+function model:gas(fields) end
 
 ---Lets gravity act on the whole sheet.
 ---@param acceleration table m/s^2: {gx, gy, gz}, each a history
@@ -2642,8 +2806,8 @@ function model:list() end
 ---@class model_moment_fields.options
 ---@field frame? table {e1, e2}: directions of x and y in this call
 
----Loads the directors of a node set with a moment, shared by length or area.
----@param set string name of a node set
+---Loads the directors of a node set with a moment, shared by length or area; or a rigid body about its centre.
+---@param set string|body name of a node set, or a rigid body
 ---@param components model_moment_fields.components {x=, y=, z=}: the total moment about axes that stay fixed in space
 ---@param options? model_moment_fields.options frame = {e1, e2} for oblique directions
 ---@return model
@@ -2707,11 +2871,12 @@ function model:seam(seam) end
 
 ---@class model_spring_fields.options
 ---@field frame? table {e1, e2}: directions of x and y in this call
+---@field to? number[]|body of a rigid body: another body, or {x, y, z}, m, where its centre is when the spring is slack; default where it begins
 
----Ties a node set to its reference position by springs.
----@param set string name of a node set
+---Ties a node set to its reference position by springs; or the centre of a rigid body to the ground or to another body.
+---@param set string|body name of a node set, or a rigid body
 ---@param stiffness model_spring_fields.stiffness {x=, y=, z=}: the total stiffness to ground, shared by length or area
----@param options? model_spring_fields.options frame = {e1, e2} for oblique directions
+---@param options? model_spring_fields.options frame = {e1, e2} for oblique directions; to = where a body's spring ends
 ---@return model
 function model:spring(set, stiffness, options) end
 
@@ -2838,5 +3003,24 @@ function point:strain(fields) end
 ---@param over? number s: that an increment takes; 0: at once (default 0)
 ---@return table<string, any>
 function point:uniaxial(direction, E, columns, over) end
+
+---@class shape_mesh_fields.options
+---@field body? string of several bodies this one alone
+
+---The mesh of the model moved by the shape, without stress: a next model that begins imperfect.
+---@param amplitude number m: of its longest displacement
+---@param options? shape_mesh_fields.options which part
+---@return mesh
+function shape:mesh(amplitude, options) end
+
+---@class shape_vtk_fields.options
+---@field amplitude? number m: of its longest displacement; default a tenth of the cloth's length
+---@field frames? integer of one swing; 1: where it is farthest; default 24
+
+---Writes one swing of the shape about its state as a series for ParaView and fabric.render.
+---@param stem string path of the files without ending
+---@param options? shape_vtk_fields.options how far, and in how many frames
+---@return shape
+function shape:vtk(stem, options) end
 
 return fabric
