@@ -2,6 +2,7 @@
 local fabric = require "fabric"
 local define = require "fabric.define"
 local check = require "fabric.lab.check"
+local largest_row = require("fabric.lab.doubts").largest_row
 local rows_of = require "fabric.lab.breaking_table"
 local sorted = require "fabric.sorted"
 local standards = require "fabric.lab.breaking_standards"
@@ -53,14 +54,6 @@ local function records_of(t, result, file, numbered)
 end
 
 -- --- one specimen ---
-
-local function largest_row(F)
-  local top = 1
-  for i = 2, #F do
-    if F[i] > F[top] then top = i end
-  end
-  return top
-end
 
 -- The last row before the force falls below `kept` of the largest and stays there; nil if it does not, or falls because the jaws come back.
 local back = 0.01 -- of the way to the largest force

@@ -122,7 +122,8 @@ local function drift_of(out, name, values, unit, last, quiet)
       name == "force" and "the zero of the load cell drifts, or the cloth was pushed" or "the zero drifts, or the jaws came closer than they were") }
 end
 
-local function largest_row(F)
+-- The first row of the largest value of a list.
+function doubts.largest_row(F)
   local top = 1
   for i = 2, #F do
     if F[i] > F[top] then top = i end
@@ -161,7 +162,7 @@ function doubts.of(record, restarts)
           :format(u[row], row, F[row], top) }
     end
   end
-  local last = largest_row(F)
+  local last = doubts.largest_row(F)
   drift_of(out, "force", F, "N", last, true)
   drift_of(out, "displacement", u, "m", last, true)
   return out

@@ -4,15 +4,7 @@ local define = require "fabric.define"
 local check = require "fabric.lab.check"
 local doubts = require "fabric.lab.doubts"
 local outliers = require "fabric.lab.outliers"
-local fail = define.fail
-
-local function largest(values)
-  local place = 1
-  for i = 2, #values do
-    if values[i] > values[place] then place = i end
-  end
-  return place
-end
+local fail, largest = define.fail, doubts.largest_row
 
 local function record_of(t)
   if t.file and t.record then fail "tensile: expected either file or record, got both" end
