@@ -15,7 +15,8 @@ local function close(got, want, relative, what)
 end
 local fails = dofile((arg[0]:gsub("[^/]*$", "common/check.lua"))).fails
 
--- Strips of 0.2 x 0.05 m, 1 mm thick, S = 8 MPa E + 400 MPa E^2 along the warp, half of it along the weft; shear by a bias pull of S12 = 0.5 MPa E12.
+-- Strips of 0.2 x 0.05 m, 1 mm thick, S = 8 MPa E + 400 MPa E^2 along the warp, half of it along the weft; shear by a bias pull of S12 = 0.5 MPa E12
+-- whose forces are those of yarns that do not stretch.
 local length, width, thickness = 0.2, 0.05, 1e-3
 local card = lab.card { name = "made", density = 500, thickness = thickness, warp = { loading = { 8e6, 8e8 } }, weft = { loading = { 4e6, 4e8 } },
   shear = { loading = { 0.5e6 } }, assume = true }
@@ -65,7 +66,7 @@ local dialects = {
 }
 write("words.lua", "return { displacement = { 'venym\u{e4}' }, force = { 'voima' }, units = { force = { pauna = 4.4482216152605 } } }\n")
 
-local about = "return { name='mine', gauge_length=0.2, width=0.05, thickness=1e-3, plies=1, density=500, markers={3, 2}, degree=2%s }\n"
+local about = "return { name='mine', gauge_length=0.2, width=0.05, thickness=1e-3, plies=1, density=500, markers={3, 2}, degree=2, bias={ yarns='inextensible' }%s }\n"
 for _, dialect in ipairs(dialects) do
   write("laboratory.lua", about:format(dialect.vocabulary and ", vocabulary=" .. dialect.vocabulary or ""))
   write("warp-1.csv", text(dialect, pull(1)))

@@ -3,7 +3,7 @@
 --   { name=, source=, gauge_length=, width=, thickness=, plies=, density= | mass_per_area=, markers={rows, columns},
 --     compliance=, slip=, shared= (relative uncertainty of all moduli together), units={...}, columns={...}, thousands=".", reverse="both", restarts="specimens" (as in fabric.lab.read), default_units={...} (where
 --     a heading says none), vocabulary= (a table, or the file in this folder that returns it), degree=, rule=,
---     bias={width=, length=} (of bias specimens without markers, if their size differs), zero= (subtract the first row),
+--     bias={width=, length=, yarns="inextensible"} (of bias specimens without markers, if their size differs; their yarns' stretch is left in), zero= (subtract the first row),
 --     poisson={warp=, weft=}, assume={['warp.unloading']=, ...} (instead of the rules of fabric.lab.card),
 --     viscous=true (bias tests at several speeds or with holds, whose records have seconds: the part of shear that relaxes),
 --     loops=true (a card whose yarns unload along curves, where the records show it: fabric.lab.loops),
@@ -201,23 +201,35 @@ local function in_shear(about, marked)
     viscous = about.viscous and lab.viscous { tests = tests } or nil }
 end
 
--- A bias test without markers, evaluated by the kinematics of inextensible yarns; and the pull, for what relaxes.
-local function without_markers(about, record, file, width, length)
+local told_stretch = 0.02 -- of the stress at the end of a bias pull
+
+-- The curve of a yarn, of whose stretch a pull without markers is freed.
+local function yarn_of(part) return part and { loading = part.fit.loading, unloading = part.fit.unloading, tested = part.fit.tested, poisson = part.ratio } end
+
+-- A bias test without markers, evaluated by the kinematics of inextensible yarns, the stretch of which is taken out where both were pulled; and the pull, for what relaxes.
+local function without_markers(about, record, file, width, length, yarns)
   local pull = { displacement = record.displacement, force = record.force, width = width, length = length, limit = 30, cut = true }
   check_pull("laboratory: " .. file, "force", pull)
   pull.thickness = about.thickness * (about.plies or 1)
+  if yarns then pull.warp, pull.weft = yarns.warp, yarns.weft end
   local shear = lab.bias_shear(pull)
-  local test = { E = shear.E12, S = shear.S12, file = file, specimen = record.specimen, without_markers = true, warnings = record.warnings,
+  if shear.taken_out and shear.taken_out > told_stretch then
+    fabric.warn(("laboratory: %s: the yarns stretch in the bias pull, by their own curves: without their stretch S12 is %.0f %% more at its end; bias={ yarns='inextensible' } leaves it in"):format(file,
+      100 * shear.taken_out))
+  end
+  local test = { E = shear.E12, S = shear.S12, file = file, specimen = record.specimen, without_markers = true, warnings = record.warnings, taken_out = shear.taken_out,
     branches = { { kind = "loading", first = 1, last = #shear.E12 } } }
   return test, about.viscous and { name = file, displacement = record.displacement, force = record.force, time = seconds_of(record, file), width = width, length = length }
 end
 
-local function in_shear_without_markers(about, plain)
+local function in_shear_without_markers(about, plain, warp, weft)
   local tests, pulls, size = {}, {}, about.bias or {}
+  if size.yarns and size.yarns ~= "inextensible" then stop(("laboratory.lua: field 'bias.yarns': expected 'inextensible' or nothing, got '%s'"):format(tostring(size.yarns))) end
+  local yarns = not size.yarns and (warp or weft) and { warp = yarn_of(warp or weft), weft = yarn_of(weft or warp) }
   for _, s in ipairs(plain) do
     local width, length = size.width or about.width, size.length or about.gauge_length
     for _, record in ipairs(records_of(about, s.file, width, length)) do
-      tests[#tests + 1], pulls[#tests + 1] = without_markers(about, record, s.file, width, length)
+      tests[#tests + 1], pulls[#tests + 1] = without_markers(about, record, s.file, width, length, yarns)
     end
   end
   if #tests == 0 then return end
@@ -311,8 +323,8 @@ function folder.reduce(path)
   path = path:gsub("/$", "")
   local about = about_of(path)
   local marked, plain = bias_tests(path)
-  local out = { about = about, warp = along(about, path, "warp"), weft = along(about, path, "weft"),
-                shear = in_shear(about, marked) or in_shear_without_markers(about, plain) }
+  local out = { about = about, warp = along(about, path, "warp"), weft = along(about, path, "weft") }
+  out.shear = in_shear(about, marked) or in_shear_without_markers(about, plain, out.warp, out.weft)
   if not out.warp and not out.weft and not out.shear then
     stop(path .. ": expected files of pulls named warp-1.csv, weft-1.csv or bias-1.csv, " .. instead(path))
   end

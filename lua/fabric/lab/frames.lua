@@ -3,6 +3,7 @@ local fabric = require "fabric"
 local define = require "fabric.define"
 local checks = require "fabric.lab.check"
 local rows = require "fabric.lab.rows"
+local soft_yarns = require "fabric.lab.soft_yarns"
 
 local quarter = math.pi / 4
 
@@ -227,10 +228,12 @@ define {
     { name = "width", kind = "number", unit = "m", above = 0, sentence = "of the specimen" },
     { name = "length", kind = "number", unit = "m", above = 0, sentence = "between the grips, at least twice the width" },
     { name = "thickness", kind = "number", unit = "m", above = 0, optional = true, sentence = "of the cloth; default: the card's" },
+    { name = "warp", kind = "table", optional = true, sentence = "{loading=, poisson?, tested?} of yarns that stretch, a result of fabric.lab.fit or of a card: their stretch is taken out; with weft" },
+    { name = "weft", kind = "table", optional = true, sentence = "likewise" },
     { name = "limit", kind = "number", unit = "degrees", above = 0, high = 90, default = 30, sentence = "angle up to which yarns are believed not to slip or stretch" },
     { name = "cut", kind = "boolean", default = false, sentence = "the record ends at the limit and at a reversal" },
   },
-  sentence = "Bias extension without markers, for yarns that do not stretch: angle (degrees) of the middle zone, normal_force (N/m), E12, S12, valid "
+  sentence = "Bias extension without markers, for yarns that do not stretch, or whose stretch warp and weft take out (by simulated pulls; `taken_out`: the share by which the last S12 rises): angle (degrees) of the middle zone, normal_force (N/m), E12, S12, valid "
     .. "(true up to the limit), rows (places in the record); or the force that a card gives. An error where the shear force turns negative.",
   example = "local r = require 'fabric'.lab.bias_shear{ displacement={0.01, 0.02}, force={1, 1.5}, width=0.1, length=0.3, thickness=1e-3 }\n"
     .. "assert(r.angle[2] > r.angle[1] and r.S12[1] > 0)",
@@ -246,7 +249,7 @@ define {
     end
     check("bias_shear", t, t.cut and math.huge or (math.sqrt(2) - 1) * (t.length - t.width))
     check_pull("bias_shear", "force", t)
-    return bias_curve(t)
+    return soft_yarns(t, bias_curve(t))
   end,
 }
 
