@@ -296,7 +296,11 @@ local function text_of(t, result, names)
   local function say(...) lines[#lines + 1] = (...):format(select(2, ...)) end
   for _, name in ipairs(names) do
     local b = result.of[name]
-    say("%s = %.5g, 95 %% between %.5g and %.5g (standard uncertainty %.2g)", name, b.value, b.band.low, b.band.high, b.deviation)
+    if b.band.high > b.band.low then
+      say("%s = %.5g, 95 %% between %.5g and %.5g (standard uncertainty %.2g)", name, b.value, b.band.low, b.band.high, b.deviation)
+    else
+      say("%s = %.5g, without an interval: %s", name, b.value, result.runs > 1 and "nothing that was varied changes it" or "nothing was varied")
+    end
     say("  %-24s %11s %8s  %-22s %-22s %s", "source", "deviation", "share/%", "first order (95 %)", "total (95 %)", "range")
     for _, c in ipairs(b.contributions) do
       local function index(kind) return c[kind] and ("%5.2f (%5.2f to %.2f)"):format(c[kind], c[kind .. "_band"][1], c[kind .. "_band"][2]) or "" end
