@@ -7,6 +7,7 @@
 -- warns: nine measured cloths in ten
 -- warns: the card was tested to
 -- warns: the end of the run, the ball is still in the cloth
+-- warns: inertia is part of the forces
 local fabric = require "fabric"
 local registry = require "fabric.define".registry
 local rows = registry.rows()

@@ -632,10 +632,12 @@ function fabric.lab.bias_extension(fields) end
 ---@field width number m: of the specimen
 ---@field length number m: between the grips, at least twice the width
 ---@field thickness? number m: of the cloth; default: the card's
+---@field warp? table {loading=, poisson?, tested?} of yarns that stretch, a result of fabric.lab.fit or of a card: their stretch is taken out; with weft
+---@field weft? table likewise
 ---@field limit? number degrees: angle up to which yarns are believed not to slip or stretch (default 30)
 ---@field cut? boolean the record ends at the limit and at a reversal (default false)
 
----Bias extension without markers, for yarns that do not stretch: angle (degrees) of the middle zone, normal_force (N/m), E12, S12, valid (true up to the limit), rows (places in the record); or the force that a card gives. An error where the shear force turns negative.
+---Bias extension without markers, for yarns that do not stretch, or whose stretch warp and weft take out (by simulated pulls; `taken_out`: the share by which the last S12 rises): angle (degrees) of the middle zone, normal_force (N/m), E12, S12, valid (true up to the limit), rows (places in the record); or the force that a card gives. An error where the shear force turns negative.
 ---@param fields fabric_lab_bias_shear_fields
 ---@return table<string, any>
 function fabric.lab.bias_shear(fields) end
@@ -1990,7 +1992,7 @@ function fabric.model(fields) end
 ---@field from? analysis the state about which the cloth swings
 ---@field model? model in its place: the cloth as it is at time 0, without stress
 ---@field count? integer how many, from the lowest on (default 10)
----@field below? number Hz: in its place: all that are below this frequency
+---@field below? number Hz: those below this frequency alone; without count all of them
 
 ---Natural frequencies of small swings about a state: a list of { frequency= (Hz), mass= {x=, y=, z=} (kg, effective), growth= (1/s, above 0 where the state is unstable), shape= }.
 ---@param fields fabric_modes_fields
@@ -2260,6 +2262,7 @@ function fabric.sobol(inputs) end
 ---@field control? "load"|"arc" load: steps in time; arc: steps along the path, past limit points, where time may go down (default "load")
 ---@field method? "newton"|"relaxation"|"either"|"auto" auto: Newton's method, and where it is slow an overdamped motion and relaxation, in turn; newton: that alone; relaxation: every step by dynamic relaxation, of cloth with bending of its own by an overdamped motion; either: relaxation for steps in which Newton fails (default "auto")
 ---@field limit? "tell"|"stop" tell: warns once when the cloth is strained beyond what the card was tested to (2 % are let pass); stop: ends the run there, on the strain, however long the steps (default "tell")
+---@field path? number error of a run by the length of its steps, where laws remember their path, over the largest displacement or force: each step is compared with two halves and cut; without it some are, and a warning says so
 ---@field stabilise? number|boolean viscous forces on the nodes that lose this fraction of a step's work; true: 2e-4
 ---@field from? analysis a run of the same cloth, whose state and time this one begins with
 ---@field release? number s: with from=: over which the forces of what no longer holds the cloth are taken away; default at once

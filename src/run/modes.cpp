@@ -185,11 +185,12 @@ Modes<VibrationMode> vibrations(Linearised& at, const ModesWanted& wanted) {
   if (wanted.below) {
     const double omega = 2 * std::numbers::pi * *wanted.below;
     const auto there = count_below(K, M, omega * omega);
-    if (there > kMostModes)
+    if (wanted.all_below && there > kMostModes)
       throw Error("field 'below': there are " + std::to_string(there) + " modes below " +
                   number(*wanted.below) + " Hz: expected a frequency with at most " +
                   std::to_string(kMostModes) + " below it");
-    if (there >= 0) count = static_cast<int>(there);
+    if (there >= 0)
+      count = static_cast<int>(wanted.all_below ? there : std::min<mechanics::Index>(there, count));
   }
   const auto found = solver::largest_eigenpairs(M, shifted.A, *shifted.solver, count);
   Modes<VibrationMode> out{{}, at.words()};

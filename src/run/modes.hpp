@@ -42,6 +42,7 @@ struct Modes {
 struct ModesWanted {
   int count = 10;
   std::optional<double> below = {};  // Hz
+  bool all_below = false;            // however many they are
 };
 
 // In the state of a run, or of a model at rest at time 0, with the lumped masses of motion and directors

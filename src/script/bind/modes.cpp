@@ -76,10 +76,8 @@ int find_modes(Call& call) {
                             std::string(call.has("from") ? "both" : "neither"));
   run::ModesWanted wanted;
   wanted.count = call.count("count");
-  if (call.has("below")) {
-    if (call.has("count")) call.refuse("below", "expected it or count, got both");
-    wanted.below = call.number("below");
-  }
+  if (call.has("below")) wanted.below = call.number("below");
+  wanted.all_below = wanted.below && !call.has("count");
   const auto from = call.object<DeckRun>("from");
   const auto model = from ? from->analysis->shared_model() : call.object<model::Model>("model");
   if (call.session().options().check)
@@ -199,7 +197,8 @@ std::vector<Entry> modes_entries() {
        {object_("from", "analysis", "the state about which the cloth swings").optional(),
         object_("model", "model", "in its place: the cloth as it is at time 0, without stress").optional(),
         integer_("count", Range{1, 400}, "how many, from the lowest on").or_else(10),
-        number_("below", "Hz", positive, "in its place: all that are below this frequency").optional()},
+        number_("below", "Hz", positive, "those below this frequency alone; without count all of them")
+            .optional()},
        "Natural frequencies of small swings about a state: a list of { frequency= (Hz), mass= {x=, y=, z=} "
        "(kg, "
        "effective), growth= (1/s, above 0 where the state is unstable), shape= }.",

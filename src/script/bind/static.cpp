@@ -97,6 +97,12 @@ std::vector<Entry> static_entries() {
                 .or_else("auto")
                 .one_of(methods),
             limit_row(),
+            number_(
+                "path", "", Range{0, 1, true, true},
+                "error of a run by the length of its steps, where laws remember their path, over the "
+                "largest displacement or force: each step is compared with two halves and cut; without it "
+                "some are, and a warning says so")
+                .optional(),
             {"stabilise", boolean | number, "", Range{0, 1, false, true},
              "viscous forces on the nodes that lose this fraction of a step's work; true: 2e-4", false}}),
        "A quasi-static run: Newton's method through the histories' time.",

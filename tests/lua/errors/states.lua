@@ -47,8 +47,6 @@ wrong("fabric.modes", "fabric.modes{ model=held, below='10' }",
   "deck.lua:1: modes: field 'below': expected a positive number in Hz, got '10'")
 wrong("fabric.modes", "fabric.modes{ model=held, below=-1 }",
   "deck.lua:1: modes: field 'below': expected a positive number in Hz, got -1")
-wrong("fabric.modes", "fabric.modes{ model=held, below=10, count=3 }",
-  "deck.lua:1: modes: field 'below': expected it or count, got both")
 wrong("fabric.modes", "fabric.modes{ model=held, cuont=3 }",
   "deck.lua:1: modes: unknown field 'cuont', did you mean 'count'?")
 wrong("fabric.modes", "fabric.modes{ model=held:fix('all', 'x y z rotation') }",
