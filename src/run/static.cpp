@@ -122,7 +122,9 @@ Static::Static(std::shared_ptr<model::Model> model, const StaticOptions& options
       now_{control_of(options, *assembly_)} {
   check_options(options_);
   check_bodies();
-  if (places_bodies_) assembly_->terms().find<mechanics::Contacts>()->go_static();
+  if (places_bodies_)
+    assembly_->terms().find<mechanics::Contacts>()->go_static(
+        beginning.from != nullptr ? 0 : now_.step.largest());
   problem_ = std::make_unique<EquilibriumProblem>(*assembly_, 1e-7 * options_.duration, poll_);
   if (options_.stabilise > 0)
     stabilisation_ =

@@ -302,7 +302,7 @@ void Bodies::place(const Body& body, double time, std::span<Vec3> x) const {
 Vec3 Bodies::gravity(double time) const {
   Vec3 g = Vec3::Zero();
   for (int c = 0; c < 3; ++c)
-    if (const auto& h = model_.gravity()[c]) g[c] = h->value(time);
+    if (const auto& h = model_.gravity()[c]) g[c] = h->value(time) - missing(time) * h->value(0);
   return g;
 }
 

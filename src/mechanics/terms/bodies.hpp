@@ -64,7 +64,9 @@ class Bodies {
   void go_implicit() { implicit_ = true; }
   // The places at which the bodies are at rest are sought from here on. reach: m, how far one may go in an
   // iteration that nothing holds yet.
-  void go_static(double reach);
+  // What acts at time 0 already comes up over the first `rise` seconds, so that a body does not set out for
+  // where nothing holds it; 0: it acts from the beginning on.
+  void go_static(double reach, double rise);
   bool any_loaded() const { return !loads_.empty() || !springs_.empty(); }
   const std::string& without_mass() const { return without_mass_; }  // a body that only statics can place
   // --- of free bodies in implicit steps: force (N) and torque (N m) on each at the step's end, six numbers a
@@ -188,6 +190,8 @@ class Bodies {
   double lever(const Body& body, const BoundingBox& cloth) const;
   void place(const Body& body, double time, std::span<Vec3> x) const;
   Vec3 gravity(double time) const;
+  // The part of what acts at time 0 that does not act yet.
+  double missing(double time) const { return time < rise_ ? 1 - time / rise_ : 0; }
   // The unknowns before the first iteration.
   contact::Wrench start_of(const Free& body) const { return static_ ? contact::Wrench{} : body.wrench; }
   contact::Wrench first_half(const Free& body) const;  // what kicks it before it flies, gravity included
@@ -203,6 +207,7 @@ class Bodies {
   double from_ = 0, to_ = 0;                          // s
   bool loaded_ = false;                               // whether the forces in the trial state are known
   bool implicit_ = false, static_ = false;
+  double rise_ = 0;   // s
   double reach_ = 0;  // m
   std::vector<Load> loads_;
   std::vector<Spring> springs_;

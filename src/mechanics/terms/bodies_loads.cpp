@@ -58,7 +58,8 @@ Vec3 Bodies::total(const Load& load, double time) const {
   Vec3 sum = Vec3::Zero();
   try {
     for (int c = 0; c < 3; ++c)
-      if (const auto& h = load.given->total[static_cast<std::size_t>(c)]) sum[c] = h->value(time);
+      if (const auto& h = load.given->total[static_cast<std::size_t>(c)])
+        sum[c] = h->value(time) - missing(time) * h->value(0);
   } catch (const Error& error) {
     throw Error(std::string(load.given->moment ? "moment" : "force") + ": the " +
                 model_.interactions().name_of(*load.given->body) + ": " + error.what());
@@ -208,8 +209,9 @@ double Bodies::stable_step() const {
 
 // --- static steps
 
-void Bodies::go_static(double reach) {
+void Bodies::go_static(double reach, double rise) {
   implicit_ = static_ = true;
+  rise_ = rise;
   reach_ = kReach * reach;
   for (Free& free : free_) {
     free.committed.rest();

@@ -84,7 +84,7 @@ class Contacts final : public Term, public StepLimiter, public OwnUnknowns, publ
   double largest_own_residual() const override { return bodies_.largest_residual(); }
 
   // The places of free bodies at rest are unknowns from here on.
-  void go_static();
+  void go_static(double rise);  // s, see Bodies
 
   // --- explicit steps
   void go_explicit();

@@ -45,12 +45,12 @@ double Contacts::largest_own_force() const {
   return meet ? bodies_.largest_force() : 0;
 }
 
-void Contacts::go_static() {
+void Contacts::go_static(double rise) {
   if (!bodies_.any_free()) return;
   static_ = true;
   double reach = std::numeric_limits<double>::infinity();
   for (const auto& it : scene_.interactions()) reach = std::min(reach, it.law.gap() - it.law.floor());
-  bodies_.go_static(reach);
+  bodies_.go_static(reach, rise);
   begin_pressed();
 }
 
