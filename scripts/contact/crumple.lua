@@ -6,6 +6,7 @@
 -- warns: is turned over: it is more than 90 degrees
 -- warns: turned inside out
 -- warns: carries without folding within it
+-- warns: the guard of the directors has
 local fabric = require "fabric"
 local brute = require "fabric.lab.brute"
 local cells, out = tonumber(arg[1] or 8), arg[2]

@@ -10,6 +10,7 @@
 --   fabricsh scripts/contact/random.lua 40 1 tears       pieces of quadrilaterals that tear, held at two edges in half of the scenes (scripts/long/contact/tears.lua)
 -- warns: is turned over: it is more than 90 degrees
 -- warns: turned inside out
+-- warns: the guard of the directors has
 local fabric = require "fabric"
 local brute = require "fabric.lab.brute"
 local count, first = tonumber(arg[1] or 30), tonumber(arg[2] or 1)

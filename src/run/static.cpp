@@ -438,10 +438,11 @@ bool Static::settle_jump(double size, StepReport& report) {
 bool Static::rescue(double size, StepReport& report) {
   if (descent_ == nullptr && relaxation_ == nullptr) return false;  // along an arc
   if (options_.method != Method::either && options_.method != Method::automatic) return false;
-  // What loads move freely moves so in relaxation, too, without end; what nothing pushes stays where it is.
+  // What loads move freely moves so in relaxation, too, without end, and a way that is free is a support that
+  // was forgotten. A turn about one axis, on which no load works, is that of a body as round as its loads.
   if (options_.method == Method::automatic && step_.last.status == solver::NewtonStatus::singular) {
     const Mechanism free = find_mechanism(*model_, *assembly_, {size, duration_});
-    if (free.words.empty() || free.driven) return false;
+    if (free.ways != 1 || !free.words.starts_with("turn ") || free.driven) return false;
   }
   relaxing_ = true;
   problem_->set_time(size);
