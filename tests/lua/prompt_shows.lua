@@ -120,6 +120,7 @@ pages of the manual
 shear_angle: a field of a run, number of every element, degrees
   90 degrees less the angle between warp and weft; has the sign of E12
 laboratory: from measurement to card
+  fabric.lab.form              Plies are pressed through the opening of a die by a punch, under a blank holder
   fabric.lab.viscous           The part of shear that relaxes (viscous of a card) from tests at several speeds or with holds: viscous {she...
 pages of the manual
   share/doc/howto/bias-angle.md          the shear angle of a bias pull at 10 N]] },

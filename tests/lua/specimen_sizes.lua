@@ -11,7 +11,7 @@ end
 -- A ball of half the size, in a ring of half the size: in a membrane strains are the same, and forces and ways half as large.
 local ways = {}
 for i, size in ipairs { 1, 0.5 } do
-  ways[i] = fabric.lab.ball_burst { card = svk(8e3, { energy = 20 * size }), ball = 24 * mm * size, ring = 44 * mm * size, h = 6 * mm * size, coarse = "keep", speed = 8, rows = 60 }
+  ways[i] = fabric.lab.ball_burst { card = svk(8e3, { energy = 20 * size }), ball = 24 * mm * size, ring = 44 * mm * size, h = 6 * mm * size, coarse = "keep", speed = 8, rows = 120 } -- ways to a row
 end
 assert(tostring(ways[2].ball):find "radius 0.006 m")
 near("peak of the smaller ball", ways[2].peak, ways[1].peak / 2, 0.03)

@@ -5,6 +5,7 @@
 --   fabricsh scripts/long/lab_real_drape.lua                                               three discs of 8 elements: the comparison
 --
 -- The table (columns fabric, B, 2HB, W, T, DC, nodes) is not part of the program: it lies in ../shared/data beside this checkout, or the deck says SKIPPED.
+-- warns: in two halves they end
 local fabric = require "fabric"
 local hanging = require "fabric.lab.hanging"
 local gf, cm = 9.80665e-3, 1e-2

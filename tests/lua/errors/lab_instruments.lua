@@ -8,6 +8,8 @@ wrong("fabric.lab.bias_shear", "fabric.lab.bias_shear{ displacement={1, 'two'} }
   "deck.lua:1: bias_shear: field 'displacement': expected a table of numbers in m, got 'two' at place 2")
 wrong("fabric.lab.bias_shear", "fabric.lab.bias_shear{ displacement={-1, 0, 0.01}, force={0, 0, 1}, width=0.1, length=0.3, thickness=1e-3 }",
   "deck.lua:1: bias_shear: field 'displacement': expected numbers of at least 0 in m (noise of 1 % of the largest apart), got -1 at place 1")
+wrong("fabric.lab.bias_shear", "fabric.lab.bias_shear{ displacement={0, 0.01}, force={0, 1}, width=0.1, length=0.3, thickness=1e-3, weft=5 }",
+  "deck.lua:1: bias_shear: field 'weft': expected a table, got 5")
 wrong("fabric.lab.bias_shear", "fabric.lab.bias_shear{ displacement={0.01, 0.01}, force={0.01, 0.01}, width='1' }",
   "deck.lua:1: bias_shear: field 'width': expected a positive number in m, got '1'")
 wrong("fabric.lab.bias_shear", "fabric.lab.bias_shear{ displacement={10, 20}, force={1, 2}, width=0.1, length=0.3, thickness=1e-3 }",
