@@ -23,7 +23,7 @@ std::string GasGiven::name() const {
 
 namespace {
 
-using Ring = std::vector<Index>;
+using EdgeRing = std::vector<Index>;
 
 constexpr double kEmpty = 1e-9;    // volume over the power 3/2 of the surface below which nothing is enclosed
 constexpr double kInPlane = 1e-6;  // of the mesh: how far nodes of a plane of symmetry may be from it
@@ -46,7 +46,7 @@ class Surface {
     add_cloth();
     add_strips();
     add_lids();
-    for (const Ring& hole : holes())
+    for (const EdgeRing& hole : holes())
       if (!is_in_planes(hole)) refuse_hole(hole);
     orient();
     face_outwards();
@@ -61,7 +61,7 @@ class Surface {
 
   Vec3 at(Index n) const { return mesh_.nodes[static_cast<std::size_t>(n)]; }
 
-  void add(Ring face) {
+  void add(EdgeRing face) {
     const std::size_t f = faces_.size();
     for (std::size_t i = 0; i < face.size(); ++i) {
       const Index a = face[i], b = face[(i + 1) % face.size()];
@@ -83,7 +83,7 @@ class Surface {
                            "': expected a surface that stays closed");
     for (const Index e : all) {
       const auto& n = mesh_.elements[static_cast<std::size_t>(e)];
-      add(n[3] < 0 ? Ring{n[0], n[1], n[2]} : Ring{n[0], n[1], n[2], n[3]});
+      add(n[3] < 0 ? EdgeRing{n[0], n[1], n[2]} : EdgeRing{n[0], n[1], n[2], n[3]});
       for (const Index i : faces_.back()) nodes_.insert(i);
     }
     cloth_ = faces_.size();
@@ -119,13 +119,13 @@ class Surface {
     for (std::size_t k = 0; k + (fine.ring ? 0 : 1) < count; ++k) {
       const Index from = fine.nodes[k], to = fine.nodes[(k + 1) % count];
       add_triangle(from, to, other(from));
-      const Ring way = along(coarse, other(from), other(to));
+      const EdgeRing way = along(coarse, other(from), other(to));
       for (std::size_t j = 0; j + 1 < way.size(); ++j) add_triangle(to, way[j + 1], way[j]);
     }
   }
 
   // The nodes of a chain from one to another, by the shorter way.
-  static Ring along(const EdgeChain& chain, Index from, Index to) {
+  static EdgeRing along(const EdgeChain& chain, Index from, Index to) {
     const auto place = [&](Index n) {
       return std::find(chain.nodes.begin(), chain.nodes.end(), n) - chain.nodes.begin();
     };
@@ -134,7 +134,7 @@ class Surface {
     if (a == count || b == count) return {};
     std::ptrdiff_t step = b < a ? -1 : 1;
     if (chain.ring && std::abs(b - a) > count / 2) step = -step;
-    Ring way{from};
+    EdgeRing way{from};
     for (std::ptrdiff_t i = a; i != b;) {
       i = (i + step + count) % count;
       way.push_back(chain.nodes[static_cast<std::size_t>(i)]);
@@ -147,21 +147,21 @@ class Surface {
   }
 
   // Along the edges of one face alone.
-  std::vector<Ring> holes() const {
+  std::vector<EdgeRing> holes() const {
     std::map<Index, std::vector<Index>> next;
     for (const auto& [edge, sides] : edges_)
       if (sides.size() == 1) {
         next[edge.first].push_back(edge.second);
         next[edge.second].push_back(edge.first);
       }
-    std::vector<Ring> all;
+    std::vector<EdgeRing> all;
     const auto walk = [&](Index from, Index to) {
       std::erase(next[from], to);
       std::erase(next[to], from);
     };
     for (auto& [begin, ends] : next)
       while (!ends.empty()) {
-        Ring ring;
+        EdgeRing ring;
         for (Index n = begin; !next[n].empty();) {
           ring.push_back(n);
           const Index to = next[n].front();
@@ -173,12 +173,12 @@ class Surface {
     return all;
   }
 
-  bool inside(const Ring& ring, const std::string& set) const {
+  bool inside(const EdgeRing& ring, const std::string& set) const {
     const auto& nodes = mesh_.set(set);
     return std::all_of(ring.begin(), ring.end(),
                        [&](Index n) { return std::binary_search(nodes.begin(), nodes.end(), n); });
   }
-  bool is_closed_otherwise(const Ring& ring) const {
+  bool is_closed_otherwise(const EdgeRing& ring) const {
     for (const auto& set : gas_.lids)
       if (inside(ring, set)) return true;
     for (const Support& s : model_.supports())
@@ -193,7 +193,7 @@ class Surface {
     return false;
   }
   // Whether each of its edges lies in a plane of symmetry, which closes the volume there.
-  bool is_in_planes(const Ring& ring) const {
+  bool is_in_planes(const EdgeRing& ring) const {
     for (std::size_t i = 0; i < ring.size(); ++i)
       if (std::none_of(planes_.begin(), planes_.end(), [&](const SymmetryPlane& plane) {
             return lies_in(ring[i], plane) && lies_in(ring[(i + 1) % ring.size()], plane);
@@ -208,11 +208,11 @@ class Surface {
   }
   void add_lids() {
     strips_ = faces_.size();
-    for (Ring& hole : holes())
+    for (EdgeRing& hole : holes())
       if (!is_in_planes(hole) && is_closed_otherwise(hole)) add(std::move(hole));
   }
 
-  [[noreturn]] void refuse_hole(const Ring& hole) const {
+  [[noreturn]] void refuse_hole(const EdgeRing& hole) const {
     Vec3 centre = Vec3::Zero();
     double round = 0;
     std::string nodes;
@@ -272,7 +272,7 @@ class Surface {
   void face_outwards() {
     double volume = 0, area = 0;
     const Vec3 from = apex_of_gas(model_, at(faces_[0][0]));
-    for (const Ring& face : faces_) {
+    for (const EdgeRing& face : faces_) {
       Vec3 centre = Vec3::Zero();
       for (const Index n : face) centre += (at(n) - from) / static_cast<double>(face.size());
       for (std::size_t i = 0; i < face.size(); ++i) {
@@ -285,12 +285,12 @@ class Surface {
       refuse(gas_, "the surface encloses nothing, " + number(std::abs(volume)) + " m3 with " + number(area) +
                        " m2: expected a volume at the start, as between sheets that lie apart");
     if (volume < 0)
-      for (Ring& face : faces_) std::reverse(face.begin(), face.end());
+      for (EdgeRing& face : faces_) std::reverse(face.begin(), face.end());
   }
 
   Enclosure sorted() {
     Enclosure all;
-    const auto as_face = [](const Ring& r) {
+    const auto as_face = [](const EdgeRing& r) {
       return std::array<Index, 4>{r[0], r[1], r[2], r.size() == 4 ? r[3] : -1};
     };
     for (std::size_t f = 0; f < faces_.size(); ++f) {
@@ -307,7 +307,7 @@ class Surface {
   const GasGiven& gas_;
   const std::vector<SymmetryPlane> planes_;
   double span_ = 1;  // m, of the mesh
-  std::vector<Ring> faces_;
+  std::vector<EdgeRing> faces_;
   std::size_t cloth_ = 0, strips_ = 0;  // numbers of faces up to the last of the cloth, and of strips
   std::set<Index> nodes_;               // of the cloth
   std::map<std::pair<Index, Index>, std::vector<Side>> edges_;

@@ -18,7 +18,7 @@ namespace {
 
 // Of the sums of the absolute entries: what is added to a stiffness so that it has factors where cloth moves
 // freely, and what counts as none, as in solver/stability.cpp. Shares of the fastest displacements' rates.
-constexpr double kShift = 1e-10, kNoStiffness = 1e-13;
+constexpr double kShift = 1e-10, kNoStiffnessOfMode = 1e-13;
 constexpr double kAlmostSymmetric = 1e-9;  // of entries above and below the diagonal
 constexpr int kMostModes = 400;            // modes
 
@@ -199,7 +199,7 @@ Modes<VibrationMode> vibrations(Linearised& at, const ModesWanted& wanted) {
     const double theta = found.value[i];
     if (!(theta > 0)) break;
     const double square = 1 / theta - shifted.shift;  // 1/s^2
-    const bool nothing = std::abs(square) <= kNoStiffness * fastest;
+    const bool nothing = std::abs(square) <= kNoStiffnessOfMode * fastest;
     const mechanics::NodalRates way = at.spread(found.shape[i]);
     Vec3 part = Vec3::Zero();
     for (std::size_t n = 0; n < masses.size(); ++n)
@@ -266,7 +266,7 @@ Modes<BucklingMode> buckling_modes(const Run& run, int count) {
     most = std::max(most, std::abs(lost.value[i]));
     largest = std::max(largest, std::abs(K0.value[i]));
   }
-  if (!(most > kNoStiffness * largest))
+  if (!(most > kNoStiffnessOfMode * largest))
     throw Error(
         "the state of this run has no stress: expected one under the loads whose factor is asked for");
   Shifted shifted;

@@ -13,9 +13,19 @@
 
 namespace fabricsh::run {
 
-namespace {
-
 using mesh::Index;
+
+struct PatchShare {
+  Index element;
+  double weight;
+};
+
+struct ElementShape {
+  Vec3 centre, normal;  // of area; unit
+  double area = 0;
+};
+
+namespace {
 
 constexpr int kRows = 3;               // of elements, that a patch on a border reaches inwards
 constexpr std::size_t kQuadratic = 8;  // elements that determine the six coefficients with some to spare
@@ -23,22 +33,12 @@ constexpr double kConditioned =
     0.02;                        // least over largest diagonal of R: below, a polynomial is not determined
 constexpr double kFacing = 0.5;  // cosine with the node's normal, below which an element lies too steeply
 
-struct Share {
-  Index element;
-  double weight;
-};
-
-struct Shape {
-  Vec3 centre, normal;  // of area; unit
-  double area = 0;
-};
-
-Shape shape_of(const std::array<Index, 4>& nodes, const std::vector<Vec3>& X) {
+ElementShape shape_of(const std::array<Index, 4>& nodes, const std::vector<Vec3>& X) {
   const auto part = [&](int a, int b, int c) {
     const Vec3 across = (X[nodes[b]] - X[nodes[a]]).cross(X[nodes[c]] - X[nodes[a]]) / 2;
     return std::pair(across, Vec3((X[nodes[a]] + X[nodes[b]] + X[nodes[c]]) / 3));
   };
-  Shape s;
+  ElementShape s;
   const auto [first, middle] = part(0, 1, 2);
   Vec3 normal = first, moment = first.norm() * middle;
   s.area = first.norm();
@@ -63,7 +63,7 @@ struct Recovery::Patches {
   struct Patch {
     int region;
     double area;  // m^2, of the elements that meet at the node
-    std::vector<Share> shares;
+    std::vector<PatchShare> shares;
   };
   std::vector<std::vector<Patch>> of_node;  // by leading nodes
   std::vector<Index> leader;
@@ -97,7 +97,7 @@ struct Recovery::Patches {
   const std::array<Index, 4>& nodes_of(Index e) const {
     return run.model().mesh().elements[static_cast<std::size_t>(e)];
   }
-  const Shape& shape(Index e) const { return shapes_[static_cast<std::size_t>(e)]; }
+  const ElementShape& shape(Index e) const { return shapes_[static_cast<std::size_t>(e)]; }
 
   void add_patches(Index node) {
     std::map<int, std::vector<Index>> by_region;
@@ -136,12 +136,12 @@ struct Recovery::Patches {
               elements.push_back(other);
   }
 
-  std::vector<Share> shares_of(Index node, int region, std::vector<Index> elements) const {
+  std::vector<PatchShare> shares_of(Index node, int region, std::vector<Index> elements) const {
     Vec3 normal = Vec3::Zero();
     for (const Index e : elements) normal += shape(e).area * shape(e).normal;
     normal = normal.norm() > 0 ? Vec3(normal.normalized()) : shape(elements.front()).normal;
     const std::vector<Index> own = elements;
-    std::vector<Share> shares;
+    std::vector<PatchShare> shares;
     if (surrounded(node, elements) && fit(node, normal, elements, 3, shares)) return shares;
     for (int row = 1; row < kRows; ++row) grow(elements, region, normal);
     if (elements.size() >= kQuadratic && fit(node, normal, elements, 6, shares)) return shares;
@@ -157,7 +157,7 @@ struct Recovery::Patches {
   // The weights of the elements in the value at the node of a polynomial of three or six coefficients, fitted
   // by least squares. A border's elements count the less the farther they are.
   bool fit(Index node, const Vec3& normal, const std::vector<Index>& elements, int terms,
-           std::vector<Share>& shares) const {
+           std::vector<PatchShare>& shares) const {
     const auto count = static_cast<Eigen::Index>(elements.size());
     if (count < terms) return false;
     const Vec3& at = run.assembly().dofs().reference()[static_cast<std::size_t>(node)];
@@ -186,14 +186,14 @@ struct Recovery::Patches {
   }
 
   std::vector<std::vector<Index>> around_;  // by leading nodes
-  std::vector<Shape> shapes_;
+  std::vector<ElementShape> shapes_;
 };
 
 namespace {
 
-void add_shares(const std::vector<Share>& shares, double factor, std::span<const double> of_elements,
+void add_shares(const std::vector<PatchShare>& shares, double factor, std::span<const double> of_elements,
                 std::size_t width, double* value) {
-  for (const Share& share : shares)
+  for (const PatchShare& share : shares)
     for (std::size_t i = 0; i < width; ++i)
       value[i] += factor * share.weight * of_elements[static_cast<std::size_t>(share.element) * width + i];
 }
