@@ -263,8 +263,8 @@ std::string Implicit::damping_text() const {
 // not know well, is no reason. Other steps with more than a small error are shortened.
 bool Implicit::takes_back() {
   using Try = Repeatable::Try;
-  watch_hht();
   const Try which = std::exchange(repeatable_.which, Try::first);
+  if (loss_falls() && leave_hht(which == Try::first && !repeatable_.start.empty())) return true;
   if (repeatable_.start.empty() || which == Try::first_again) return false;
   const EnergyAccount now = energy();
   const double made = (now.surplus() - repeatable_.surplus) / ledger_scale(now);
@@ -289,13 +289,19 @@ bool Implicit::takes_back() {
 
 // The loss of alpha swings with what no step resolves. Where it gives back more than a little, forces at the
 // step's end damp better.
-void Implicit::watch_hht() {
-  if (!chooses_scheme() || now_.damping != Damping::hht) return;
+bool Implicit::loss_falls() {
+  if (!chooses_scheme() || now_.damping != Damping::hht) return false;
   now_.base = std::max(now_.base, now_.loss);
-  if (now_.base - now_.loss <= kTooMuch * options_.ledger_limit * ledger_scale(energy())) return;
+  return now_.base - now_.loss > kTooMuch * options_.ledger_limit * ledger_scale(energy());
+}
+
+// Returns whether the step that gave it back is repeated.
+bool Implicit::leave_hht(bool repeat) {
+  if (repeat) return_to_start(Repeatable::Try::first);
   damp(Damping::strong);
   warn("ledger", "dynamic: at time " + number(committed_time()) + " s the loss of the scheme falls: " +
                      damping_text() + "repeat with a smaller step to see whether the step is the cause");
+  return repeat;
 }
 
 // Where stiff elements turn far within a step, its error falls with its size.

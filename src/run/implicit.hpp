@@ -36,7 +36,8 @@ class Implicit final : public Dynamic {
   }
   void resize() override { problem_.resize(); }
   void take(const mechanics::Transfer& change, const std::vector<double>& rates) override;
-  void watch_hht();
+  bool loss_falls();
+  bool leave_hht(bool repeat);
   void begin_free();
   bool chooses_scheme() const {
     return !options_.hht && !options_.beta && !options_.spectral_radius && options_.gamma == 0.5;
