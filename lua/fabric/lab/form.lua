@@ -20,6 +20,7 @@ local settles = 0.08      -- of the duration: the holder closes
 local edge_share = 0.2    -- distance of contact over the radius of the die's edge
 local bears = 6e6        -- Pa, that contact carries before its barrier begins
 local heavy = 4           -- mass of a holder over that of the plies
+local edge_of_punch = 1 / 6 -- radius of the die's edge over that of a round punch
 local slow = 0.05         -- kinetic energy over the work of the punch, above which a run is too fast
 
 local function fail(field, words) define.fail(("form: field '%s': %s"):format(field, words)) end
@@ -115,11 +116,6 @@ end
 
 local function check_holder(holder)
   if not holder then return end
-  for name, value in pairs(holder) do
-    local unit = ({ force = "N", springs = "N/m", gap = "m", mass = "kg" })[name]
-    if not unit then fail("holder." .. tostring(name), "unknown (known: force springs gap mass)") end
-    if type(value) ~= "number" or not (value > 0) then fail("holder." .. name, ("expected a positive number in %s, got %s"):format(unit, tostring(value))) end
-  end
   if (holder.force and 1 or 0) + (holder.springs and 1 or 0) + (holder.gap and 1 or 0) ~= 1 then
     fail("holder", "expected one of force= (N), springs= (N/m) and gap= (m), got " .. ((holder.force or holder.springs) and "several" or holder.gap and "several" or "none"))
   end
@@ -132,10 +128,15 @@ local function prepare(t)
   check_holder(t.holder)
   check_length("stroke", t.stroke)
   check_tool("punch", t.punch)
+  t.die = t.die or {}
   check_tool("die", t.die)
   t.punch.shape = t.punch.shape or "hemisphere"
   t.die.shape = t.die.shape or t.punch.shape
   t.punch.around, t.die.around = t.punch.around or 64, t.die.around or 64
+  if t.punch.shape == "hemisphere" and t.die.shape == "hemisphere" and t.punch.radius then
+    t.die.radius = t.die.radius or t.punch.radius + math.max(1.5 * #t.stack * t.card:free_thickness(), t.punch.radius / 25)
+    t.die.edge = t.die.edge or edge_of_punch * t.punch.radius
+  end
   for _, pair in ipairs { { "punch", t.punch }, { "die", t.die } } do
     local shape, given = pair[2].shape, pair[2]
     local wanted = shape == "box" and { "size", "corner" } or shape == "double dome" and { "radius", "length", "waist" } or { "radius" }
@@ -383,9 +384,16 @@ define {
     { name = "card", of = "card", sentence = "the fabric of all plies" },
     { name = "stack", kind = "numbers", unit = "degrees", optional = true, sentence = "{lowest, ..., upmost}: warp of each ply from x, default {0}" },
     { name = "blank", kind = "number|numbers", unit = "m", above = 0, sentence = "side of a square, or {along x, along y}" },
-    { name = "punch", kind = "table", sentence = "the arguments of fabric.rigid.punch: { radius= }, { shape='box', size=, corner=, edge= }, { shape='double dome', radius=, length=, waist= }" },
-    { name = "die", kind = "table", sentence = "of fabric.rigid.die: { radius=, edge= }, ...; its shape is that of the punch unless told" },
-    { name = "holder", kind = "table", optional = true, sentence = "{ force=N }, { springs=N/m } or { gap=m }; mass= of the plate, default four times that of the plies; without it none" },
+    { name = "punch", kind = "fields", rows = tools.punch_rows, sentence = "as of fabric.rigid.punch" },
+    { name = "die", kind = "fields", optional = true,
+      rows = tools.shape_rows { name = "edge", kind = "number", unit = "m", above = 0, optional = true, sentence = "radius of the rounded edge; default a sixth of a round punch" },
+      sentence = "the opening, as of fabric.rigid.die; default of a round punch: wider by a twenty-fifth of its radius or by one and a half plies" },
+    { name = "holder", kind = "fields", optional = true, rows = {
+      { name = "force", kind = "number", unit = "N", above = 0, high = 1e7, optional = true, sentence = "by which it presses" },
+      { name = "springs", kind = "number", unit = "N/m", above = 0, high = 1e9, optional = true, sentence = "that press it from where it lies" },
+      { name = "gap", kind = "number", unit = "m", above = 0, high = 1, optional = true, sentence = "that it leaves" },
+      { name = "mass", kind = "number", unit = "kg", above = 0, high = 1e4, optional = true, sentence = "of the plate; default four times that of the plies" },
+    }, sentence = "one of force, springs and gap; without it none" },
     { name = "friction", kind = "number", low = 0, default = 0.2, sentence = "of tools and plies" },
     { name = "ply_friction", kind = "number", low = 0, optional = true, sentence = "of plies on each other; default that of the tools" },
     { name = "stroke", kind = "number", unit = "m", above = 0, sentence = "way of the punch from first contact" },

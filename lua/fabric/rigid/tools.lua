@@ -232,6 +232,20 @@ tools.rows = {
   { name = "length", kind = "number", unit = "m", above = 0, optional = true, sentence = "from centre to centre of a double dome, along x" },
   { name = "waist", kind = "number", unit = "m", above = 0, optional = true, sentence = "radius of the arcs that join both domes" },
 }
+local around = { name = "around", kind = "integer", low = 24, high = 2000, default = 64, sentence = "facets around" }
+local height = { name = "height", kind = "number", unit = "m", above = 0, optional = true,
+                 sentence = "of a box; of the shaft of a hemisphere; default the shorter side, the radius" }
+local edge = { name = "edge", kind = "number", unit = "m", above = 0, optional = true, sentence = "radius of a box's lower edge" }
+
+-- The rows that describe a shape alone, with some of one's own.
+function tools.shape_rows(...)
+  local all = { table.unpack(tools.rows) }
+  for _, row in ipairs { ... } do all[#all + 1] = row end
+  all[#all + 1] = around
+  return all
+end
+tools.punch_rows = tools.shape_rows(edge, height)
+
 local function rows(own, edge)
   local all = {}
   for _, row in ipairs(tools.rows) do all[#all + 1] = row end
@@ -239,7 +253,7 @@ local function rows(own, edge)
   for _, row in ipairs(own) do all[#all + 1] = row end
   for _, row in ipairs {
     { name = "at", kind = "numbers", optional = true, sentence = "{x, y, z}: its lowest point, or the middle of the opening in the face of a die, m; default the origin" },
-    { name = "around", kind = "integer", low = 24, high = 2000, default = 64, sentence = "facets around" },
+    around,
     { name = "mass", kind = "number", unit = "kg", above = 0, optional = true, sentence = "with it forces and contact move the body" },
     { name = "name", kind = "text", optional = true, sentence = "for messages and files; default the shape's" },
   } do all[#all + 1] = row end
@@ -248,9 +262,7 @@ end
 
 define {
   name = "fabric.rigid.punch",
-  arguments = rows({
-    { name = "height", kind = "number", unit = "m", above = 0, optional = true, sentence = "of a box; of the shaft of a hemisphere; default the shorter side, the radius" },
-  }, { name = "edge", kind = "number", unit = "m", above = 0, optional = true, sentence = "radius of a box's lower edge" }),
+  arguments = rows({ height }, edge),
   sentence = "A punch for forming, its lowest point at `at`: a hemisphere with its shaft (a rod, round without facets), a box with radii, or a double dome.",
   example = "local fabric = require 'fabric'\nlocal mm = fabric.units.mm\n"
     .. "local punch = fabric.rigid.punch{ radius=50*mm }\n"
