@@ -119,7 +119,8 @@ class Dynamic : public Run {
     bool reported_error = false, reported_split = false, reported_jump = false, reported_scaled = false,
          was_over = false;
     Damping damping = Damping::none;
-    int settling = 0;    // implicit steps left in which directors of opened joints settle
+    int settling = 0;    // implicit steps left, at least, in which directors of opened joints settle
+    double settles = 0;  // s, the time until which they do
     double surplus = 0;  // J, of the ledger before the present one of these
     double base = 0;     // J, the surplus when the scheme began to damp; with hht the largest loss
     double kinetic = 0, scaled = 0;  // J, the largest so far; its part in scaled rotary inertia
@@ -134,8 +135,8 @@ class Dynamic : public Run {
     }
     void keep(Archive& archive) {
       archive(step, loss, driven_kinetic_at_0, next_check, steps, looked, reported_error, reported_split,
-              reported_jump, reported_scaled, was_over, damping, settling, surplus, base, kinetic, scaled,
-              began, touched, short_steps, flat_looks);
+              reported_jump, reported_scaled, was_over, damping, settling, settles, surplus, base, kinetic,
+              scaled, began, touched, short_steps, flat_looks);
     }
   } now_;
 

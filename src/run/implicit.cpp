@@ -107,6 +107,7 @@ void Implicit::take(const mechanics::Transfer& change, const std::vector<double>
   if (change.closes() || !has_turning_directors()) return;
   newmark_.set_accelerations(std::move(before));
   now_.settling = kSettlingSteps;
+  now_.settles = std::max(now_.settles, committed_time() + (kSettlingSteps - 0.5) * control_.current());
   now_.surplus = energy().surplus();
   take_scheme();
 }
@@ -224,12 +225,14 @@ void Implicit::commit(StepReport& report) {
   ++now_.steps;
 }
 
-// What is missing after a step in which directors settle is what they had.
+// What is missing after a step in which directors settle is what they had. Shorter steps than before resolve
+// how they turn and leave them some of their speed: there have to be more of these.
 void Implicit::settle() {
   const double surplus = energy().surplus();
   now_.loss += std::max(0.0, now_.surplus - surplus);
   now_.surplus = energy().surplus();
-  if (repeatable_.halved == 0 && --now_.settling == 0) take_scheme();
+  if (now_.settling > 1 || committed_time() >= now_.settles) --now_.settling;
+  if (now_.settling == 0) take_scheme();
 }
 
 const mechanics::NodalRates& Implicit::rates() const { return newmark_.velocities(); }
@@ -268,7 +271,7 @@ bool Implicit::takes_back() {
   if (repeatable_.start.empty() || which == Try::first_again) return false;
   const EnergyAccount now = energy();
   const double made = (now.surplus() - repeatable_.surplus) / ledger_scale(now);
-  if (repeatable_.settling) return made > 0 && shortens(made, kSettlingHalvings);
+  if (repeatable_.settling) return shortens(std::max(0.0, made), kSettlingHalvings);
   if (which == Try::first) {
     const bool may_damp = chooses_scheme() && now_.damping != Damping::strong;
     if (!(made > options_.ledger_limit && may_damp)) return shortens(made, kMostHalvings);
@@ -307,7 +310,8 @@ bool Implicit::leave_hht(bool repeat) {
 // Where stiff elements turn far within a step, its error falls with its size.
 bool Implicit::shortens(double error, int most) {
   const int halved = std::exchange(repeatable_.halved, 0);
-  if (!(std::abs(error) > kErrorOfStep * options_.ledger_limit) || halved == most || is_young()) return false;
+  if (!(std::abs(error) > kErrorOfStep * options_.ledger_limit) || halved == most) return false;
+  if (is_young() && !repeatable_.settling) return false;
   const double end = committed_time();
   return_to_start(Repeatable::Try::first);
   control_.set((end - committed_time()) / 2);
