@@ -966,13 +966,40 @@ function fabric.lab.fast_card(fields) end
 ---@return table<string, any>
 function fabric.lab.fit(fields) end
 
+---@class fabric_lab_form_fields.punch
+---@field shape? "hemisphere"|"box"|"double dome" of the punch or of the opening: hemisphere (round), box, double dome (default "hemisphere")
+---@field radius? number m: of a hemisphere, a dome or a round opening
+---@field size? number[] m: {along x, along y} of a box
+---@field corner? number m: radius of a box's corners, seen from above
+---@field length? number m: from centre to centre of a double dome, along x
+---@field waist? number m: radius of the arcs that join both domes
+---@field edge? number m: radius of a box's lower edge
+---@field height? number m: of a box; of the shaft of a hemisphere; default the shorter side, the radius
+---@field around? integer facets around (default 64)
+
+---@class fabric_lab_form_fields.die
+---@field shape? "hemisphere"|"box"|"double dome" of the punch or of the opening: hemisphere (round), box, double dome (default "hemisphere")
+---@field radius? number m: of a hemisphere, a dome or a round opening
+---@field size? number[] m: {along x, along y} of a box
+---@field corner? number m: radius of a box's corners, seen from above
+---@field length? number m: from centre to centre of a double dome, along x
+---@field waist? number m: radius of the arcs that join both domes
+---@field edge? number m: radius of the rounded edge; default a sixth of a round punch
+---@field around? integer facets around (default 64)
+
+---@class fabric_lab_form_fields.holder
+---@field force? number N: by which it presses
+---@field springs? number N/m: that press it from where it lies
+---@field gap? number m: that it leaves
+---@field mass? number kg: of the plate; default four times that of the plies
+
 ---@class fabric_lab_form_fields
 ---@field card card the fabric of all plies
 ---@field stack? number[] degrees: {lowest, ..., upmost}: warp of each ply from x, default {0}
 ---@field blank number|number[] m: side of a square, or {along x, along y}
----@field punch table the arguments of fabric.rigid.punch: { radius= }, { shape='box', size=, corner=, edge= }, { shape='double dome', radius=, length=, waist= }
----@field die table of fabric.rigid.die: { radius=, edge= }, ...; its shape is that of the punch unless told
----@field holder? table { force=N }, { springs=N/m } or { gap=m }; mass= of the plate, default four times that of the plies; without it none
+---@field punch fabric_lab_form_fields.punch as of fabric.rigid.punch
+---@field die? fabric_lab_form_fields.die the opening, as of fabric.rigid.die; default of a round punch: wider by a twenty-fifth of its radius or by one and a half plies
+---@field holder? fabric_lab_form_fields.holder one of force, springs and gap; without it none
 ---@field friction? number of tools and plies (default 0.2)
 ---@field ply_friction? number of plies on each other; default that of the tools
 ---@field stroke number m: way of the punch from first contact

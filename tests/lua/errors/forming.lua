@@ -39,12 +39,14 @@ wrong("fabric.lab.form", form .. "t.blank = { 0.2, 0.2, 0.2 }" .. run, at .. "fo
 wrong("fabric.lab.form", form .. "t.stack = {}" .. run, at .. "form: field 'stack': expected a table of numbers in degrees, got an empty table")
 wrong("fabric.lab.form", form .. "t.stack = { 45 } t.quarter = true" .. run,
   at .. "form: field 'quarter': a quarter stands for the whole where yarns run along x and y: expected angles of 0 and 90 degrees, got 45")
-wrong("fabric.lab.form", form .. "t.die.edge = nil" .. run, at .. "form: field 'die.edge': expected a length in m for shape='hemisphere', got none")
-wrong("fabric.lab.form", form .. "t.punch = 5" .. run, at .. "form: field 'punch': expected a table, got 5")
+wrong("fabric.lab.form", form .. "t.punch = { shape='box', size={0.06, 0.06}, corner=0.01, edge=0.005 } t.die = { size={0.07, 0.07}, corner=0.01 }" .. run,
+  at .. "form: field 'die.edge': expected a length in m for shape='box', got none")
+wrong("fabric.lab.form", form .. "t.punch = 5" .. run, at .. "form: field 'punch': expected a table {shape, radius, size, corner, length, waist, ...}, got 5")
+wrong("fabric.lab.form", form .. "t.punch.shape = 'cone'" .. run, at .. "form: field 'punch.shape': expected 'hemisphere' or 'box' or 'double dome', got 'cone'")
 wrong("fabric.lab.form", form .. "t.card = 5" .. run, at .. "form: field 'card': expected a card, got 5")
 wrong("fabric.lab.form", form .. "t.friction = -1" .. run, at .. "form: field 'friction': expected a number of at least 0, got -1")
-wrong("fabric.lab.form", form .. "t.holder = { force=-5 }" .. run, at .. "form: field 'holder.force': expected a positive number in N, got -5")
-wrong("fabric.lab.form", form .. "t.holder = { spring=5 }" .. run, at .. "form: field 'holder.spring': unknown (known: force springs gap mass)")
+wrong("fabric.lab.form", form .. "t.holder = { force=-5 }" .. run, at .. "form: field 'holder.force': expected a number above 0 to 1e+07 in N, got -5")
+wrong("fabric.lab.form", form .. "t.holder = { spring=5 }" .. run, at .. "form: unknown field 'holder.spring', did you mean 'holder.springs'?")
 wrong("fabric.lab.form", form .. "t.quarter = 5" .. run, at .. "form: field 'quarter': expected true or false, got 5")
 wrong("fabric.lab.form", form .. "t.prepare = 5" .. run, at .. "form: field 'prepare': expected a function, got 5")
 wrong("fabric.lab.form", form .. "t.out = 5" .. run, at .. "form: field 'out': expected a string, got 5")
