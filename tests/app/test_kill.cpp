@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <memory>
 #include <random>
 #include <thread>
 
@@ -216,29 +217,39 @@ TEST_CASE("a signal ends what does not come to an answer, with its exit code and
       "a:every('step', function() " +
       endless + " end)\na:solve()\n";
   write_deck("endless_hook.lua", hook);
-  // Each takes the ten seconds that the program gives a deck to come to an answer.
-  const std::pair<std::string, int> cases[] = {
-      {"endless.lua", SIGINT}, {"endless.lua", SIGHUP}, {"endless_hook.lua", SIGTERM}};
-  for (const auto& [name, signal] : cases) {
-    INFO(name << ", " << signal);
-    fs::remove_all("endless");
-    fs::remove("endless.log");
-    Program program({"--quiet", name}, "endless.log");
-    REQUIRE(says("endless.log", "busy"));
-    CHECK(program.end(signal) == 128 + signal);
-    check_folder("endless");
-  }
   write_deck("endless_caught.lua",
              "while true do pcall(function() io.stderr:write 'busy' while true do end end)"
              " io.stderr:write 'caught' end\n");
-  fs::remove("endless.log");
-  Program program({"--quiet", "endless_caught.lua"}, "endless.log");
-  REQUIRE(says("endless.log", "busy"));
-  program.signal(SIGTERM);
-  REQUIRE(says("endless.log", "caught"));
-  program.signal(SIGTERM);  // as a shell hands on what came to its job
+  // Each takes the ten seconds that the program gives a deck to come to an answer, so that they run at once.
+  struct Case {
+    std::string deck, log;
+    int signal;
+  };
+  const Case cases[] = {{"endless.lua", "endless_1.log", SIGINT},
+                        {"endless.lua", "endless_2.log", SIGHUP},
+                        {"endless_hook.lua", "endless_3.log", SIGTERM}};
+  fs::remove_all("endless");
+  for (const char* log : {"endless_1.log", "endless_2.log", "endless_3.log", "endless_caught.log"})
+    fs::remove(log);
+  std::vector<std::unique_ptr<Program>> programs;
+  for (const Case& c : cases)
+    programs.push_back(std::make_unique<Program>(std::vector<std::string>{"--quiet", c.deck}, c.log));
+  Program caught({"--quiet", "endless_caught.lua"}, "endless_caught.log");
+  for (std::size_t i = 0; i < programs.size(); ++i) {
+    REQUIRE(says(cases[i].log, "busy"));
+    programs[i]->signal(cases[i].signal);
+  }
+  REQUIRE(says("endless_caught.log", "busy"));
+  caught.signal(SIGTERM);
+  REQUIRE(says("endless_caught.log", "caught"));
+  caught.signal(SIGTERM);  // as a shell hands on what came to its job
   sleep(3);
-  CHECK(program.end(SIGTERM) == 128 + SIGTERM);
+  CHECK(caught.end(SIGTERM) == 128 + SIGTERM);
+  for (std::size_t i = 0; i < programs.size(); ++i) {
+    INFO(cases[i].deck << ", " << cases[i].signal);
+    CHECK(programs[i]->wait() == 128 + cases[i].signal);
+  }
+  check_folder("endless");
 }
 
 TEST_CASE("Ctrl-C while statements come from a pipe ends the session as it ends a deck") {

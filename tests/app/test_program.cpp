@@ -247,13 +247,20 @@ TEST_CASE("Ctrl-C that comes as soon as gnuplot has begun is an interruption, to
   write("soon-gnuplot/gnuplot", "#!/bin/sh\nkill -INT $PPID\nsleep 60\n");
   std::system("chmod +x soon-gnuplot/gnuplot");
   const std::string path = std::getenv("PATH");
+  // Each takes the seconds that the program gives gnuplot to end, so that they run at once.
+  std::vector<std::unique_ptr<test::Program>> programs;
+  const auto log = [](int i) { return "soon-gnuplot/log" + std::to_string(i); };
+  setenv("PATH", ("soon-gnuplot:" + path).c_str(), 1);
   for (int i = 0; i < 3; ++i) {
-    setenv("PATH", ("soon-gnuplot:" + path).c_str(), 1);
-    test::Program program({"-e", "plot{ file='soon-gnuplot/a.svg', curves={ {x={0, 1}, y={0, 1}} } }"},
-                          "soon-gnuplot/log");
-    setenv("PATH", path.c_str(), 1);
-    CHECK(program.wait() == 128 + SIGINT);
-    CHECK(test::content_of("soon-gnuplot/log") == "fabricsh: (command line):1: plot: interrupted\n");
+    const std::string file = "soon-gnuplot/" + std::to_string(i) + ".svg";
+    programs.push_back(std::make_unique<test::Program>(
+        std::vector<std::string>{"-e", "plot{ file='" + file + "', curves={ {x={0, 1}, y={0, 1}} } }"},
+        log(i)));
+  }
+  setenv("PATH", path.c_str(), 1);
+  for (int i = 0; i < 3; ++i) {
+    CHECK(programs[static_cast<std::size_t>(i)]->wait() == 128 + SIGINT);
+    CHECK(test::content_of(log(i)) == "fabricsh: (command line):1: plot: interrupted\n");
   }
 }
 

@@ -11,6 +11,10 @@ using namespace fabricsh;
 using namespace fabricsh::test;
 
 TEST_CASE("closed loops of the potential law never make energy, whatever the option", "[law][energy]") {
+  for (int f = 0; f < 4; ++f) potential_loops(f, draws(100));
+}
+
+TEST_CASE("closed loops of the potential law never make energy, many of them", "[law][energy][long]") {
   for (int f = 0; f < 4; ++f) potential_loops(f, draws(500));
 }
 
