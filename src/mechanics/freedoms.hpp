@@ -15,6 +15,8 @@ namespace fabricsh::mechanics {
 // driven <= -2, tied: follows other nodes (see Tied).
 inline constexpr Index held = -1;
 inline constexpr Index tied = std::numeric_limits<Index>::min();
+// Whether a boundary condition states it: held or driven.
+inline constexpr bool is_prescribed(Index equation) { return equation < 0 && equation != tied; }
 inline constexpr Index driven(Index motion) { return -2 - motion; }
 inline constexpr Index motion_of(Index equation) { return -2 - equation; }
 

@@ -70,8 +70,6 @@ void report_beginning(const Run& from, Run& run) {
         "run");
 }
 
-bool is_supported(mechanics::Index equation) { return equation < 0 && equation != mechanics::tied; }
-
 // Sets to zero the part of a force that is along freedoms for which `drops` is true.
 template <class Drops>
 void drop_along(const mechanics::NodeFreedoms& node, Drops drops, Eigen::Ref<Vec3> force) {
@@ -151,12 +149,14 @@ void Run::release(const Run& from) {
     const auto i = static_cast<std::ptrdiff_t>(n);
     auto turning = at(std::span<double>(on_d), i);
     turning -= at(d, i).dot(turning) * at(d, i);
-    drop_along(now[n], is_supported, at(std::span<double>(on_x), i));
-    if (now[n].equation[3] < 0 && now[n].equation[3] != mechanics::tied) turning.setZero();
+    drop_along(now[n], mechanics::is_prescribed, at(std::span<double>(on_x), i));
+    if (mechanics::is_prescribed(now[n].equation[3])) turning.setZero();
     if (!from.moves()) continue;
     drop_along(
-        then[n], [](mechanics::Index e) { return !is_supported(e); }, at(std::span<double>(on_x), i));
-    if (!is_supported(then[n].equation[3]) && !is_supported(then[n].equation[4])) turning.setZero();
+        then[n], [](mechanics::Index e) { return !mechanics::is_prescribed(e); },
+        at(std::span<double>(on_x), i));
+    if (!mechanics::is_prescribed(then[n].equation[3]) && !mechanics::is_prescribed(then[n].equation[4]))
+      turning.setZero();
   }
   std::vector<double> r(static_cast<std::size_t>(assembly_->dofs().unknowns()));
   const std::vector<double> zero(on_x.size(), 0);

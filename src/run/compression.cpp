@@ -48,7 +48,7 @@ bool is_held_flat(const mechanics::Dofs& dofs, const std::array<mesh::Index, 4>&
     for (int i = 0; i < 3; ++i) {
       const auto equation = node.equation[static_cast<std::size_t>(i)];
       const double along = node.frame.row(i).dot(normal);
-      if (equation < 0 && equation != mechanics::tied) held += along * along;
+      if (mechanics::is_prescribed(equation)) held += along * along;
     }
     return held > mostly;
   });

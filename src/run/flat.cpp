@@ -33,8 +33,7 @@ Vec3 normal_of(const mechanics::Assembly& assembly) {
 bool is_held(const mechanics::Assembly& assembly) {
   const auto& nodes = assembly.dofs().freedoms().nodes;
   return std::any_of(nodes.begin(), nodes.end(), [](const auto& node) {
-    return std::any_of(node.equation.begin(), node.equation.begin() + 3,
-                       [](auto equation) { return equation < 0 && equation != mechanics::tied; });
+    return std::any_of(node.equation.begin(), node.equation.begin() + 3, mechanics::is_prescribed);
   });
 }
 

@@ -36,7 +36,7 @@ void Contacts::find_driven() {
   bool moves = bodies_.any_driven(), any = false;
   for (std::size_t n = 0; n < nodes_; ++n) {
     const auto& eq = freedoms_.nodes[n].equation;
-    driven_[n] = std::all_of(eq.begin(), eq.begin() + 3, [](Index e) { return e < 0 && e != tied; }) ? 1 : 0;
+    driven_[n] = std::all_of(eq.begin(), eq.begin() + 3, is_prescribed) ? 1 : 0;
     any = any || driven_[n] != 0;
     moves = moves ||
             (driven_[n] != 0 && std::any_of(eq.begin(), eq.begin() + 3, [](Index e) { return e < held; }));

@@ -318,7 +318,7 @@ void Seams::measure(std::span<const double> x, std::span<const double> on_x) {
     const Index n = stitches[i].node;
     for (std::size_t c = 0; c < 3; ++c) {
       const Index equation = nodes[n].equation[c];
-      if (equation < 0 && equation != tied) continue;
+      if (is_prescribed(equation)) continue;
       double a = equation >= 0 ? acceleration(n, c) : 0;
       if (equation == tied)
         for (const auto& f : joined_)

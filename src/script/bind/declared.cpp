@@ -114,6 +114,16 @@ std::string seam_words(const model::Seam& seam) {
   return words;
 }
 
+// A value along each axis along which there is one.
+template <class Values>
+std::string axis_words(const Values& v) {
+  std::string words;
+  for (int i = 0; i < 3; ++i)
+    if (const double value = v[static_cast<decltype(v.size())>(i)]; value != 0)
+      add_word(words, std::string(axis_names[i]) + " " + brief_number(value));
+  return words;
+}
+
 void add_supports(const Model& m, std::vector<Declared>& all) {
   using DeclarationKind = Model::DeclarationKind;
   DeclaredRows fixed(all, "fix", DeclarationKind::fix);
@@ -125,13 +135,7 @@ void add_supports(const Model& m, std::vector<Declared>& all) {
     turned.add(t.set, history_words(t.angle, "degrees") + " about " + vector_words(t.axis) +
                           (t.centre ? " through " + vector_words(*t.centre) : ""));
   DeclaredRows sprung(all, "spring", DeclarationKind::spring);
-  for (const auto& s : m.springs()) {
-    std::string words;
-    for (std::size_t i = 0; i < 3; ++i)
-      if (s.stiffness[i] != 0)
-        add_word(words, std::string(axis_names[i]) + " " + brief_number(s.stiffness[i]));
-    sprung.add(s.set, words + " N/m" + oblique(s.frame));
-  }
+  for (const auto& s : m.springs()) sprung.add(s.set, axis_words(s.stiffness) + " N/m" + oblique(s.frame));
   DeclaredRows zones(all, "tearable", DeclarationKind::tearable);
   for (const auto& zone : m.zones())
     zones.add(zone.set,
@@ -189,13 +193,6 @@ void add_loads(const Model& m, std::vector<Declared>& all) {
                vector_words(v.centre);
     velocities.add(v.set, v.place ? "function of place" : words);
   }
-}
-
-std::string axis_words(const Vec3& v) {
-  std::string words;
-  for (int i = 0; i < 3; ++i)
-    if (v[i] != 0) add_word(words, std::string(axis_names[i]) + " " + brief_number(v[i]));
-  return words;
 }
 
 // What loads, ties and holds rigid bodies.

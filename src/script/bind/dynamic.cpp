@@ -17,8 +17,6 @@ void read_damping(const Call& call, run::DynamicOptions& options) {
   if (damping.has("stiffness")) options.stiffness_damping = damping.number("stiffness");
 }
 
-const std::vector<std::string> solver_words{"auto", "symmetric", "unsymmetric"};
-
 void read_slow(const Call& call, run::DynamicOptions& options) {
   if (options.scheme != run::Scheme::implicit_steps)
     call.refuse("slow", "expected with scheme=\"implicit\": explicit steps follow every wave");
@@ -34,8 +32,7 @@ void read_method(const Call& call, run::DynamicOptions& options) {
   if (call.has("hht")) options.hht = call.number("hht");
   if (call.has("spectral_radius")) options.spectral_radius = call.number("spectral_radius");
   if (call.flag("slow")) read_slow(call, options);
-  options.linear = static_cast<run::Symmetry>(
-      std::find(solver_words.begin(), solver_words.end(), call.text("linear")) - solver_words.begin());
+  options.linear = chosen<run::Symmetry>(call.text("linear"), symmetry_words);
   if (call.has("inertia")) options.scaled = call.text("inertia") == "scaled";
   options.force = call.flag("force");
   options.ledger_limit = call.number("ledger_limit");
@@ -125,7 +122,7 @@ std::vector<Argument> arguments() {
        value_("linear", text,
               "implicit: direct solver: auto (symmetric where law and loads are), symmetric, unsymmetric")
            .or_else("auto")
-           .one_of(solver_words),
+           .one_of(symmetry_words),
        fields_("damping",
                {number_("mass", "1/s", not_negative, "a of the damping matrix a M + b K_M").optional(),
                 number_("stiffness", "s", not_negative, "b of the damping matrix a M + b K_M").optional()},

@@ -41,31 +41,31 @@ int return_self(const Call& call) {
   return 1;
 }
 
-model::Components read_components(const Call& call) {
-  model::Components components;
-  const std::string what = last_word(call.entry().name) + " '" + call.text("set") + "': field '";
+namespace {
+
+// Histories of x, y, z, those that are given; `what` begins the messages about a field.
+model::Components read_axes(const Call& call, const std::string& what) {
+  model::Components values;
   const Fields given = call.fields("components");
   const char* const axes[] = {"x", "y", "z"};
   for (std::size_t i = 0; i < 3; ++i) {
     if (given.push(axes[i]) != LUA_TNIL)
-      components[i] = read_history(call.session(), call.L(), -1, what + axes[i] + "'");
+      values[i] = read_history(call.session(), call.L(), -1, what + "field '" + axes[i] + "'");
     lua_pop(call.L(), 1);
   }
-  return components;
+  return values;
+}
+
+}  // namespace
+
+model::Components read_components(const Call& call) {
+  return read_axes(call, last_word(call.entry().name) + " '" + call.text("set") + "': ");
 }
 
 model::BodyLoad read_body_load(const Call& call, model::RigidPointer body) {
   if (call.has("options"))
     call.refuse("options", "a rigid body is loaded along global axes: expected nothing");
-  model::BodyLoad load{std::move(body), {}};
-  const Fields given = call.fields("components");
-  const char* const axes[] = {"x", "y", "z"};
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (given.push(axes[i]) != LUA_TNIL)
-      load.total[i] = read_history(call.session(), call.L(), -1, std::string("field '") + axes[i] + "'");
-    lua_pop(call.L(), 1);
-  }
-  return load;
+  return {std::move(body), read_axes(call, "")};
 }
 
 std::string sample_model() {

@@ -1,8 +1,6 @@
 // fabric.static: a quasi-static run.
 #include "run/static.hpp"
 
-#include <algorithm>
-
 #include "script/bind/model.hpp"
 #include "script/bind/run.hpp"
 
@@ -12,17 +10,11 @@ using run::Static;
 
 namespace {
 
-// The index of a word in the list of choices against which it has been checked.
-template <class Choice>
-Choice chosen(const std::string& word, const std::vector<std::string>& words) {
-  return static_cast<Choice>(std::find(words.begin(), words.end(), word) - words.begin());
-}
-const std::vector<std::string> linears{"auto", "symmetric", "unsymmetric"}, controls{"load", "arc"},
-    methods{"newton", "relaxation", "either", "auto"};
+const std::vector<std::string> controls{"load", "arc"}, methods{"newton", "relaxation", "either", "auto"};
 
 void read_scheme(Call& call, run::StaticOptions& options) {
   if (call.has("min_step")) options.min_step = call.number("min_step");
-  options.linear = chosen<run::Symmetry>(call.text("linear"), linears);
+  options.linear = chosen<run::Symmetry>(call.text("linear"), symmetry_words);
   options.control = chosen<run::Control>(call.text("control"), controls);
   options.method = chosen<run::Method>(call.text("method"), methods);
   if (!call.has("stabilise")) return;
@@ -81,7 +73,7 @@ std::vector<Entry> static_entries() {
             value_("linear", text,
                    "direct solver: auto (symmetric where law and loads are), symmetric, unsymmetric")
                 .or_else("auto")
-                .one_of(linears),
+                .one_of(symmetry_words),
             value_(
                 "control", text,
                 "load: steps in time; arc: steps along the path, past limit points, where time may go down")
