@@ -37,8 +37,8 @@ struct Shell3Layout {
 
 // Like shell4_geometry.
 void shell3_geometry(const section::Section& section, const std::array<Vec3, 3>& X,
-                     const std::array<Vec3, 3>& D, const WarpAt& warp, double* geometry, int lane,
-                     int stride);
+                     const std::array<Vec3, 3>& D, const WarpAt& warp, double* geometry, int lane, int stride,
+                     const Placed<3>* unbent = nullptr);
 
 // Like shell4_sharing; the result is at most `through`.
 Sharing shell3_sharing(const section::Section& section, const double* geometry);

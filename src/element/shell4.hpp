@@ -77,11 +77,19 @@ class DegenerateElement : public Error {
   explicit DegenerateElement(double jacobian);
 };
 
-// Fills the geometry column of one lane. X, D: reference nodes (m) and unit directors.
+// Nodes (m) and unit directors of an element.
+template <std::size_t corners>
+struct Placed {
+  std::array<Vec3, corners> X, D;
+};
+
+// Fills the geometry column of one lane. X, D: reference nodes (m) and unit directors. unbent: where the
+// element is free of moments and of transverse shear, if that is not there; only its curvature and shear
+// strain count.
 // Errors: DegenerateElement; those of `warp`.
 void shell4_geometry(const section::Section& section, const std::array<Vec3, 4>& X,
-                     const std::array<Vec3, 4>& D, const WarpAt& warp, double* geometry, int lane,
-                     int stride);
+                     const std::array<Vec3, 4>& D, const WarpAt& warp, double* geometry, int lane, int stride,
+                     const Placed<4>* unbent = nullptr);
 
 // Current state of a batch of elements, structure of arrays: entry i of lane l at [i * lanes + l].
 struct ShellBatch {

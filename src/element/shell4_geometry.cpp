@@ -212,20 +212,23 @@ DegenerateElement::DegenerateElement(double jacobian)
             ", expected a positive number") {}
 
 void shell4_geometry(const section::Section& section, const std::array<Vec3, 4>& X,
-                     const std::array<Vec3, 4>& D, const WarpAt& warp, double* geometry, int lane,
-                     int stride) {
+                     const std::array<Vec3, 4>& D, const WarpAt& warp, double* geometry, int lane, int stride,
+                     const Placed<4>* unbent) {
   const Shell4Layout at(static_cast<int>(section.points.size()));
   const auto put = [&](int i, double v) { geometry[i * stride + lane] = v; };
   const Edges edges = edges_of(X, D);
+  const Placed<4>& free = unbent != nullptr ? *unbent : Placed<4>{X, D};
+  const Edges free_edges = edges_of(free.X, free.D);
   for (int e = 0; e < 4; ++e)
-    put(e, section.thickness / 4 * edges.chord[e].dot(D[kEdge[e][0]] + D[kEdge[e][1]]));
+    put(e, section.thickness / 4 * free_edges.chord[e].dot(free.D[kEdge[e][0]] + free.D[kEdge[e][1]]));
   static const double g = 1 / std::sqrt(3.0);
   const double px[4] = {-g, g, g, -g}, py[4] = {-g, -g, g, g};
   double oblique[2] = {0, 0};
   for (int p = 0; p < gauss_points; ++p) {
-    const PointFrame frame = frame_at(edges, X, D, px[p], py[p]);
-    const auto kappa = metric(frame.A1, frame.A2, frame.B1, frame.B2),
-               rho = metric(frame.B1, frame.B2, frame.B1, frame.B2);
+    const PointFrame frame = frame_at(edges, X, D, px[p], py[p]),
+                     bent = frame_at(free_edges, free.X, free.D, px[p], py[p]);
+    const auto kappa = metric(bent.A1, bent.A2, bent.B1, bent.B2),
+               rho = metric(bent.B1, bent.B2, bent.B1, bent.B2);
     for (int i = 0; i < 3; ++i) {
       put(at.reference(p) + i, kappa[i]);
       put(at.reference(p) + 3 + i, rho[i] / 2);
@@ -330,22 +333,24 @@ double shear_over_bending(const VirginStiffness& of, const section::Section& sec
 }  // namespace
 
 void shell3_geometry(const section::Section& section, const std::array<Vec3, 3>& X,
-                     const std::array<Vec3, 3>& D, const WarpAt& warp, double* geometry, int lane,
-                     int stride) {
+                     const std::array<Vec3, 3>& D, const WarpAt& warp, double* geometry, int lane, int stride,
+                     const Placed<3>* unbent) {
+  const Placed<3>& free = unbent != nullptr ? *unbent : Placed<3>{X, D};
   const Shell3Layout at(static_cast<int>(section.points.size()));
   auto put = [&](int i, double v) { geometry[i * stride + lane] = v; };
   static constexpr int edge[3][2] = {{0, 1}, {0, 2}, {1, 2}};
   for (int e = 0; e < 3; ++e) {
     const auto [i, j] = std::pair(edge[e][0], edge[e][1]);
-    put(e, section.thickness / 4 * (X[j] - X[i]).dot(D[i] + D[j]));
+    put(e, section.thickness / 4 * (free.X[j] - free.X[i]).dot(free.D[i] + free.D[j]));
   }
   const Vec3 A1 = X[1] - X[0], A2 = X[2] - X[0], B1 = D[1] - D[0], B2 = D[2] - D[0];
-  const auto membrane = metric(A1, A2, A1, A2), rho = metric(B1, B2, B1, B2);
+  const Vec3 F1 = free.D[1] - free.D[0], F2 = free.D[2] - free.D[0];
+  const auto membrane = metric(A1, A2, A1, A2), rho = metric(F1, F2, F1, F2);
   for (int i = 0; i < 3; ++i) put(3 + i, membrane[i] / 2);
   double bent[3];  // curvatures of the edges
   for (int e = 0; e < 3; ++e) {
     const auto [i, j] = std::pair(edge[e][0], edge[e][1]);
-    bent[e] = 2 * (X[j] - X[i]).dot(lengthened((D[j] - D[i]) / 2));
+    bent[e] = 2 * (free.X[j] - free.X[i]).dot(lengthened((free.D[j] - free.D[i]) / 2));
   }
   const double kappa[3] = {bent[0], bent[1], bent[0] + bent[1] - bent[2]};
   const PointFrame middle{(X[0] + X[1] + X[2]) / 3, (D[0] + D[1] + D[2]) / 3, A1, A2, B1, B2};

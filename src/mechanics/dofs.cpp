@@ -8,6 +8,7 @@
 #include "geometry/node_view.hpp"
 #include "geometry/turning.hpp"
 #include "mechanics/mesh_tools.hpp"
+#include "mechanics/rest_shape.hpp"
 
 namespace fabricsh::mechanics {
 
@@ -19,7 +20,8 @@ Dofs::Dofs(const model::Model& model, Configuration& configuration)
     : configuration_(configuration),
       joints_(model.mesh()),
       X_(model.mesh().nodes),
-      directors_(mechanics::reference_directors(model.mesh())) {
+      directors_(model.has_rest() ? directors_of_folded(model.mesh())
+                                  : mechanics::reference_directors(model.mesh())) {
   lay_into_planes(model, directors_);
   freedoms_ = number_freedoms(model, directors_, joints_);
   begin_seams(model);

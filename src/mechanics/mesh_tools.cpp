@@ -39,12 +39,12 @@ std::vector<int> colour(const mesh::Mesh& given) {
 
 int corners(const std::array<Index, 4>& element) { return element[3] < 0 ? 3 : 4; }
 
-double area(const std::array<Index, 4>& e, const std::vector<Vec3>& X) {
+double area(const std::array<Index, 4>& e, std::span<const Vec3> X) {
   if (corners(e) == 3) return (X[e[1]] - X[e[0]]).cross(X[e[2]] - X[e[0]]).norm() / 2;
   return (X[e[2]] - X[e[0]]).cross(X[e[3]] - X[e[1]]).norm() / 2;
 }
 
-double size(const std::array<Index, 4>& e, const std::vector<Vec3>& X) {
+double size(const std::array<Index, 4>& e, std::span<const Vec3> X) {
   const int n = corners(e);
   double longest = 0;
   for (int c = 0; c < n; ++c) longest = std::max(longest, (X[e[(c + 1) % n]] - X[e[c]]).norm());

@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "mesh/mesh.hpp"
@@ -28,9 +29,9 @@ std::vector<Vec3> reference_directors(const mesh::Mesh& mesh);
 std::vector<int> colour(const mesh::Mesh& mesh);
 
 // Of an element with nodes at X.
-int corners(const std::array<Index, 4>& element);                              // 3 or 4
-double area(const std::array<Index, 4>& element, const std::vector<Vec3>& X);  // m^2
+int corners(const std::array<Index, 4>& element);                           // 3 or 4
+double area(const std::array<Index, 4>& element, std::span<const Vec3> X);  // m^2
 // m: height over the longest edge, the shortest way of a wave through the element.
-double size(const std::array<Index, 4>& element, const std::vector<Vec3>& X);
+double size(const std::array<Index, 4>& element, std::span<const Vec3> X);
 
 }  // namespace fabricsh::mechanics

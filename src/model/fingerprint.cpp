@@ -82,8 +82,8 @@ void add_warp(PartCollector& part, const Model& model, std::size_t region) {
     for (const Vec3& direction : model.mesh().warp) part.add_vector(direction);
     return;
   }
-  for (const Vec3& node : model.mesh().nodes) {
-    const Direction d = (*o.warp)(node);
+  for (Index n = 0; n < static_cast<Index>(model.mesh().nodes.size()); ++n) {
+    const Direction d = (*o.warp)(model.rest_node(model.mesh().place_of(n)));
     if (const auto* angle = std::get_if<double>(&d))
       part.add(*angle);
     else
@@ -98,6 +98,25 @@ void add_thickness(PartCollector& part, const Model& model, std::size_t region) 
   if (o.folds) part.add(static_cast<int>(*o.folds));
   if (o.full_yarns) part.add(2);
   for (const section::Ply& ply : o.plies) part.add(ply.thickness);
+}
+
+void add_reference(PartCollector& part, const Model& model) {
+  for (const BodyGiven& body : model.bodies()) {
+    const ReferenceGiven& given = body.reference;
+    part.add(static_cast<int>(given.rest), given.prestress.has_value());
+    if (given.prestress) part.add((*given.prestress)[0], (*given.prestress)[1]);
+    part.add(given.mesh != nullptr);
+    if (!given.mesh) continue;
+    for (const Vec3& node : given.mesh->nodes) part.add_vector(node);
+    for (const Vec3& direction : given.mesh->warp) part.add_vector(direction);
+  }
+}
+
+std::string reference_text(const Model& model) {
+  std::string text;
+  for (const BodyGiven& body : model.bodies())
+    text += body.reference.any() ? rest_text(body.reference) : "that of the mesh; ";
+  return text.substr(0, text.size() - 2);
 }
 
 std::string thickness_text(const Model& model, std::size_t region) {
@@ -291,6 +310,13 @@ Fingerprint fingerprint(const Model& model, double duration) {
         if (!zone.path.empty()) part.add_set(zone.path);
         if (zone.keep) part.add(zone.keep);
       }
+    });
+  if (std::any_of(model.bodies().begin(), model.bodies().end(),
+                  [](const BodyGiven& body) { return body.reference.any(); }))
+    add("reference", reference_text(model), [&](PartCollector& part) { add_reference(part, model); });
+  if (!model.creases().empty())
+    add("creases", "", [&](PartCollector& part) {
+      for (const CreaseEdge& edge : crease_edges(model)) part.add(edge.from, edge.to, edge.angle);
     });
   if (!model.strengths().empty())
     add("strengths", "", [&](PartCollector& part) {

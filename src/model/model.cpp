@@ -71,6 +71,11 @@ section::Section make_section(const card::Card& card, const Options& options, co
   return section;
 }
 
+// The shape in which the cloth of a body is free of stress.
+const mesh::Mesh& shape_of(const BodyGiven& body) {
+  return body.reference.mesh ? *body.reference.mesh : *body.mesh;
+}
+
 }  // namespace
 
 Mat3 frame_from(const Vec3& e1, const Vec3& e2) {
@@ -126,7 +131,9 @@ void Model::add_body(Index which) {
                 " of the mesh is on the same nodes as an element before" +
                 (twice.size() > 1 ? ", as are " + std::to_string(twice.size() - 1) + " more" : "") +
                 ": expected each piece of cloth once (plies are a field of the model)");
-  if (!body.options.warp && !body.mesh->flat && !body.mesh->has_warp())
+  take_reference(body, of);
+  const mesh::Mesh& shape = shape_of(body);
+  if (!body.options.warp && !shape.flat && !shape.has_warp())
     throw Error(
         "model: " + of +
         "field 'warp': expected a direction {x,y,z}, an angle in degrees or a function, got nil: this "
@@ -134,7 +141,7 @@ void Model::add_body(Index which) {
         "not a flat generated one, so the warp has no default");
   const auto add = [&](const std::string& name, const card::Card& card, const Options& options) {
     regions_.push_back({name, card, options, which});
-    sections_.push_back(make_section(card, options, *body.mesh));
+    sections_.push_back(make_section(card, options, shape));
     return static_cast<Index>(regions_.size()) - 1;
   };
   const Index own = add(body.name, body.card, body.options);
@@ -172,7 +179,10 @@ std::shared_ptr<Model> Model::copy() const {
 
 void Model::seal() {
   sealed_ = mesh_->in_use = true;
-  for (auto& body : bodies_) body.mesh->in_use = true;
+  for (auto& body : bodies_) {
+    body.mesh->in_use = true;
+    if (body.reference.mesh) body.reference.mesh->in_use = true;
+  }
 }
 
 namespace {
@@ -234,6 +244,12 @@ void Model::force(const std::string& set, Components total, const Mat3& frame) {
   mesh_->set(set);
   if (none_given(total)) throw Error("force: expected at least one of x, y, z, got none");
   forces_.push_back({set, std::move(total), frame});
+}
+
+void Model::crease(CreaseGiven crease) {
+  check_open("crease");
+  edges_of(*this, crease);
+  creases_.push_back(std::move(crease));
 }
 
 void Model::gravity(Components acceleration) {
@@ -439,6 +455,8 @@ void Model::remove(DeclarationKind kind, std::size_t i) {
       return take(bands_of_edges_);
     case DeclarationKind::gas:
       return take(gases_);
+    case DeclarationKind::crease:
+      return take(creases_);
     case DeclarationKind::force:
       return take(forces_);
     case DeclarationKind::moment:
@@ -633,7 +651,8 @@ void Model::validate() const {
 
 Vec3 Model::warp_at(Index element, const Vec3& X, const Vec3& n) const {
   const auto& warp = regions_[region_of(element)].options.warp;
-  const Direction own = mesh_->warp.empty() ? Direction(0.0) : Direction(mesh_->warp[element]);
+  const auto& given = rest_nodes_.empty() ? mesh_->warp : rest_warp_;
+  const Direction own = given.empty() || given[element].isZero() ? Direction(0.0) : Direction(given[element]);
   const Direction direction = warp ? (*warp)(X) : own;
   Vec3 wanted;
   if (const double* angle = std::get_if<double>(&direction)) {
@@ -690,9 +709,10 @@ std::string Model::describe() const {
     const auto& options = regions_[r].options;
     if (!regions_[r].name.empty()) text << regions_[r].name << ": ";
     text << "card " << regions_[r].card.name << ", " << section.thickness * 1e3 << " mm, "
-         << section.areal_mass * 1e3 << " g/m2; warp " << warp_words(options, *bodies_[regions_[r].body].mesh)
-         << "; " << (options.membrane ? "membrane" : counted(section.points.size(), "thickness point"))
-         << "; ";
+         << section.areal_mass * 1e3 << " g/m2; warp "
+         << warp_words(options, shape_of(bodies_[regions_[r].body])) << "; "
+         << (options.membrane ? "membrane" : counted(section.points.size(), "thickness point")) << "; "
+         << rest_text(bodies_[regions_[r].body].reference);
   }
   text << counted(supports_.size(), "support") << ", " << counted(motions_.size(), "motion") << ", "
        << loads_of(*this);
@@ -702,6 +722,7 @@ std::string Model::describe() const {
   if (!bands_of_edges_.empty()) text << ", " << counted(bands_of_edges_.size(), "band");
   if (!seams_.empty()) text << ", " << counted(seams_.size(), "seam");
   if (!gases_.empty()) text << ", " << counted(gases_.size(), "gas volume");
+  if (!creases_.empty()) text << ", " << counted(creases_.size(), "crease");
   if (interactions_.any()) {
     text << ", " << counted(interactions_.contacts().size(), "contact");
     for (const auto& body : interactions_.bodies())

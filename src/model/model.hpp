@@ -16,6 +16,7 @@
 #include "model/bands.hpp"
 #include "model/gas.hpp"
 #include "model/interaction.hpp"
+#include "model/reference.hpp"
 #include "model/seams.hpp"
 #include "model/ties.hpp"
 #include "section/section.hpp"
@@ -151,6 +152,7 @@ struct BodyGiven {
   card::Card card;
   Options options;
   std::vector<RegionGiven> regions;
+  ReferenceGiven reference = {};
 };
 
 // Material data of a part of the elements, compiled: one region of a body, or the rest of it.
@@ -233,6 +235,10 @@ class Model {
   void band(EdgeBand band);
   const std::vector<EdgeBand>& bands() const { return bands_of_edges_; }
 
+  // An angle at which the sheet rests: see CreaseGiven. Errors: those of edges_of.
+  void crease(CreaseGiven crease);
+  const std::vector<CreaseGiven>& creases() const { return creases_; }
+
   // Gas in a closed volume: see GasGiven. Errors: unknown sets; numbers out of range; a vent to a volume of
   // another model or with another gas; later, in validate(): those of enclosure_of.
   GasPointer gas(GasGiven gas);
@@ -262,7 +268,8 @@ class Model {
     seam,
     band,
     strength,
-    gas
+    gas,
+    crease
   };
   void remove(DeclarationKind kind, std::size_t i);
   // Contacts and rigid bodies: see Interactions.
@@ -325,14 +332,32 @@ class Model {
   const Interactions& interactions() const { return interactions_; }
   // Times at which a step must end: the kinks of all histories.
   std::vector<double> kinks() const;
-  // Warp direction as a vector, not yet projected, at X on a surface with the unit normal n. Error: not
-  // finite, or zero after projection.
+  // Whether the cloth is free of stress in another shape than that of the mesh.
+  bool has_rest() const;
+  const ReferenceGiven& reference_of(mesh::Index element) const {
+    return bodies_[static_cast<std::size_t>(regions_[region_of(element)].body)].reference;
+  }
+  // m, a node of the mesh without its zones in the stress-free shape, but for a prestress.
+  const Vec3& rest_node(mesh::Index place) const {
+    const auto& nodes = rest_nodes_.empty() ? mesh_->uncut().nodes : rest_nodes_;
+    return nodes[static_cast<std::size_t>(place)];
+  }
+  // The same of a corner of an element.
+  const Vec3& rest_corner(mesh::Index element, int corner) const {
+    const auto& nodes = mesh_->elements[static_cast<std::size_t>(element)];
+    return rest_node(mesh_->place_of(nodes[static_cast<std::size_t>(corner)]));
+  }
+  // Warp direction as a vector, not yet projected, at X on the stress-free shape with the unit normal n.
+  // Error: not finite, or zero after projection.
   Vec3 warp_at(mesh::Index element, const Vec3& X, const Vec3& n) const;
+  // The same at x on the mesh: carried there by the sides of the element where that is another shape.
+  Vec3 warp_as_placed(mesh::Index element, const Vec3& x, const Vec3& n) const;
   std::string describe() const;  // a few lines: mesh, card, warp, thickness, points, supports
 
  private:
   void check_open(const char* call) const;
   void add_body(Index body);
+  void take_reference(const BodyGiven& body, const std::string& of);
   void assign(Index region, Index body, const std::string& set);
   std::vector<Index> elements_of_zones() const;  // ascending
   void check_zones() const;
@@ -355,6 +380,9 @@ class Model {
   std::vector<Seam> seams_;
   std::vector<EdgeBand> bands_of_edges_;
   std::vector<GasPointer> gases_;
+  std::vector<CreaseGiven> creases_;
+  std::vector<Vec3> rest_nodes_;  // of the mesh without its zones; empty: those of the mesh
+  std::vector<Vec3> rest_warp_;   // per element, as Mesh::warp, of the stress-free shapes; empty: of the mesh
   Components gravity_;
   std::vector<InitialVelocity> velocities_;
   Interactions interactions_;

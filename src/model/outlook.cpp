@@ -29,8 +29,8 @@ Flat flat_of(const Model& model, Index e) {
   const auto& mesh = model.mesh();
   Flat f;
   Vec3 middle = Vec3::Zero();
-  for (const Index n : mesh.elements[static_cast<std::size_t>(e)])
-    if (n >= 0) f.corner.push_back(mesh.nodes[static_cast<std::size_t>(n)]);
+  for (int a = 0; a < (mesh.elements[static_cast<std::size_t>(e)][3] < 0 ? 3 : 4); ++a)
+    f.corner.push_back(model.rest_corner(e, a));
   for (const Vec3& x : f.corner) middle += x / static_cast<double>(f.corner.size());
   const Vec3 cross = f.corner.size() == 3 ? (f.corner[1] - f.corner[0]).cross(f.corner[2] - f.corner[0])
                                           : (f.corner[2] - f.corner[0]).cross(f.corner[3] - f.corner[1]);

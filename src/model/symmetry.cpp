@@ -76,7 +76,7 @@ void check_cloth(const Model& model, const Support& support) {
     if (!place) continue;
     const auto n = normal_at(model, element, support.symmetry);
     if (!n) continue;
-    const Vec3 warp = model.warp_at(element, *place, *n);
+    const Vec3 warp = model.warp_as_placed(element, *place, *n);
     const double angle = angle_from_warp(warp, *n, support.symmetry);
     const auto& section = model.sections()[static_cast<std::size_t>(model.region_of(element))];
     if (section::mirrored(section, angle)) continue;

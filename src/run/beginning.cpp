@@ -22,7 +22,7 @@ constexpr double kBalanced = 1e-6;
 // Whether the part says what the cloth is, and not what is done to it.
 bool is_of_cloth(const model::FingerprintPart& part) {
   for (const char* name : {"mesh", "region", "thickness", "warp direction", "ties", "tearable zones",
-                           "strengths", "seams", "bands", "gas"})
+                           "strengths", "seams", "bands", "gas", "reference", "creases"})
     if (part.name.starts_with(name)) return true;
   return false;
 }
@@ -93,8 +93,24 @@ bool Run::same_contact() const {
       .empty();
 }
 
+// The strain between the stress-free shape and the mesh is there at the start, in a step of no time.
+void Run::take_rest_shape() {
+  if (!model_->has_rest()) return;
+  for (const std::string& words : assembly_->cloth().rest().told()) notices_->remark(words);
+  assembly_->set_time(0);
+  if (!assembly_->forces({}))
+    throw Error(std::string(kind()) + ": the law fails at the strain of the start, of element " +
+                model_->element_name(assembly_->outcome().element));
+  assembly_->commit(0);
+  double stored = 0;
+  for (const auto& energy : assembly_->energies())
+    if (energy.account == mechanics::Account::stored) stored += energy.value;
+  notices_->remark(std::string(kind()) + ": at the start " + number(stored) +
+                   " J are stored in strains from the stress-free shape");
+}
+
 void Run::take_beginning() {
-  if (beginning_.from == nullptr) return;
+  if (beginning_.from == nullptr) return take_rest_shape();
   const Run& from = *beginning_.from;
   const bool same = same_contact();
   const auto* const contact = assembly_->terms().find<mechanics::Contacts>();

@@ -192,6 +192,7 @@ class Run {
       const char* kind, const Beginning& beginning = {});
   // Takes the state of the run it begins from, if there is one; when all terms are there.
   void take_beginning();
+  void take_rest_shape();
   const mechanics::NodalRates& left_rates() const { return left_rates_; }  // empty: none
   // Of the committed state, also of directors; null: there are none.
   virtual const mechanics::NodalRates* nodal_rates() const { return nullptr; }

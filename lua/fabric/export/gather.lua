@@ -110,6 +110,7 @@ end
 local function check_sheet(row, out)
   if row.plies > 0 then fail(("model: field 'model': '%s' has plies, which cannot be exported; expected one sheet of one card"):format(row.set)) end
   if row.offset ~= 0 then out.notes[#out.notes + 1] = ("the sheet's reference surface lies at %.6g of half its thickness: written as its middle surface"):format(row.offset) end
+  if row.rest then out.notes[#out.notes + 1] = ("the stress-free shape is left out (%s): the deck begins without stress in the shape of the mesh"):format((row.rest:gsub("; $", ""))) end
   local given = out.warp
   if not given then
     if not row.warp then fail "model: field 'warp': expected the direction of the warp, which differs from place to place in this model, got nil" end

@@ -15,7 +15,7 @@ namespace fabricsh::mechanics {
 
 Cloth::Cloth(const model::Model& model, const Configuration& configuration,
              const std::vector<Vec3>& directors)
-    : model_(model), configuration_(configuration), X_(model.mesh().nodes), directors_(directors) {
+    : model_(model), configuration_(configuration), X_(model.mesh().nodes), rest_(model, directors) {
   set_kinds();
   make_batches();
   std::size_t law = 0;
@@ -27,7 +27,7 @@ Cloth::Cloth(const model::Model& model, const Configuration& configuration,
   }
   states_ = LawStates(law);
   set_initial_states();
-  make_geometry(directors);
+  make_geometry();
   make_force_slots();
   order_batches();
   order_sums();
@@ -147,29 +147,33 @@ void Cloth::add_batches(const std::vector<int>& colours, int colour, bool triang
 namespace {
 
 template <std::size_t corners>
-void put_geometry(const section::Section& section, const std::vector<Vec3>& X,
-                  const std::vector<Vec3>& directors, const std::array<Index, 4>& nodes,
+void put_geometry(const section::Section& section, const RestShape& rest, Index e,
                   const element::WarpAt& warp, double* geometry, int lane) {
   std::array<Vec3, corners> x, d;
+  element::Placed<corners> unbent;
   for (std::size_t a = 0; a < corners; ++a) {
-    x[a] = X[nodes[a]];
-    d[a] = directors[nodes[a]];
+    x[a] = rest.X(e, static_cast<int>(a));
+    d[a] = rest.D(e, static_cast<int>(a));
+    if (rest.unbent(e) == nullptr) continue;
+    unbent.X[a] = rest.unbent(e)->X[a];
+    unbent.D[a] = rest.unbent(e)->D[a];
   }
+  const auto* const given = rest.unbent(e) == nullptr ? nullptr : &unbent;
   if constexpr (corners == 3)
-    element::shell3_geometry(section, x, d, warp, geometry, lane, lanes);
+    element::shell3_geometry(section, x, d, warp, geometry, lane, lanes, given);
   else
-    element::shell4_geometry(section, x, d, warp, geometry, lane, lanes);
+    element::shell4_geometry(section, x, d, warp, geometry, lane, lanes, given);
 }
 
 }  // namespace
 
-void Cloth::make_geometry(const std::vector<Vec3>& directors) {
+void Cloth::make_geometry() {
   mass_.assign(X_.size(), 0);
   mass_moment_.assign(X_.size(), 0);
   LineVector numbers;
   for (Batch& batch : batches_) {
     numbers.assign(static_cast<std::size_t>(batch.kind->geometry_size) * lanes, 0);
-    put_geometry(batch, directors, numbers.data());
+    put_geometry(batch, numbers.data());
     const auto entry = geometry_.keep(batch, numbers, [&] {
       return batch.kind->corners == 3 ? element::shell3_sharing(*batch.section, numbers.data())
                                       : element::shell4_sharing(*batch.section, numbers.data());
@@ -181,18 +185,18 @@ void Cloth::make_geometry(const std::vector<Vec3>& directors) {
   geometry_.finish();
 }
 
-void Cloth::put_geometry(const Batch& batch, const std::vector<Vec3>& directors, double* geometry) const {
+void Cloth::put_geometry(const Batch& batch, double* geometry) const {
   for (int l = 0; l < lanes; ++l) {
-    const auto warp = [this, e = batch.element[l]](const Vec3& X, const Vec3& n) {
-      return model_.warp_at(e, X, n);
-    };
+    const Index e = batch.element[l];
+    const auto warp = [this, e](const Vec3& X, const Vec3& n) { return rest_.warp(e, X, n); };
     try {
       if (batch.kind->corners == 3)
-        mechanics::put_geometry<3>(*batch.section, X_, directors, batch.nodes[l], warp, geometry, l);
+        mechanics::put_geometry<3>(*batch.section, rest_, e, warp, geometry, l);
       else
-        mechanics::put_geometry<4>(*batch.section, X_, directors, batch.nodes[l], warp, geometry, l);
-    } catch (const element::DegenerateElement& e) {
-      throw Error("mesh: element " + std::to_string(batch.element[l] + 1) + " " + e.what());
+        mechanics::put_geometry<4>(*batch.section, rest_, e, warp, geometry, l);
+    } catch (const element::DegenerateElement& refusal) {
+      throw Error((model_.reference_of(e).mesh ? "model: field 'reference': element " : "mesh: element ") +
+                  std::to_string(e + 1) + " " + refusal.what());
     }
   }
 }

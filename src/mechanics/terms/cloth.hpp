@@ -15,6 +15,7 @@
 #include "mechanics/geometry_store.hpp"
 #include "mechanics/joints.hpp"
 #include "mechanics/law_states.hpp"
+#include "mechanics/rest_shape.hpp"
 #include "model/model.hpp"
 #include "simd/aligned.hpp"
 
@@ -92,6 +93,7 @@ class Cloth final : public Term, public ElementTerm {
 
   // --- reading
   Index elements() const { return static_cast<Index>(place_.size()); }
+  const RestShape& rest() const { return rest_; }
   const std::vector<std::array<Index, 4>>& mesh_elements() const { return model_.mesh().elements; }
   std::span<const Batch> batches() const override { return batches_; }
   std::span<const BatchLane> places() const override { return place_; }
@@ -130,8 +132,8 @@ class Cloth final : public Term, public ElementTerm {
   std::vector<std::array<double, 2>> strengths_of_elements() const;
   void make_batches();
   void add_batches(const std::vector<int>& colours, int colour, bool triangles, int region);
-  void make_geometry(const std::vector<Vec3>& directors);
-  void put_geometry(const Batch& batch, const std::vector<Vec3>& directors, double* geometry) const;
+  void make_geometry();
+  void put_geometry(const Batch& batch, double* geometry) const;
   void add_mass(const Batch& batch, int lane);
   double membrane_step() const;
   double inertia_per_mass(const section::Section& section, bool scaled) const;
@@ -188,7 +190,8 @@ class Cloth final : public Term, public ElementTerm {
 
   const model::Model& model_;
   const Configuration& configuration_;
-  const std::vector<Vec3>& X_;
+  const std::vector<Vec3>& X_;  // of the mesh
+  const RestShape rest_;
   std::vector<BatchKind> kinds_;  // per region: quadrilaterals, triangles
   std::vector<Batch> batches_;
   const Joints* joints_ = nullptr;
@@ -216,9 +219,8 @@ class Cloth final : public Term, public ElementTerm {
   // ones, up to those of place i + 1. begun_: per node the place of its first batch.
   std::vector<std::uint32_t> finished_, first_finished_, begun_;
   std::vector<double> mass_, mass_moment_;
-  const std::vector<Vec3>& directors_;  // reference
-  mutable FrequencyBounds bounds_[2];   // with true and with scaled rotary inertia
-  double step_of_membrane_ = 0;         // s
+  mutable FrequencyBounds bounds_[2];  // with true and with scaled rotary inertia
+  double step_of_membrane_ = 0;        // s
   std::vector<Index> node_element_;
   std::vector<std::vector<TestedPoint>> tested_;  // per region
   law::StrainRatioFunction strain_ratio_at_ = nullptr;

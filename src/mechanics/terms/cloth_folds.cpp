@@ -12,10 +12,10 @@ Cloth::Corners Cloth::corners_of(Index element) const {
   const auto& nodes = model_.mesh().elements[static_cast<std::size_t>(element)];
   Corners out{{}, {}, nodes[3] < 0 ? 3 : 4, 0};
   Vec3 middle = Vec3::Zero();
-  for (int a = 0; a < out.count; ++a) middle += out.at[a] = X_[nodes[a]];
+  for (int a = 0; a < out.count; ++a) middle += out.at[a] = rest_.X(element, a);
   const Vec3* const x = out.at;
   const Vec3 normal = out.count == 3 ? (x[1] - x[0]).cross(x[2] - x[0]) : (x[2] - x[0]).cross(x[3] - x[1]);
-  const Vec3 n = normal.normalized(), w = model_.warp_at(element, middle / out.count, n);
+  const Vec3 n = normal.normalized(), w = rest_.warp(element, middle / out.count, n);
   out.axes[0] = (w - w.dot(n) * n).normalized();
   out.axes[1] = n.cross(out.axes[0]);
   out.area = 0.5 * normal.norm();

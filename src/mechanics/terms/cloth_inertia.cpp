@@ -52,8 +52,7 @@ double Cloth::membrane_step() const {
   for (const auto& section : model_.sections()) speed.push_back(std::sqrt(speeds(section).membrane));
   double shortest = std::numeric_limits<double>::infinity();
   for (Index e = 0; e < elements(); ++e)
-    shortest = std::min(
-        shortest, size(model_.mesh().elements[e], X_) / speed[static_cast<std::size_t>(model_.region_of(e))]);
+    shortest = std::min(shortest, rest_.size(e) / speed[static_cast<std::size_t>(model_.region_of(e))]);
   return shortest;
 }
 
@@ -70,7 +69,7 @@ double Cloth::inertia_per_mass(const section::Section& section, bool scaled) con
 double Cloth::corner_mass(Index i) const {
   const auto& e = model_.mesh().elements[i];
   const auto region = static_cast<std::size_t>(model_.region_of(i));
-  return model_.sections()[region].areal_mass * area(e, X_) / corners(e);
+  return model_.sections()[region].areal_mass * rest_.area(i) / corners(e);
 }
 
 // An element whose shape makes rotations against the transverse shear faster than the step takes gets more
@@ -86,7 +85,8 @@ Cloth::ElementBound Cloth::bound_of(const ElementMatrix& stiffness, Index i, boo
   const double wanted = 4 / (permitted * permitted);
   if (!scaled || bound.rate <= wanted) return bound;
   double longest = 0;
-  for (int a = 0; a < n; ++a) longest = std::max(longest, (X_[e[(a + 1) % n]] - X_[e[a]]).squaredNorm());
+  for (int a = 0; a < n; ++a)
+    longest = std::max(longest, (rest_.X(i, (a + 1) % n) - rest_.X(i, a)).squaredNorm());
   const double most = std::max(own, longest / 12);
   const double more = std::clamp(inertia_for(stiffness, n, mass, wanted) / mass, own, most);
   return {highest_rate(stiffness, n, mass, mass * more), more};
@@ -97,11 +97,11 @@ std::array<Cloth::ElementBound, lanes> Cloth::bounds_of(const Batch& batch, bool
   alignas(64) double x[12 * lanes], d[12 * lanes], b[24 * lanes];
   for (int l = 0; l < lanes; ++l)
     for (int a = 0; a < batch.kind->corners; ++a) {
-      const Index n = batch.nodes[l][a];
-      const Vec3 b1 = first_axis(directors_[n]), b2 = directors_[n].cross(b1);
+      const Vec3 &X = rest_.X(batch.element[l], a), &D = rest_.D(batch.element[l], a);
+      const Vec3 b1 = first_axis(D), b2 = D.cross(b1);
       for (int i = 0; i < 3; ++i) {
-        x[(3 * a + i) * lanes + l] = X_[n][i];
-        d[(3 * a + i) * lanes + l] = directors_[n][i];
+        x[(3 * a + i) * lanes + l] = X[i];
+        d[(3 * a + i) * lanes + l] = D[i];
         b[(6 * a + i) * lanes + l] = b1[i];
         b[(6 * a + 3 + i) * lanes + l] = b2[i];
       }
@@ -157,7 +157,7 @@ double Cloth::stable_step(bool scaled) const {
 
 double Cloth::smallest_size() const {
   double smallest = std::numeric_limits<double>::infinity();
-  for (const auto& e : model_.mesh().elements) smallest = std::min(smallest, size(e, X_));
+  for (Index e = 0; e < elements(); ++e) smallest = std::min(smallest, rest_.size(e));
   return smallest;
 }
 
@@ -176,16 +176,17 @@ double largest_stretch_squared(const Vec3& A, const Vec3& B, const Vec3& a, cons
 double Cloth::growth(Index i) const {
   const auto& e = model_.mesh().elements[i];
   const auto x = configuration_.x();
-  const auto across = [&](const auto& at_node) {
+  const auto across = [&](const auto& corner) {
     const int last = corners(e) == 3 ? 0 : 3;
-    return std::pair<Vec3, Vec3>(at_node(e[2]) - at_node(e[0]), at_node(e[1]) - at_node(e[last]));
+    return std::pair<Vec3, Vec3>(corner(2) - corner(0), corner(1) - corner(last));
   };
-  const auto [A, B] = across([&](Index n) { return X_[n]; });
-  const auto [a, b] = across([&](Index n) { return Vec3(at(x, n)); });
+  const auto [A, B] = across([&](int c) { return rest_.X(i, c); });
+  const auto [a, b] = across([&](int c) { return Vec3(at(x, e[c])); });
   double squared = std::max(1.0, largest_stretch_squared(A, B, a, b));
   for (int k = 0; k < corners(e); ++k) {
-    const Index from = e[k], to = e[(k + 1) % corners(e)];
-    squared = std::max(squared, (at(x, to) - at(x, from)).squaredNorm() / (X_[to] - X_[from]).squaredNorm());
+    const int next = (k + 1) % corners(e);
+    squared = std::max(squared, (at(x, e[next]) - at(x, e[k])).squaredNorm() /
+                                    (rest_.X(i, next) - rest_.X(i, k)).squaredNorm());
   }
   return squared + (squared - 1) / 2;
 }
@@ -199,8 +200,10 @@ double Cloth::largest_stretch() const {
     const int n = corners(e);
     for (int a = 0; a < n; ++a)
       for (int b = a + 1; b < n; ++b)
-        largest = std::max(largest,
-                           (at(x, e[b]) - at(x, e[a])).squaredNorm() / (X_[e[b]] - X_[e[a]]).squaredNorm());
+        largest = std::max(
+            largest,
+            (at(x, e[b]) - at(x, e[a])).squaredNorm() /
+                (rest_.X(static_cast<Index>(i), b) - rest_.X(static_cast<Index>(i), a)).squaredNorm());
   }
   return std::sqrt(largest);
 }
@@ -212,8 +215,9 @@ double Cloth::largest_turn(const NodalRates& way) const {
     const auto& e = model_.mesh().elements[i];
     const int n = corners(e);
     for (int a = 0; a < n; ++a) {
-      const Index from = e[a], to = e[(a + 1) % n];
-      const double edge = (at(way.x, to) - at(way.x, from)).squaredNorm() / (X_[to] - X_[from]).squaredNorm();
+      const Index from = e[a], to = e[(a + 1) % n], id = static_cast<Index>(i);
+      const double edge = (at(way.x, to) - at(way.x, from)).squaredNorm() /
+                          (rest_.X(id, (a + 1) % n) - rest_.X(id, a)).squaredNorm();
       largest = std::max({largest, edge, at(way.d, from).squaredNorm()});
     }
   }

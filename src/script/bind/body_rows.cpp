@@ -205,11 +205,29 @@ const std::vector<Argument>& region_fields() {
   return rows;
 }
 
+std::vector<Argument> rest_rows() {
+  return {object_("reference", "mesh",
+                  "the stress-free shape: the same elements with other nodes. Strains, yarns and masses are "
+                  "those of this shape; the mesh is where the run starts")
+              .optional(),
+          value_("rest", text,
+                 "where it is free of moments: own, with the curvature of the stress-free shape; flat; or as "
+                 "placed, with that of the mesh")
+              .one_of({std::begin(model::rest_words), std::end(model::rest_words)})
+              .or_else("own"),
+          fields_("prestress",
+                  {number_("warp", "N/m", not_negative, "along the warp").or_else(0.0),
+                   number_("weft", "N/m", not_negative, "along the weft").or_else(0.0)},
+                  "tension at the start, per width of the mesh, by a strain of the law that is printed")
+              .optional()};
+}
+
 const std::vector<Argument>& body_fields() {
   static const std::vector<Argument> rows = [] {
     std::vector<Argument> all{value_("name", text, "its sets are then name.left, name.all, ..."),
                               object_("mesh", "mesh", "its surface")};
     for (Argument& row : made_rows(flat_default)) all.push_back(std::move(row));
+    for (Argument& row : rest_rows()) all.push_back(std::move(row));
     all.push_back(value_("regions", table, region_words).optional());
     return all;
   }();
@@ -248,11 +266,30 @@ std::vector<model::RegionGiven> read_regions(const Fields& given, const std::str
   return regions;
 }
 
+model::ReferenceGiven read_rest(const Fields& given) {
+  model::ReferenceGiven made;
+  if (given.has("reference")) made.mesh = given.object<mesh::Mesh>("reference");
+  const auto* const found =
+      std::find(std::begin(model::rest_words), std::end(model::rest_words), given.text("rest"));
+  made.rest = static_cast<model::Rest>(found - std::begin(model::rest_words));
+  if (!given.has("prestress")) return made;
+  const Fields tension = given.fields("prestress");
+  made.prestress = {tension.number("warp"), tension.number("weft")};
+  lua_pop(given.L(), 1);
+  if (!((*made.prestress)[0] > 0 || (*made.prestress)[1] > 0))
+    given.refuse("prestress", "expected a tension along warp or weft, got none");
+  return made;
+}
+
 model::BodyGiven read_body(const Fields& given, const std::string& name, const std::string& path) {
   BodyMaterial made = read_made(given);
   auto regions = read_regions(given, path, made.options);
-  return {name, given.object<mesh::Mesh>("mesh"), std::move(made.card), std::move(made.options),
-          std::move(regions)};
+  return {name,
+          given.object<mesh::Mesh>("mesh"),
+          std::move(made.card),
+          std::move(made.options),
+          std::move(regions),
+          read_rest(given)};
 }
 
 // Checks the name of a body, which becomes a part of the names of its sets.
@@ -264,7 +301,8 @@ void check_name(const Fields& body, const std::string& name, const std::vector<m
 }
 
 std::vector<model::BodyGiven> read_bodies(const Call& call) {
-  for (const char* field : {"mesh", "card", "layers", "thickness", "warp", "offset", "regions"})
+  for (const char* field :
+       {"mesh", "card", "layers", "thickness", "warp", "offset", "regions", "reference", "prestress"})
     if (call.has(field)) call.refuse(field, "expected inside each of the bodies, where 'bodies' is given");
   lua_State* L = call.L();
   call.push("bodies");
@@ -326,6 +364,7 @@ void interpolate_yarns(std::vector<model::BodyGiven>& bodies) {
 std::vector<Argument> model_rows() {
   std::vector<Argument> rows{object_("mesh", "mesh", "the surface").optional()};
   for (Argument& row : made_rows(flat_default)) rows.push_back(std::move(row));
+  for (Argument& row : rest_rows()) rows.push_back(std::move(row));
   rows.push_back(value_("regions", table, region_words).optional());
   rows.push_back(value_("bodies", table,
                         "{ {name=, mesh=, card=, regions=, ...}, ... }: several meshes in place of one; "
@@ -403,7 +442,8 @@ int make_model(Call& call) {
   if (call.has("imperfection")) bend_meshes(call, bodies);
   std::vector<std::unique_ptr<ChangeRefused>> still;
   for (const auto& body : bodies)
-    still.push_back(std::make_unique<ChangeRefused>(call.session(), body.mesh.get()));
+    for (const auto& mesh : {body.mesh, body.reference.mesh})
+      if (mesh) still.push_back(std::make_unique<ChangeRefused>(call.session(), mesh.get()));
   auto model = std::make_shared<Model>(std::move(bodies));
   for (const auto& region : model->regions()) check_made(call.session(), region.card, region.options);
   push_object(call.L(), std::move(model));

@@ -106,7 +106,7 @@ std::vector<std::string> held(const model::FixedFreedoms& freedoms) {
 Vec3 warp_of(const Model& m, mesh::Index e) {
   const auto& nodes = m.mesh().elements[static_cast<std::size_t>(e)];
   const bool quad = nodes[3] >= 0;
-  const auto X = [&](int i) { return m.mesh().nodes[static_cast<std::size_t>(nodes[i])]; };
+  const auto X = [&](int i) { return m.rest_corner(e, i); };
   Vec3 centre = X(0) + X(1) + X(2);
   if (quad) centre += X(3);
   const Vec3 normal = quad ? (X(2) - X(0)).cross(X(3) - X(1)) : (X(1) - X(0)).cross(X(2) - X(0));
@@ -135,6 +135,7 @@ void add_sheets(const Model& m, Rows& rows) {
         .number("plies", static_cast<double>(region.options.plies.size()))
         .number("offset", region.options.offset)
         .flag("membrane", region.options.membrane)
+        .text("rest", model::rest_text(m.bodies()[static_cast<std::size_t>(region.body)].reference))
         .vector("warp", warp_of_region(m, static_cast<int>(r)));
   }
 }
@@ -152,6 +153,8 @@ void add_supports(const Model& m, Rows& rows) {
   for (const auto& z : m.zones()) rows.row("tearable", z.set).text("path", z.path);
   for (const auto& s : m.strengths())
     rows.row("strength", s.set).number("factor", s.factor).number("modulus", s.modulus);
+  for (const auto& c : m.creases())
+    rows.row("crease", c.set.empty() ? "a line" : c.set).number("angle", c.angle);
   for (const auto& b : m.bands())
     rows.row("band", b.set).number("stiffness", b.stiffness).number("ease", b.ease).number("over", b.over);
   for (const auto& s : m.seams())

@@ -145,6 +145,9 @@ void add_supports(const Model& m, std::vector<Declared>& all) {
   for (const auto& s : m.strengths())
     strengths.add(s.set, brief_number(s.factor) + " times the card's" +
                              (s.modulus > 0 ? ", Weibull modulus " + brief_number(s.modulus) : ""));
+  DeclaredRows creased(all, "crease", DeclarationKind::crease);
+  for (const auto& c : m.creases())
+    creased.add(c.set.empty() ? "line" : c.set, "at rest at " + brief_number(c.angle) + " degrees");
   DeclaredRows banded(all, "band", DeclarationKind::band);
   for (const auto& b : m.bands())
     banded.add(b.set, brief_number(b.stiffness) + " N, " + brief_number(100 * b.ease) + " % shorter" +

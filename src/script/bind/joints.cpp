@@ -10,6 +10,24 @@ namespace fabricsh::script {
 
 using model::Model;
 
+std::vector<Vec3> read_line(const Call& call) {
+  lua_State* L = call.L();
+  call.push("line");
+  std::vector<Vec3> line;
+  const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
+  for (lua_Integer i = 1; i <= count; ++i) {
+    const Argument row{std::to_string(i), numbers, "m", everything, ""};
+    lua_rawgeti(L, -1, i);
+    check_value(L, -1, row, "line.", false);
+    line.push_back(read_vector(read_numbers(L, -1), "field 'line." + row.name + "'"));
+    lua_pop(L, 1);
+  }
+  lua_pop(L, 1);
+  if (line.size() < 2)
+    call.refuse("line", "expected two points {x, y, z} or more, got " + std::to_string(line.size()));
+  return line;
+}
+
 namespace {
 
 int tearable(Call& call) {
@@ -31,24 +49,6 @@ int strength(Call& call) {
   given.seed = static_cast<std::uint64_t>(call.integer("seed"));
   call.self<Model>()->strength(std::move(given));
   return return_self(call);
-}
-
-std::vector<Vec3> read_line(const Call& call) {
-  lua_State* L = call.L();
-  call.push("line");
-  std::vector<Vec3> line;
-  const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
-  for (lua_Integer i = 1; i <= count; ++i) {
-    const Argument row{std::to_string(i), numbers, "m", everything, ""};
-    lua_rawgeti(L, -1, i);
-    check_value(L, -1, row, "line.", false);
-    line.push_back(read_vector(read_numbers(L, -1), "field 'line." + row.name + "'"));
-    lua_pop(L, 1);
-  }
-  lua_pop(L, 1);
-  if (line.size() < 2)
-    call.refuse("line", "expected two points {x, y, z} or more, got " + std::to_string(line.size()));
-  return line;
 }
 
 run::Run::Along read_along(const Call& call) {

@@ -293,6 +293,7 @@ void bind_loads(Session& session) {
   install(session, loads_entries());
   bind_ties(session);
   bind_seams(session);
+  bind_creases(session);
   bind_gas(session);
   bind_contact(session);
   bind_declared(session);

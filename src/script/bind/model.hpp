@@ -7,8 +7,9 @@
 namespace fabricsh::script {
 
 Vec3 read_vector(const std::vector<double>& v, const std::string& what);  // Error unless three numbers
-model::Components read_components(const Call& call);                      // of argument "components"
-Mat3 read_frame(const Call& call);  // of argument "options", field frame
+std::vector<Vec3> read_line(const Call& call);        // of argument "line": two points or more
+model::Components read_components(const Call& call);  // of argument "components"
+Mat3 read_frame(const Call& call);                    // of argument "options", field frame
 Argument components_row(const char* unit, const char* sentence);
 Argument frame_row();
 model::BodyLoad read_body_load(const Call& call, model::RigidPointer body);  // of "components"
@@ -23,6 +24,7 @@ void bind_declared(Session& session);
 void bind_declarations(Session& session);
 void bind_ties(Session& session);
 void bind_seams(Session& session);
+void bind_creases(Session& session);
 void bind_gas(Session& session);
 void bind_contact(Session& session);
 

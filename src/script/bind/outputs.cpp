@@ -274,6 +274,10 @@ int write_output(Call& call) {
     const run::NodeValues node = a.node(static_cast<mesh::Index>(i));
     shape.nodes[i] = contents.reference ? node.X : node.x;
   }
+  const bool is_deck = path.ends_with(".inp") || path.ends_with(".k") || path.ends_with(".rad");
+  if (is_deck && a.model().has_rest())
+    call.session().warn("dropped", position(call.L()) + "write: " + path +
+                                       " has the mesh alone: the stress-free shape of the model is left out");
   format::write_mesh(path, shape);
   return 1;
 }

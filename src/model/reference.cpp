@@ -1,0 +1,173 @@
+#include "model/reference.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numbers>
+
+#include "base/error.hpp"
+#include "base/number.hpp"
+#include "geometry/box.hpp"
+#include "model/model.hpp"
+
+namespace fabricsh::model {
+
+namespace {
+
+using Edge = std::pair<Index, Index>;
+
+// With the number of elements of each.
+std::map<Edge, int> edges_between(const mesh::Mesh& mesh, const std::vector<bool>& on) {
+  std::map<Edge, int> edges;
+  for (const auto& e : mesh.elements)
+    for (int a = 0, n = e[3] < 0 ? 3 : 4; a < n; ++a) {
+      const Index i = e[static_cast<std::size_t>(a)], j = e[static_cast<std::size_t>((a + 1) % n)];
+      if (on[static_cast<std::size_t>(i)] && on[static_cast<std::size_t>(j)]) ++edges[std::minmax(i, j)];
+    }
+  return edges;
+}
+
+// m, from a place to a line of straight pieces.
+double distance(const Vec3& x, const std::vector<Vec3>& line) {
+  double least = (x - line.front()).norm();
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const Vec3 way = line[i + 1] - line[i];
+    const double share = std::clamp(way.dot(x - line[i]) / way.squaredNorm(), 0.0, 1.0);
+    least = std::min(least, (x - line[i] - share * way).norm());
+  }
+  return least;
+}
+
+std::string place_text(const Vec3& x) {
+  return "(" + number(x.x()) + ", " + number(x.y()) + ", " + number(x.z()) + ") m";
+}
+
+}  // namespace
+
+std::string rest_text(const ReferenceGiven& given) {
+  std::string text;
+  if (given.mesh) text += "free of stress as " + given.mesh->origin + "; ";
+  if (given.rest != Rest::own)
+    text += "rests " + std::string(rest_words[static_cast<int>(given.rest)]) + "; ";
+  if (given.prestress)
+    text += "prestress " + number((*given.prestress)[0]) + " N/m in warp, " + number((*given.prestress)[1]) +
+            " N/m in weft; ";
+  return text;
+}
+
+void check_reference(const std::string& of, const mesh::Mesh& mesh, const mesh::Mesh& reference) {
+  const std::string expected = "model: " + of + "field 'reference': expected the elements of the mesh, " +
+                               std::to_string(mesh.elements.size()) + " on " +
+                               std::to_string(mesh.nodes.size()) + " nodes, in another shape; got ";
+  if (reference.elements.size() != mesh.elements.size() || reference.nodes.size() != mesh.nodes.size())
+    throw Error(expected + std::to_string(reference.elements.size()) + " on " +
+                std::to_string(reference.nodes.size()));
+  const auto differ = std::mismatch(mesh.elements.begin(), mesh.elements.end(), reference.elements.begin());
+  if (differ.first != mesh.elements.end())
+    throw Error(expected + "element " + std::to_string(differ.first - mesh.elements.begin() + 1) +
+                " on other nodes");
+}
+
+std::vector<CreaseEdge> edges_of(const Model& model, const CreaseGiven& crease) {
+  constexpr double near = 1e-3;  // of the edge, by which nodes may lie beside the line
+  const mesh::Mesh& mesh = model.mesh().uncut();
+  std::vector<bool> on(mesh.nodes.size(), crease.set.empty());
+  if (!crease.set.empty())
+    for (const Index n : mesh.set(crease.set)) on[static_cast<std::size_t>(n)] = true;
+  std::vector<CreaseEdge> found;
+  std::map<Index, int> count;
+  for (const auto& [edge, elements] : edges_between(mesh, on)) {
+    const auto [i, j] = edge;
+    const Vec3 &a = model.rest_node(i), &b = model.rest_node(j);
+    const double tolerance = near * (b - a).norm();
+    if (!crease.line.empty() && std::max({distance(a, crease.line), distance(b, crease.line),
+                                          distance((a + b) / 2, crease.line)}) > tolerance)
+      continue;
+    if (elements < 2)
+      throw Error("crease: the edge between nodes " + std::to_string(i + 1) + " and " +
+                  std::to_string(j + 1) + " is one of the boundary: expected edges with cloth on both sides");
+    found.push_back({i, j, crease.angle * std::numbers::pi / 180});
+    for (const Index n : {i, j})
+      if (++count[n] > 2)
+        throw Error("crease: " + (crease.set.empty() ? "the line" : "set '" + crease.set + "'") +
+                    ": expected edges in one line, got three at node " + std::to_string(n + 1) + " at " +
+                    place_text(model.rest_node(n)));
+  }
+  if (found.empty())
+    throw Error("crease: " +
+                (crease.set.empty()
+                     ? "no edge of the mesh lies on the line from " + place_text(crease.line.front()) +
+                           " to " + place_text(crease.line.back()) +
+                           ": expected a line along edges of the stress-free shape"
+                     : "set '" + crease.set + "': expected nodes along edges of the mesh, got " +
+                           std::to_string(mesh.set(crease.set).size()) + " without an edge"));
+  return found;
+}
+
+std::vector<CreaseEdge> crease_edges(const Model& model) {
+  std::vector<CreaseEdge> all;
+  std::map<Index, int> count;
+  std::map<Edge, int> seen;
+  for (const CreaseGiven& crease : model.creases())
+    for (const CreaseEdge& edge : edges_of(model, crease)) {
+      if (++seen[{edge.from, edge.to}] > 1)
+        throw Error("crease: the edge between nodes " + std::to_string(edge.from + 1) + " and " +
+                    std::to_string(edge.to + 1) + " is in two creases: expected one angle");
+      for (const Index n : {edge.from, edge.to})
+        if (++count[n] > 2)
+          throw Error("crease: creases meet at node " + std::to_string(n + 1) + " at " +
+                      place_text(model.rest_node(n)) +
+                      ": expected creases that do not cross, since a node has one director");
+      all.push_back(edge);
+    }
+  return all;
+}
+
+// The parts of a joined mesh follow each other, and so do their stress-free shapes.
+void Model::take_reference(const BodyGiven& body, const std::string& of) {
+  const auto& given = body.reference;
+  if (given.prestress && !body.options.plies.empty())
+    throw Error("model: " + of + "field 'prestress': expected a card without layers, which share a tension");
+  if (given.mesh) check_reference(of, *body.mesh, *given.mesh);
+  if (!given.mesh) return;
+  const auto part = std::find_if(mesh_->parts.begin(), mesh_->parts.end(),
+                                 [&](const auto& one) { return one.name == body.name; });
+  const Index node = part == mesh_->parts.end() ? 0 : part->first_node,
+              element = part == mesh_->parts.end() ? 0 : part->first_element;
+  if (rest_nodes_.empty()) {
+    rest_nodes_ = mesh_->nodes;
+    rest_warp_ = mesh_->warp;
+    rest_warp_.resize(mesh_->elements.size(), Vec3::Zero());
+  }
+  std::copy(given.mesh->nodes.begin(), given.mesh->nodes.end(), rest_nodes_.begin() + node);
+  const auto warp = rest_warp_.begin() + element;
+  std::fill_n(warp, given.mesh->elements.size(), Vec3(Vec3::Zero()));
+  std::copy(given.mesh->warp.begin(), given.mesh->warp.end(), warp);
+}
+
+bool Model::has_rest() const {
+  return !creases_.empty() ||
+         std::any_of(bodies_.begin(), bodies_.end(), [](const auto& body) { return body.reference.any(); });
+}
+
+Vec3 Model::warp_as_placed(Index element, const Vec3& x, const Vec3& n) const {
+  if (rest_nodes_.empty()) return warp_at(element, x, n);
+  const auto& e = mesh_->elements[static_cast<std::size_t>(element)];
+  const int last = e[3] < 0 ? 2 : 3;
+  Vec3 middle = Vec3::Zero();
+  for (int a = 0; a <= last; ++a) middle += rest_corner(element, a) / (last + 1);
+  const auto sides = [&](const auto& at) {
+    Eigen::Matrix<double, 3, 2> both;
+    both.col(0) = at(last - 1) - at(0);
+    both.col(1) = at(last) - at(last == 2 ? 0 : 1);
+    return both;
+  };
+  const auto there = sides([&](int a) -> const Vec3& { return rest_corner(element, a); });
+  const auto here = sides([&](int a) -> const Vec3& {
+    return mesh_->nodes[static_cast<std::size_t>(e[static_cast<std::size_t>(a)])];
+  });
+  const Vec3 normal = there.col(0).cross(there.col(1)).normalized();
+  const Vec3 warp = warp_at(element, middle, normal);
+  return here * there.colPivHouseholderQr().solve(warp - warp.dot(normal) * normal);
+}
+
+}  // namespace fabricsh::model
