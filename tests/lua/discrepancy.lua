@@ -36,3 +36,27 @@ assert(inside >= 0.85 and told >= 0.4, ("%g %g"):format(inside, told)) -- long w
 assert(width < 4 * plain, width / plain)
 inside, told = fitted(3, 20)
 assert(inside >= 0.85 and told >= 0.9, ("%g %g"):format(inside, told))
+
+-- --- a parameter that the data push beyond its bound, and long records: the difference that is told has the size of the residuals and of what the other parameters take up
+local long = 400
+local function curved(p)
+  local y = {}
+  for k = 1, long do
+    local x = k / long
+    y[k] = p.a * x + p.b * x ^ 2 + p.c * x ^ 5
+  end
+  return y
+end
+local parameters = { { name = "a", start = 1, low = -5, high = 5 }, { name = "b", start = 1, low = -5, high = 5 }, { name = "c", start = 0.2, low = 0, high = 5 } }
+for _, c in ipairs { -0.5, -2 } do
+  local y = curved { a = 2, b = 1, c = c }
+  for k = 1, long do y[k] = y[k] + noise * draw.normal() end
+  local f = lab.identify { parameters = parameters, tests = { { name = "curve", measured = y, noise = noise, predict = curved } }, processes = 1 }
+  assert(f.on_bound.c == 0 and f.deviation[3] ~= f.deviation[3] and f.discrepancy.told, f.text)
+  assert(f.discrepancy.deviation < 4 * math.sqrt(f.chi2) and f.discrepancy.deviation > 0.3 * math.sqrt(f.chi2), f.discrepancy.deviation .. " " .. math.sqrt(f.chi2))
+  assert(f.known.a and f.known.b, f.text)
+end
+local nothing = {}
+for k = 1, long do nothing[k] = 0 end
+local f = lab.identify { parameters = { parameters[1] }, tests = { { name = "none", measured = nothing, noise = noise, predict = function(p) return curved { a = p.a, b = 0, c = 0 } end } }, processes = 1 }
+assert(f.text:find("none: largest miss of values that are all zero, ", 1, true), f.text)

@@ -3,6 +3,7 @@
 -- Residuals over their noise after the fit, r = M (d + e): e is independent with variance v, at least 1; d = sum_j c_j phi_j, cosines along the points of each test, var(c_j) = s^2 / (1 + j^2/4).
 -- M takes away what the parameters explain. v and s^2 follow from the restricted likelihood [patterson1971]. Where the parameters would have followed d, nothing of it is in the residuals; that
 -- part has the same s^2, averaged over its likelihood (prior of s: half of it below half the noise, since what the residuals do not show may be there), and so the parameters' covariance is C J^T (v I + s^2 Phi W Phi^T) J C with C = (J^T J)^-1 [kennedy2001].
+local linear = require "fabric.lab.linear"
 local discrepancy = {}
 
 local modes, fewest = 6, 8 -- of a test; points of a test of which smooth differences can be told from noise
@@ -76,9 +77,47 @@ local function best_noise(s2, u, g, rest, count, most)
   return v, likelihood(v, s2, u, g, rest, count)
 end
 
--- residuals: predicted less measured over the noise, all tests one after the other, `counts` points each; jacobian: their derivatives by the n parameters, row by row; C: (J^T J)^-1, a
--- list of rows. Returns { noise (v), deviation (rms of d over the noise), ratio (twice the logarithm of the likelihoods'), told, covariance, freedom (of each parameter's variance) }.
-function discrepancy.of(residuals, counts, jacobian, C)
+-- The parameters that the fit moved, with their J and C: the others lie on a bound, and their derivatives take nothing away from the residuals.
+local function moved(jacobian, C, fixed)
+  local n, m, list, J, normal = #C, #jacobian // #C, {}, {}, {}
+  for i = 1, n do
+    if not fixed[i] then list[#list + 1] = i end
+  end
+  for k = 0, m - 1 do
+    for _, i in ipairs(list) do J[#J + 1] = jacobian[k * n + i] end
+  end
+  if #list == n then return list, J, C end
+  for a, i in ipairs(list) do
+    normal[a] = {}
+    for b, l in ipairs(list) do
+      normal[a][b] = 0
+      for k = 0, m - 1 do normal[a][b] = normal[a][b] + jacobian[k * n + i] * jacobian[k * n + l] end
+    end
+  end
+  return list, J, #list > 0 and linear.inverse(normal) or {}
+end
+
+-- What the residuals keep beside the derivatives: nothing but themselves at a minimum, and a fit ends near it.
+local function beside(residuals, J, C)
+  local n, slope, out = #C, {}, {}
+  for i = 1, n do
+    slope[i] = 0
+    for k, r in ipairs(residuals) do slope[i] = slope[i] + J[(k - 1) * n + i] * r end
+  end
+  for k, r in ipairs(residuals) do
+    for i = 1, n do
+      for l = 1, n do r = r - J[(k - 1) * n + i] * C[i][l] * slope[l] end
+    end
+    out[k] = r
+  end
+  return out
+end
+
+-- residuals: predicted less measured over the noise, all tests one after the other, `counts` points each; all_derivatives: theirs by the parameters, row by row; all_covariance: (J^T J)^-1, a
+-- list of rows; fixed: true for a parameter on a bound, which counts as known. Returns { noise (v), deviation (rms of d over the noise), ratio (twice the logarithm of the likelihoods'), told, covariance, freedom (of each parameter's variance) }.
+function discrepancy.of(all_residuals, counts, all_derivatives, all_covariance, fixed)
+  local list, jacobian, C = moved(all_derivatives, all_covariance, fixed or {})
+  local residuals = beside(all_residuals, jacobian, C)
   local m, n, phi = #residuals, #C, functions_of(counts)
   local out, squares = { noise = 1, deviation = 0, ratio = 0, told = false, covariance = {}, freedom = {} }, 0
   for _, r in ipairs(residuals) do squares = squares + r * r end
@@ -116,7 +155,7 @@ function discrepancy.of(residuals, counts, jacobian, C)
     local values, V = eigen(G)
     for _, x in ipairs(values) do largest = math.max(largest, x) end
     for i, x in ipairs(values) do
-      if x > 1e-6 * largest then
+      if x > 1e-2 * largest then -- what the parameters take up nearly whole shows nothing of its size
         local along = 0
         for q = 1, #phi do along = along + V[q][i] * b[q] end
         u[#u + 1], g[#g + 1] = along / math.sqrt(x), x
@@ -129,15 +168,19 @@ function discrepancy.of(residuals, counts, jacobian, C)
   local most = 4 * math.max(1, squares / math.max(1, m - n))
   local v, none = best_noise(0, u, g, rest, count, most)
   -- s2, averaged
-  local s2, top, sum = 0, none, 1e-300
+  local s2, top, sum = 0, none, 1
   if #u > 0 and count > 2 then
-    local whole = 0
+    local whole, values, highest = 0, {}, none
     for k = -20, 30 do
       local size = 10 ^ (k / 10)
       local noise, value = best_noise(size * size, u, g, rest, count, most)
       if value > top then v, top = noise, value end
-      local weight = math.exp(math.min(500, value - none)) * size / (1 + (size / 0.5) ^ 2)
-      sum, whole = sum + weight, whole + weight * size * size
+      values[#values + 1], highest = { size = size, value = value }, math.max(highest, value)
+    end
+    sum = 0
+    for _, at in ipairs(values) do -- likelihoods by the highest, so that none overflows however long the records
+      local weight = math.exp(at.value - highest) * at.size / (1 + (at.size / 0.5) ^ 2)
+      sum, whole = sum + weight, whole + weight * at.size ^ 2
     end
     s2 = whole / sum
   end
@@ -145,16 +188,19 @@ function discrepancy.of(residuals, counts, jacobian, C)
   for j = 0, modes - 1 do weights = weights + 1 / (1 + j * j / 4) end
   for _, x in ipairs(g) do effective = effective + s2 * x / (v + s2 * x) end
   out.noise, out.deviation, out.ratio, out.told = v, math.sqrt(s2 * weights), 2 * (top - none), 2 * (top - none) > sure
-  for i = 1, n do
+  for i in ipairs(all_covariance) do
     out.covariance[i] = {}
-    local smooth
-    for l = 1, n do
-      smooth = 0
-      for q = 1, #phi do smooth = smooth + explained[q][i] * explained[q][l] end
-      out.covariance[i][l] = v * C[i][l] + s2 * smooth
-      if i == l then
-        local a, c = v * C[i][i], s2 * smooth
-        out.freedom[i] = a + c > 0 and (a + c) ^ 2 / (a * a / math.max(1, m - n) + c * c / math.max(1, effective)) or 1
+    for l in ipairs(all_covariance) do out.covariance[i][l] = v * all_covariance[i][l] end
+    out.freedom[i] = math.max(1, m - n)
+  end
+  for a, i in ipairs(list) do
+    for b, l in ipairs(list) do
+      local smooth = 0
+      for q = 1, #phi do smooth = smooth + explained[q][a] * explained[q][b] end
+      out.covariance[i][l] = v * all_covariance[i][l] + s2 * smooth
+      if a == b then
+        local own, c = v * all_covariance[i][i], s2 * smooth
+        out.freedom[i] = own + c > 0 and (own + c) ^ 2 / (own * own / math.max(1, m - n) + c * c / math.max(1, effective)) or 1
       end
     end
   end

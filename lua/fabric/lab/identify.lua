@@ -239,7 +239,9 @@ local function widen(t, out, found, scale)
   end
   if not t.whiten then -- fabric.lab.pool learns what the model misses from several specimens
     for i, test in ipairs(t.tests) do counts[i] = #test.measured end
-    local missed = discrepancy.of(found.residuals, counts, found.jacobian, C)
+    local fixed = {}
+    for i = 1, n do fixed[i] = out.on_bound[t.parameters[i].name] ~= nil end
+    local missed = discrepancy.of(found.residuals, counts, found.jacobian, C, fixed)
     if missed.deviation > 0 then
       out.discrepancy = { deviation = missed.deviation, ratio = missed.ratio, told = missed.told }
       for i = 1, n do

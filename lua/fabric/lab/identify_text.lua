@@ -34,7 +34,8 @@ end
 local function list_misses(lines, t, out)
   for _, test in ipairs(t.tests) do
     local miss = out.misses[test.name]
-    lines[#lines + 1] = ("%s: largest miss %.3g %% of the largest value, %.3g deviations"):format(test.name, 100 * miss.worst, miss.deviations)
+    local size = miss.worst < math.huge and ("%.3g %% of the largest value"):format(100 * miss.worst) or "of values that are all zero"
+    lines[#lines + 1] = ("%s: largest miss %s, %.3g deviations"):format(test.name, size, miss.deviations)
   end
   lines[#lines + 1] = ("chi^2 per degree of freedom %.4g"):format(out.chi2)
 end
