@@ -289,6 +289,16 @@ local function untold_of(result, names)
   return out
 end
 
+-- What the card's records have against its law, by the words of its provenance (found:card of fabric.lab.identify and pool).
+local function contradictions_of(card)
+  local out, provenance = {}, card and card.provenance or {}
+  for _, field in ipairs(sorted.keys(provenance)) do
+    local words = provenance[field]:match "the data contradict the model.*"
+    if words then out[#out + 1] = ("card.%s: %s; a test unlike those of the records may be missed by more"):format(field:match "^[^.]+", words) end
+  end
+  return out
+end
+
 -- --- words and picture
 
 local function text_of(t, result, names)
@@ -317,28 +327,35 @@ local function text_of(t, result, names)
       result.failed > 0 and (", %d of them left out because a run of theirs failed: %s"):format(result.failed, result.trouble) or "")
   end
   for _, words in ipairs(result.untold) do say("%s", words) end
+  for _, words in ipairs(result.contradictions) do say("%s", words) end
   for _, one in ipairs(result.sample_warnings) do say("%s in %d of %d runs: %s", one.code, one.runs, result.runs - 1, one.text) end
   for _, name in ipairs(result.not_varied) do say("not varied: %s, which the card assumes", name) end
   return table.concat(lines, "\n")
 end
 
--- Contributions of less than a thousandth are left out.
+-- A bar for each source, the largest on top, with the 95 % interval of its total order. Contributions of less than a thousandth are left out.
 local function draw(result, names, file)
-  local panels = {}
+  local panels, most = {}, 1
   for _, name in ipairs(names) do
-    local curves = {}
+    local curves, sources, shown, whole = {}, {}, {}, result.of[name].deviation ^ 2
     for i, c in ipairs(result.of[name].contributions) do
-      if c.share >= 1e-3 or i == 1 then
-        local whole = result.of[name].deviation ^ 2
-        local scale = c.variance and whole > 0 and 100 * c.variance / whole
-        local low, high = scale and math.max(0, scale * c.total_band[1]), scale and math.min(100, scale * c.total_band[2])
-        curves[#curves + 1] = { x = { 0, 100 * c.share }, y = { i, i }, style = "line_points",
-          label = ("%d: %s, %.0f %%%s"):format(i, c.source, 100 * c.share, scale and (" (total order %.0f to %.0f)"):format(low, high) or "") }
-      end
+      if c.share >= 1e-3 or i == 1 then shown[#shown + 1] = c end
     end
-    panels[#panels + 1] = { curves = curves, xlabel = ("share of the variance of %s, %%"):format(name), ylabel = "source, as numbered below", key = "below", yrange = { 0.5, #curves + 0.5 } }
+    local ends = { x = {}, y = {}, style = "points", colour = "blue", xerror = { low = {}, high = {} } }
+    for i, c in ipairs(shown) do
+      local place, scale = #shown + 1 - i, c.variance and whole > 0 and 100 * c.variance / whole
+      sources[place] = c.source
+      curves[i] = { x = { 0, 100 * c.share }, y = { place, place }, colour = "blue" }
+      ends.x[i], ends.y[i] = 100 * c.share, place
+      ends.xerror.low[i] = scale and math.max(0, scale * c.total_band[1]) or 0 / 0
+      ends.xerror.high[i] = scale and math.min(100, scale * c.total_band[2]) or 0 / 0
+    end
+    curves[#curves + 1] = ends
+    most = math.max(most, #shown)
+    panels[#panels + 1] = { curves = curves, xlabel = ("share of the variance of %s, %%"):format(name), ynames = sources, xrange = { 0, 100 } }
   end
-  return fabric.plot { panels = panels, file = file, letters = #panels > 1, layout = { #panels, 1 } }
+  return fabric.plot { panels = panels, file = file, letters = #panels > 1, layout = { #panels, 1 },
+    size = { 0.12, math.min(1, #panels * (0.02 + 0.007 * most)) } }
 end
 
 -- --- the call
@@ -369,7 +386,7 @@ local function run(t)
     inputs[#inputs + 1] = { name = "specimen", range = "by its seed", put = function(p, i, set) p.specimen = 1 + i + (set - 1) * t.samples end }
   end
   t.shares = t.shares and #inputs > 1
-  local result = { of = {}, value = {}, band = {}, contributions = {}, not_varied = not_varied, runs = 0, failed = 0, warnings = {}, sample_warnings = {} }
+  local result = { of = {}, value = {}, band = {}, contributions = {}, not_varied = not_varied, runs = 0, failed = 0, warnings = {}, sample_warnings = {}, contradictions = contradictions_of(t.card) }
   if fabric.checking() then return result end
   local jobs, numerical = plan(t, inputs)
   local answers = #jobs > 0 and compute(t, jobs, names) or {}
@@ -422,7 +439,7 @@ define {
     { name = "figure", kind = "text", optional = true, sentence = "a file for a picture of the shares" },
   },
   sentence = "The uncertainty of what a deck computes, after the GUM: the errors of the mesh (Richardson's extrapolation, whose limit is the value) and of the steps, the card's measured bands, what it assumes, and the specimen. Returns by the name of each number value, band {low, high} (95 %) "
-    .. "and contributions { {source, deviation, share, first, total, first_band, total_band, range, why}, ... }, the largest first; text, runs, failed, warnings, sample_warnings (what the samples warned of, once each: code, text, runs), not_varied, untold (lines on numbers of which the meshes or steps do not tell where they go).",
+    .. "and contributions { {source, deviation, share, first, total, first_band, total_band, range, why}, ... }, the largest first; text, runs, failed, warnings, sample_warnings (what the samples warned of, once each: code, text, runs), not_varied, untold (lines on numbers of which the meshes or steps do not tell where they go), contradictions (lines on parts of the card whose records contradict the model).",
   example = "local b = require 'fabric'.budget{ assumed={ a={0, 2}, b={0, 1} }, samples=256, print=false,\n"
     .. "  run=function(p) return { sum=p.assumed.a + p.assumed.b } end }\n"
     .. "assert(math.abs(b.value.sum - 1.5) < 1e-12 and b.contributions.sum[1].source == 'assumed.a')\n"

@@ -28,6 +28,7 @@ struct Axis {
   std::string label = {};
   std::optional<double> low = {}, high = {};  // empty: chosen from the curves
   bool logarithmic = false;
+  std::vector<std::string> names = {};  // of the values 1, 2, ..., in the place of numbers
 };
 
 enum class Key { best, none, top_left, top_right, bottom_left, bottom_right, below, right };

@@ -80,6 +80,17 @@ Scale with_round_steps(const Axis& axis, double low, double high, double length,
   return s;
 }
 
+// A tick with its name at 1, 2, ..., half a step from the ends.
+Scale named(const Axis& axis) {
+  Scale s;
+  s.low = axis.low.value_or(0.5);
+  s.high = axis.high.value_or(static_cast<double>(axis.names.size()) + 0.5);
+  for (std::size_t i = 0; i < axis.names.size(); ++i)
+    if (const auto value = static_cast<double>(i + 1); value >= s.low && value <= s.high)
+      s.ticks.push_back({value, axis.names[i]});
+  return s;
+}
+
 void add_decade(Scale& s, int power, bool numbered) {
   const double decade = std::pow(10, power);
   if (decade >= s.low * (1 - 1e-9) && decade <= s.high * (1 + 1e-9))
@@ -127,6 +138,7 @@ double Scale::at(double part) const {
 }
 
 Scale scale_of(const Axis& axis, double low, double high, double length, double letter, bool upright) {
+  if (!axis.names.empty()) return named(axis);
   if (axis.logarithmic) return decades(axis, low, high, length, letter, upright);
   if (low == high) {
     const double around = low == 0 ? 1 : 0.1 * std::abs(low);

@@ -297,8 +297,13 @@ std::string letters_axis(const std::string& name, const Axis& a) {
   const auto end = [](const std::optional<double>& value) {
     return value ? full_number(*value) : std::string("*");
   };
+  std::string names;
+  for (std::size_t i = 0; i < a.names.size(); ++i)
+    names +=
+        (names.empty() ? "set " + name + "tics (" : ", ") + quoted(a.names[i]) + " " + std::to_string(i + 1);
+  if (!names.empty()) names += ")\n";
   return "set " + name + "label " + quoted(a.label) + "\nset " + name + "range [" + end(a.low) + ":" +
-         end(a.high) + "]\n" + (a.logarithmic ? "set logscale " + name + "\n" : "");
+         end(a.high) + "]\n" + names + (a.logarithmic ? "set logscale " + name + "\n" : "");
 }
 
 constexpr const char* letters_points = "points pointtype 'o'";

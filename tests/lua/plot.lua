@@ -35,6 +35,8 @@ local text = fabric.plot { title = "pull", xlabel = "strain", xunit = "%", ylabe
   curves = { { rows = rows, x = "E", y = "S", label = "simulated" }, { x = { 0.02 }, y = { 2e6 }, label = "measured", style = "points" } } }
 for _, word in ipairs { "pull: stress, MPa", "strain, %", "simulated", "measured", "o" } do assert(text:find(word, 1, true), text) end
 assert(text:find "\n +4 " and text:find " 6\n", text) -- 4 MPa and 6 %
+local named = fabric.plot { ynames = { "pulls", "shear" }, curves = { { x = { 0, 3 }, y = { 1, 1 } }, { x = { 0, 2 }, y = { 2, 2 } } } }
+assert(named:find "shear +" and named:find "pulls +" and not named:find "\n +1 ", named)
 local wide = fabric.plot { columns = 40, lines = 12, curves = { { x = { 0, 1 }, y = { 0, 1 } } } }
 for line in wide:gmatch "[^\n]+" do assert(#line <= 41) end
 local file = os.tmpname() .. ".svg"

@@ -125,6 +125,10 @@ TEST_CASE("ticks stand at steps of 1, 2 or 5, with a common number of decimals",
   CHECK(numbers(0, 0).size() >= 3);
   CHECK(numbers(2, 3000, {"", {}, {}, true}) == Texts{"1", "10", "100", "1000", "10000"});
   CHECK(numbers(1e-9, 1, {"", {}, {}, true}) == Texts{"10⁻⁸", "10⁻⁶", "10⁻⁴", "0.01", "1"});
+  const Axis sources{"", {}, {}, false, {"warp", "weft", "shear"}};
+  CHECK(numbers(1, 3, sources) == Texts{"warp", "weft", "shear"});
+  CHECK(scale_of(sources, 1, 3, 150, 8, true).part(2) == 0.5);
+  CHECK(numbers(1, 3, {"", 1.5, {}, false, sources.names}) == Texts{"weft", "shear"});
   // The ends that are fixed stay as they are; the others hold all points.
   const Scale fixed = scale_of({"", 0.013}, 0.02, 0.77, 150, 8, false);
   CHECK(fixed.low == 0.013);

@@ -62,15 +62,22 @@ local function band_of(values, slopes, covariance, quantile)
 end
 
 -- by: the caller's name; found: parameters by name; covariance: of them, a matrix (a parameter on a bound: zeros); quantile: half of a band over
--- its deviation. Returns make(found) with bands on the parts that depend on the parameters.
-return function(by, found, parameters, covariance, quantile, level, make)
+-- its deviation; contradiction: nil, or words on how the data contradict the model, which go with the card (fabric.budget repeats them). Returns make(found) with bands on the parts that depend
+-- on the parameters.
+return function(by, found, parameters, covariance, quantile, level, make, contradiction)
   if type(make) ~= "function" then fail(("%s: card: expected a function of the parameters that returns a card, got %s"):format(by, tostring(make))) end
   local card, base = made(by, make, found)
   local deviation = {}
   for j in ipairs(parameters) do deviation[j] = math.sqrt(covariance[j][j]) end
   local slopes = derivatives(by, found, parameters, deviation, make, base)
-  local bands = { level = level }
+  local bands, provenance = { level = level }, {}
+  for _, name in ipairs(parts) do
+    if contradiction and band_of(base[name], slopes[name], covariance, quantile) then
+      local own = card.provenance and card.provenance[name .. ".loading"]
+      provenance[name .. ".loading"] = (own or "fitted: by fabric.lab." .. by) .. "; " .. contradiction
+    end
+  end
   for _, name in ipairs(parts) do bands[name] = band_of(base[name], slopes[name], covariance, quantile) or card.bands and card.bands[name] or nil end
   if not (bands.warp or bands.weft or bands.shear) then return card end
-  return card:with { bands = bands }
+  return card:with { bands = bands, provenance = next(provenance) and provenance or nil }
 end

@@ -269,7 +269,9 @@ local function card_of(t, out, make)
       covariance[i][j] = C == C and C or 0
     end
   end
-  return card_bands("identify", out.parameters, t.parameters, covariance, fabric.lab.student(0.975, 1e6), 0.95, make)
+  local missed = out.discrepancy
+  return card_bands("identify", out.parameters, t.parameters, covariance, fabric.lab.student(0.975, 1e6), 0.95, make, missed and missed.told
+    and ("the data contradict the model: they differ from it smoothly by about %.2g times the noise, which the band holds"):format(missed.deviation) or nil)
 end
 
 local function identify(t)

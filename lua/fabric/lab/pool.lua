@@ -655,7 +655,8 @@ local function pool(t)
   out.card = function(_, make)
     local C, n = {}, #t.parameters
     for i = 1, n do C[i] = table.move(out.covariance, (i - 1) * n + 1, i * n, 1, {}) end
-    return card_bands("pool", out.parameters, t.parameters, C, fabric.lab.student(0.5 + t.level / 2, math.max(1, freedom)), t.level, make)
+    return card_bands("pool", out.parameters, t.parameters, C, fabric.lab.student(0.5 + t.level / 2, math.max(1, freedom)), t.level, make, out.chi2 > 4
+      and ("the data contradict the model: the residuals are %.3g times the stated noise, by which the band is widened"):format(math.sqrt(out.chi2)) or nil)
   end
   out.predict = function(_, specimen) return predict_of(t, state, specimen) end
   out.text = text_of(t, out)

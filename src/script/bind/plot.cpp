@@ -290,6 +290,26 @@ double unit_size(const Asked& asked, const std::string& field) {
   return size;
 }
 
+// The names of the places 1, 2, ... along the upright axis.
+std::vector<std::string> read_names(const Asked& asked) {
+  if (!asked.has("ynames")) return {};
+  const Fields& where = asked.where("ynames");
+  lua_State* L = where.L();
+  std::vector<std::string> names;
+  where.push("ynames");
+  for (lua_Integer i = 1; lua_rawgeti(L, -1, i) != LUA_TNIL; ++i, lua_pop(L, 1)) {
+    if (lua_type(L, -1) != LUA_TSTRING)
+      where.refuse("ynames",
+                   "expected a list of names, got " + describe(L, -1) + " at place " + std::to_string(i));
+    names.emplace_back(lua_tostring(L, -1));
+  }
+  lua_pop(L, 2);
+  if (names.empty()) where.refuse("ynames", "expected at least one name, got an empty table");
+  if (!asked.text("yunit").empty() || asked.text("log").find('y') != std::string::npos)
+    where.refuse("ynames", "expected neither yunit nor a logarithmic y beside it");
+  return names;
+}
+
 // Scales the axis to its unit, and appends the unit to its label.
 plot::Axis read_axis(const Asked& asked, const std::string& name, double unit) {
   plot::Axis axis{asked.text(name + "label"), {}, {}, asked.text("log").find(name) != std::string::npos};
@@ -371,6 +391,7 @@ void read_curves(const Fields& f, const std::string& path, plot::Figure& figure)
 plot::Figure read_figure(const Asked& asked, const Fields& own, const std::string& path) {
   const double x = unit_size(asked, "xunit"), y = unit_size(asked, "yunit");
   plot::Figure figure{asked.text("title"), read_axis(asked, "x", x), read_axis(asked, "y", y)};
+  figure.y.names = read_names(asked);
   figure.key = key_of(asked.text("key"));
   if (own.has("rows") == own.has("curves"))
     own.refuse("curves", own.has("rows")
@@ -516,6 +537,8 @@ std::vector<Argument> panel_rows() {
           word("yunit", "likewise"),
           range("xrange"),
           range("yrange"),
+          value_("ynames", table, "a list of names: what stands at y = 1, 2, ..., in the place of numbers")
+              .optional(),
           value_("log", text, "logarithmic axes").one_of({"", "x", "y", "xy"}).optional(),
           value_("key", text,
                  "where the labels of the curves stand; best: the first corner free of curves, else below")

@@ -74,6 +74,14 @@ wrong("fabric.plot", "fabric.plot{ curves={}, file=7 }",
   "deck.lua:1: plot: field 'file': expected a string, got 7")
 wrong("fabric.plot", "fabric.plot{ curves={}, xrange={1, 'two'} }",
   "deck.lua:1: plot: field 'xrange': expected a table of numbers, got 'two' at place 2")
+wrong("fabric.plot", "fabric.plot{ curves={}, ynames='warp' }",
+  "deck.lua:1: plot: field 'ynames': expected a table, got 'warp'")
+wrong("fabric.plot", "fabric.plot{ curves={}, ynames={'warp', 5} }",
+  "deck.lua:1: plot: field 'ynames': expected a list of names, got 5 at place 2")
+wrong("fabric.plot", "fabric.plot{ curves={}, ynames={} }",
+  "deck.lua:1: plot: field 'ynames': expected at least one name, got an empty table")
+wrong("fabric.plot", "fabric.plot{ curves={}, ynames={'warp'}, log='y' }",
+  "deck.lua:1: plot: field 'ynames': expected neither yunit nor a logarithmic y beside it")
 wrong("fabric.plot", "fabric.plot{ curves={}, log='?' }",
   "deck.lua:1: plot: field 'log': expected '' or 'x' or 'y' or 'xy', got '?'")
 wrong("fabric.plot", "fabric.plot{ curves={}, columns=2.5 }",
