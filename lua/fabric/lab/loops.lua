@@ -82,7 +82,7 @@ local function rows_of(E, S, sign, P)
     end
   end
   for k = first, last do kept.E[#kept.E + 1], kept.S[#kept.S + 1] = way[k], S[k] end
-  local block, out = math.ceil(#kept.E / most_rows), { E = {}, S = {}, turn = extreme }
+  local block, out = math.max(1, math.ceil(#kept.E / most_rows)), { E = {}, S = {}, turn = extreme } -- none are kept of a way on which the cloth is slack
   for from = 1, #kept.E, block do
     local to, e, s = math.min(from + block - 1, #kept.E), 0, 0
     for k = from, to do e, s = e + kept.E[k], s + kept.S[k] end
