@@ -42,6 +42,14 @@ local function half_widths(a, mean, level)
   return half
 end
 
+-- Half widths by which a polynomial is measured: of two or three specimens the band is wide for want of knowledge of their differences, which is no leave to miss their mean.
+local function near_widths(half, n, level)
+  local part = (1 + level) / 2
+  local least, out = n > 1 and math.min(1, fabric.lab.student(part, 3) / fabric.lab.student(part, n - 1)) or 1, {}
+  for g, h in ipairs(half) do out[g] = least * h end
+  return out
+end
+
 -- The operator that takes stresses at the strains to the coefficients of a polynomial through zero, by least squares weighted by `deviation`.
 local function polynomial_operator(E, deviation, degree)
   local top, A, rows = E[#E], linear.zeros(degree), {}
@@ -251,10 +259,11 @@ function averaged.of(t, curves, earliest)
   end
   local mean = mean_of(a)
   local half = half_widths(a, mean, t.level)
-  local degree, operator, places = form_of(t, a, mean, half)
+  local near = near_widths(half, #a.specimens, t.level)
+  local degree, operator, places = form_of(t, a, mean, near)
   local out = { degree = degree, tested = a.E[#a.E], text = words_of(a, t), specimens = {}, E = a.E, S = mean, half = half }
   if not degree then out.text = out.text .. ("\nno polynomial of degree 2, 4 or 6 describes the mean: %d points of a monotone curve instead"):format(ends) end
-  local miss = type(t.degree) == "number" and missed(applied(operator, mean), a.E, mean, half)
+  local miss = type(t.degree) == "number" and missed(applied(operator, mean), a.E, mean, near)
   if miss then out.text = out.text .. "\n" .. miss end
   local lists = {}
   for i, s in ipairs(a.specimens) do

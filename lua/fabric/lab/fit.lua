@@ -181,6 +181,17 @@ local function remember(out, known, t)
   })
 end
 
+-- A part of the band of few specimens in which no cloth lies: cards are drawn beside it, and hold less than the band says.
+local function cut_of(out)
+  local band, count = out.band, out.degree and 1 or out.loading and #out.loading - 1 or 0
+  if not band or not band.low then return end
+  local below = 0
+  for k = 1, count do below = below + (band.low[k] <= 0 and 1 or 0) end
+  if below == 0 then return end
+  return ("the band of %s reaches below zero in %s: cards that are drawn from it (card:sample, fabric.budget) leave this out and may hold less than %g %%; a further specimen narrows it"):format(
+    counted(out.tests), out.degree and "D(0)" or ("%d of %d points"):format(below, count), 100 * out.level)
+end
+
 -- What no record of a pull shows, and the band therefore does not hold: the give of machine and jaws, where none was taken off.
 local give = 1e-7 -- m/N
 local function not_in_band(t)
@@ -254,7 +265,9 @@ local function fit(t)
   end
   if chosen then with_polynomial(out, chosen, t) end
   if whole then out.loading, out.band = whole.complete(out.unloading_of) end
+  local cut = cut_of(out)
   out.not_in_band = not_in_band(t)
+  out.not_in_band = cut and out.not_in_band and out.not_in_band .. "; " .. cut or cut or out.not_in_band
   looseness(out)
   if out.not_in_band then out.text = (out.text and out.text .. "\n" or "") .. out.not_in_band end
   check_unloading(out)
