@@ -1,4 +1,6 @@
 // Beginning from the state of another run.
+#include "run/beginning.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -46,18 +48,6 @@ void add_cards_of(const model::Model& model, model::Fingerprint& parts) {
   }
 }
 
-std::string cloth_differs(const Run& there, const Run& here) {
-  if (there.shared_model() == here.shared_model()) return {};
-  const auto all = [&here](const Run& run) {
-    auto parts = parts_that(run.model(), here.duration(), is_of_cloth);
-    add_cards_of(run.model(), parts);
-    return parts;
-  };
-  auto one = all(there), other = all(here);
-  if (one.front().hash != other.front().hash) one.resize(1), other.resize(1);  // another mesh
-  return model::difference(one, other);
-}
-
 void report_beginning(const Run& from, Run& run) {
   if (!from.moves()) return;
   if (!run.moves())
@@ -81,16 +71,32 @@ void drop_along(const mechanics::NodeFreedoms& node, Drops drops, Eigen::Ref<Vec
 
 }  // namespace
 
+std::string cloth_differs(const model::Model& there, const model::Model& here, double duration) {
+  if (&there == &here) return {};
+  const auto all = [duration](const model::Model& model) {
+    auto parts = parts_that(model, duration, is_of_cloth);
+    add_cards_of(model, parts);
+    return parts;
+  };
+  auto one = all(there), other = all(here);
+  if (one.front().hash != other.front().hash) one.resize(1), other.resize(1);  // another mesh
+  return model::difference(one, other);
+}
+
+std::string contact_differs(const model::Model& there, const model::Model& here, double duration) {
+  return model::difference(parts_that(there, duration, is_of_contact),
+                           parts_that(here, duration, is_of_contact));
+}
+
 void Run::check_beginning(const char* kind) const {
-  if (const std::string differs = cloth_differs(*beginning_.from, *this); !differs.empty())
+  if (const std::string differs = cloth_differs(beginning_.from->model(), *model_, duration_);
+      !differs.empty())
     throw Error(std::string(kind) + ": field 'from': expected a run of the same cloth; it differs in " +
                 differs);
 }
 
 bool Run::same_contact() const {
-  return model::difference(parts_that(beginning_.from->model(), duration_, is_of_contact),
-                           parts_that(*model_, duration_, is_of_contact))
-      .empty();
+  return contact_differs(beginning_.from->model(), *model_, duration_).empty();
 }
 
 // The strain between the stress-free shape and the mesh is there at the start, in a step of no time.

@@ -9,6 +9,7 @@
 #include "geometry/node_view.hpp"
 #include "mechanics/terms/cloth.hpp"
 #include "mechanics/terms/contact.hpp"
+#include "run/beginning.hpp"
 #include "run/run.hpp"
 #include "solver/eigen.hpp"
 
@@ -33,6 +34,11 @@ class Linearised {
   }
   Linearised(const Run& run, const char* call) : model_(run.shared_model()), assembly_(*model_), call_(call) {
     refuse_bodies();
+    assembly_.begin_from(run.assembly(), true);
+  }
+  // The cloth of a run in its state, with the supports and loads of another model of it.
+  Linearised(const Run& run, const std::shared_ptr<model::Model>& model, const char* call)
+      : model_(compiled(model)), assembly_(*model_), call_(call) {
     assembly_.begin_from(run.assembly(), true);
   }
 
@@ -168,12 +174,43 @@ void make_definite(const linear::Matrix& K, const linear::Matrix& M, double leas
   for (int i = 0; !is_definite(out) && i < 16; ++i) shift_by(K, M, out.shift * 10, out);
 }
 
-// How many eigenvalues of K - lambda M are below zero; -1: the factors do not tell.
-mechanics::Index count_below(const linear::Matrix& K, const linear::Matrix& M, double lambda) {
+// How many eigenvalues of A x = theta B x are above one that is none of them: by Sylvester's law of inertia
+// the negative ones of B - A / theta. -1: the factors do not tell.
+mechanics::Index count_above(const linear::Matrix& A, const linear::Matrix& B, double theta) {
   Shifted at;
-  shift_by(K, M, -lambda, at);
+  shift_by(B, A, -1 / theta, at);
   at.solver = linear::with_ranks(linear::make_unsymmetric_solver());
   return at.solver->factorise(at.A) ? at.solver->report().negative_pivots : -1;
+}
+
+// How many eigenvalues above the last of those that have been found are not among them.
+mechanics::Index missing(const linear::Matrix& A, const linear::Matrix& B, const solver::Eigenpairs& found) {
+  constexpr double apart = 1e-6;  // of an eigenvalue, above which another one is not the same
+  if (found.value.size() < 2 || !(found.value.back() > 0)) return 0;
+  const double cut = found.value.back() * (1 + apart);
+  const auto have =
+      std::count_if(found.value.begin(), found.value.end(), [cut](double theta) { return theta > cut; });
+  return std::max<mechanics::Index>(0, count_above(A, B, cut) - have);
+}
+
+// The largest eigenvalues of A x = theta B x, counted: where some are missing they are looked for among more
+// of them, and where they stay away that is said.
+solver::Eigenpairs counted_pairs(const linear::Matrix& A, Shifted& B, int count, const std::string& call,
+                                 std::vector<std::string>& words) {
+  constexpr int more = 16;
+  auto found = solver::largest_eigenpairs(A, B.A, *B.solver, count);
+  mechanics::Index lost = missing(A, B.A, found);
+  if (lost == 0) return found;
+  found = solver::largest_eigenpairs(A, B.A, *B.solver, count + static_cast<int>(lost) + more);
+  lost = missing(A, B.A, found);
+  if (lost > 0)
+    words.push_back("warning: " + call + ": " + std::to_string(lost) + (lost == 1 ? " is" : " are") +
+                    " missing among these by the count of negative pivots: ask for another count");
+  const auto kept = std::min(found.value.size(), static_cast<std::size_t>(count));
+  found.value.resize(kept);
+  found.shape.resize(kept);
+  found.converged = found.converged || kept == static_cast<std::size_t>(count);
+  return found;
 }
 
 Modes<VibrationMode> vibrations(Linearised& at, const ModesWanted& wanted) {
@@ -184,7 +221,7 @@ Modes<VibrationMode> vibrations(Linearised& at, const ModesWanted& wanted) {
   int count = wanted.count;
   if (wanted.below) {
     const double omega = 2 * std::numbers::pi * *wanted.below;
-    const auto there = count_below(K, M, omega * omega);
+    const auto there = count_above(M, K, 1 / (omega * omega));
     if (wanted.all_below && there > kMostModes)
       throw Error("field 'below': there are " + std::to_string(there) + " modes below " +
                   number(*wanted.below) + " Hz: expected a frequency with at most " +
@@ -192,8 +229,8 @@ Modes<VibrationMode> vibrations(Linearised& at, const ModesWanted& wanted) {
     if (there >= 0)
       count = static_cast<int>(wanted.all_below ? there : std::min<mechanics::Index>(there, count));
   }
-  const auto found = solver::largest_eigenpairs(M, shifted.A, *shifted.solver, count);
   Modes<VibrationMode> out{{}, at.words()};
+  const auto found = counted_pairs(M, shifted, count, "modes", out.words);
   const auto& masses = at.assembly().cloth().mass();
   for (std::size_t i = 0; i < found.value.size(); ++i) {
     const double theta = found.value[i];
@@ -230,6 +267,173 @@ std::string unchanged_text(const mechanics::Dofs& dofs) {
   if (std::any_of(closed.begin(), closed.end(), [](auto c) { return c != 0; })) return "seams have closed";
   return {};
 }
+
+// The factors at which B - lambda `lost` has no stiffness against a motion.
+Modes<BucklingMode> factors(const Linearised& at, const linear::Matrix& lost, const linear::Matrix& B,
+                            const linear::Matrix& M, int count) {
+  Shifted shifted;
+  shift_by(B, M, 0, shifted);
+  if (!is_definite(shifted)) {
+    shift_by(B, M, kShift * at.fastest(B, M), shifted);
+    if (!is_definite(shifted))
+      throw Error(
+          "the cloth is unstable before these loads are multiplied: expected a state in which it is stable");
+  }
+  Modes<BucklingMode> out{{}, at.words()};
+  const auto found = counted_pairs(lost, shifted, count, "buckling", out.words);
+  for (std::size_t i = 0; i < found.value.size() && found.value[i] > 0; ++i)
+    out.modes.push_back({1 / found.value[i], at.shape(at.spread(found.shape[i]))});
+  if (out.modes.empty())
+    out.words.push_back(
+        "buckling: no factor of these loads above zero makes the cloth unstable: it is pulled");
+  else if (!found.converged)
+    out.words.push_back("buckling: only " + std::to_string(out.modes.size()) + " of " +
+                        std::to_string(count) + " factors have been found");
+  return out;
+}
+
+// What the loads and motions of a model add to those of a state, linearly: the way of the cloth under them,
+// and the stiffness that is lost by the stresses of that way and by loads that follow the cloth.
+class Perturbation {
+ public:
+  Perturbation(Linearised& base, Linearised& more) : base_(base), more_(more) {
+    check_supports();
+    find_motions();
+    find_way();
+  }
+  linear::Matrix lost() {
+    // Stresses along the way are those of a small part of it, so that any size gives the same factor.
+    constexpr double part = 1e-5;  // of an element
+    double most = 0;
+    for (const double d : nodal_way_.x) most = std::max(most, std::abs(d));
+    const double share = part * base_.assembly().cloth().smallest_size() / most;
+    linear::Matrix of_loads = difference(lost_here(more_), lost_here(base_), 1);
+    const linear::Matrix before = lost_here(moved());
+    settle(share);
+    const linear::Matrix along = difference(lost_here(moved()), before, 1 / share);
+    moved().assembly().rollback();
+    for (std::size_t i = 0; i < of_loads.value.size(); ++i) of_loads.value[i] += along.value[i];
+    return of_loads;
+  }
+
+ private:
+  double now() const { return std::as_const(base_.assembly()).state().time(); }
+  // Where supports do not move, loads that follow the cloth must not change along the way: those of the state
+  // alone do.
+  Linearised& moved() { return moves_ ? more_ : base_; }
+  void move(double share) {
+    std::vector<double> targets = here_;
+    for (std::size_t m = 0; m < targets.size(); ++m) targets[m] += share * lead_[m];
+    if (!moves_) targets = base_.assembly().dofs().targets(now());
+    moved().assembly().apply_increment(way_, share, targets);
+  }
+  // Goes a share of the way. Yarns that unload along another line answer otherwise than the tangent has it:
+  // then the way is corrected.
+  void settle(double share) {
+    constexpr int most_corrections = 20;
+    constexpr double balanced = 1e-5;  // of the load
+    mechanics::Assembly& assembly = moved().assembly();
+    const std::vector<double> at_rest = residual(moved());
+    assembly.begin_iterate();
+    for (int i = 0; i < most_corrections; ++i) {
+      move(share);
+      linear::Matrix K;
+      if (!assembly.tangent({now(), 0, law::AtSwitch::loading}, K, {}, {})) break;
+      std::vector<double> r = residual(moved());
+      double left = 0, all = 0;
+      for (std::size_t k = 0; k < r.size(); ++k) {
+        r[k] = load_[k] + (r[k] - at_rest[k]) / share;
+        left = std::max(left, std::abs(r[k]));
+        all = std::max(all, std::abs(linear_load_[k]));
+      }
+      if (left <= balanced * all) return;
+      linear::Vector more(r.size());
+      if (!solve(K, r, more)) break;
+      for (std::size_t k = 0; k < more.size(); ++k) way_[k] += more[k];
+    }
+    throw Error("the cloth's answer to a small part of these loads has not been found in this state");
+  }
+  static bool solve(const linear::Matrix& K, const std::vector<double>& b, linear::Vector& x) {
+    const auto solver = linear::with_ranks(linear::make_unsymmetric_solver());
+    return solver->factorise(K) && solver->solve(K, b, x) && linear::all_finite(x);
+  }
+  static linear::Matrix difference(linear::Matrix a, const linear::Matrix& b, double factor) {
+    a.ranks = {};
+    for (std::size_t i = 0; i < a.value.size(); ++i) a.value[i] = factor * (a.value[i] - b.value[i]);
+    return a;
+  }
+  static linear::Matrix lost_here(Linearised& at) {
+    const linear::Matrix K = at.stiffness(law::AtSwitch::loading);
+    return difference(at.law_stiffness(), K, 1);
+  }
+  void check_supports() const {
+    const auto& there = base_.assembly().dofs().freedoms().nodes;
+    const auto& here = more_.assembly().dofs().freedoms().nodes;
+    for (std::size_t n = 0; n < there.size(); ++n)
+      for (std::size_t c = 0; c < 5; ++c)
+        if (std::max<mechanics::Index>(there[n].equation[c], -1) !=
+                std::max<mechanics::Index>(here[n].equation[c], -1) ||
+            !there[n].frame.isApprox(here[n].frame))
+          throw Error("field 'load': expected the supports of the run, which hold or move the same; node " +
+                      std::to_string(n + 1) + " differs");
+  }
+  void find_motions() {
+    const auto &there = base_.assembly().dofs(), &here = more_.assembly().dofs();
+    const auto x = std::as_const(more_.assembly()).state().x();
+    const auto before = there.targets(now()), after = here.targets(now());
+    const auto &motions = here.freedoms().motions, &others = there.freedoms().motions;
+    for (std::size_t m = 0; m < motions.size(); ++m) {
+      const auto n = motions[m].node;
+      const auto same = std::find_if(others.begin(), others.end(), [&](const auto& other) {
+        return other.node == n && other.component == motions[m].component;
+      });
+      double from = 0;  // an angle that is held is none
+      if (same != others.end())
+        from = before[static_cast<std::size_t>(same - others.begin())];
+      else if (motions[m].component < 3)
+        from = (here.freedoms().nodes[n].frame * (at(x, n) - here.reference()[n]))[motions[m].component];
+      here_.push_back(from);
+      lead_.push_back(after[m] - from);
+      moves_ = moves_ || lead_.back() != 0;
+    }
+  }
+  std::vector<double> residual(Linearised& at) const {
+    std::vector<double> external, r(static_cast<std::size_t>(at.assembly().dofs().unknowns()));
+    at.assembly().terms().external(now(), external);
+    at.assembly().residual(external, r);
+    return r;
+  }
+  void find_way() {
+    load_ = residual(more_);
+    const std::vector<double> balanced = residual(base_);
+    for (std::size_t i = 0; i < load_.size(); ++i) load_[i] -= balanced[i];
+    linear::Matrix K, K_more;
+    const law::Step step{now(), 0, law::AtSwitch::loading};
+    std::vector<double> product(load_.size());
+    bool fine = base_.assembly().tangent(step, K, {}, {});
+    if (moves_) fine = fine && more_.assembly().tangent(step, K_more, lead_, product);
+    if (!fine) throw Error("the law fails in this state");
+    linear_load_ = load_;
+    double most = 0;
+    for (std::size_t i = 0; i < product.size(); ++i)
+      most = std::max(most, std::abs(linear_load_[i] -= product[i]));
+    if (!(most > kNoLoad * base_.assembly().largest_force()))
+      throw Error("field 'load': expected a model with loads or motions beside those of the run at time " +
+                  number(now()) + " s, got none");
+    way_.resize(load_.size());
+    if (!solve(K, linear_load_, way_))
+      throw Error("the cloth moves freely in this state: expected supports that hold it");
+    more_.assembly().dofs().spread_rates(way_, lead_, nodal_way_);
+  }
+
+  static constexpr double kNoLoad = 1e-9;  // of the largest force of the state
+  Linearised &base_, &more_;
+  std::vector<double> here_, lead_;  // of the driven freedoms: where they are, and how far they move
+  bool moves_ = false;
+  std::vector<double> load_, linear_load_;  // without and with what the driven freedoms do
+  linear::Vector way_;
+  mechanics::NodalRates nodal_way_;
+};
 
 }  // namespace
 
@@ -269,20 +473,18 @@ Modes<BucklingMode> buckling_modes(const Run& run, int count) {
   if (!(most > kNoStiffnessOfMode * largest))
     throw Error(
         "the state of this run has no stress: expected one under the loads whose factor is asked for");
-  Shifted shifted;
-  shift_by(K0, M, 0, shifted);
-  if (!is_definite(shifted)) make_definite(K0, M, kShift * loaded.fastest(K0, M), shifted);
-  const auto found = solver::largest_eigenpairs(lost, shifted.A, *shifted.solver, count);
-  Modes<BucklingMode> out{{}, loaded.words()};
-  for (std::size_t i = 0; i < found.value.size() && found.value[i] > 0; ++i)
-    out.modes.push_back({1 / found.value[i], loaded.shape(loaded.spread(found.shape[i]))});
-  if (out.modes.empty())
-    out.words.push_back(
-        "buckling: no factor of these loads above zero makes the cloth unstable: it is pulled");
-  else if (!found.converged)
-    out.words.push_back("buckling: only " + std::to_string(out.modes.size()) + " of " +
-                        std::to_string(count) + " factors have been found");
-  return out;
+  return factors(loaded, lost, K0, M, count);
+}
+
+Modes<BucklingMode> buckling_modes(const Run& run, const std::shared_ptr<model::Model>& load, int count) {
+  if (const std::string differs = cloth_differs(run.model(), *load, run.duration()); !differs.empty())
+    throw Error("field 'load': expected a model of the same cloth; it differs in " + differs);
+  if (const std::string differs = contact_differs(run.model(), *load, run.duration()); !differs.empty())
+    throw Error("field 'load': expected the bodies and contacts of the run; it differs in " + differs);
+  Linearised base(run, "buckling"), more(run, load, "buckling");
+  const linear::Matrix K = base.stiffness(law::AtSwitch::loading), M = base.mass();
+  const linear::Matrix lost = Perturbation(base, more).lost();
+  return factors(base, lost, K, M, count);
 }
 
 }  // namespace fabricsh::run

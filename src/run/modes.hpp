@@ -28,7 +28,7 @@ struct VibrationMode {
 };
 
 struct BucklingMode {
-  double factor = 0;  // of the loads of the state
+  double factor = 0;  // of the loads
   std::shared_ptr<const Shape> shape;
 };
 
@@ -54,5 +54,9 @@ Modes<VibrationMode> vibration_modes(const std::shared_ptr<model::Model>& model,
 // at which its tangent would have no stiffness against some motion. Errors: as above; a state without stress;
 // joints or seams that are not as they were at the start.
 Modes<BucklingMode> buckling_modes(const Run& run, int count);
+// The same of what the loads and motions of another model of the cloth, at the time of the state, are beyond
+// those of the run: the stresses and loads of the state stay as they are. Errors: other cloth, contacts or
+// supports; nothing beyond; a state that is unstable already.
+Modes<BucklingMode> buckling_modes(const Run& run, const std::shared_ptr<model::Model>& load, int count);
 
 }  // namespace fabricsh::run

@@ -93,7 +93,10 @@ int find_buckling(Call& call) {
   const auto model = from->analysis->shared_model();
   if (call.session().options().check) return push_modes(call, unchecked<run::BucklingMode>(*model, count));
   const ChangeRefused still_model(call.session(), model.get()), still_mesh(call.session(), &model->mesh());
-  return push_modes(call, run::buckling_modes(*from->analysis, count));
+  if (!call.has("load")) return push_modes(call, run::buckling_modes(*from->analysis, count));
+  const auto load = call.object<model::Model>("load");
+  const ChangeRefused still_load(call.session(), load.get());
+  return push_modes(call, run::buckling_modes(*from->analysis, load, count));
 }
 
 // --- shapes
@@ -209,6 +212,11 @@ std::vector<Entry> modes_entries() {
       {"fabric.buckling",
        Style::fields,
        {object_("from", "analysis", "a state under the loads, well below the critical ones or near them"),
+        object_("load", "model",
+                "the loads and motions that are multiplied, beyond those of the state, which stay as they "
+                "are: model:copy() with more of them, as they are at the time of the state; without it all "
+                "of the state's")
+            .optional(),
         integer_("count", Range{1, 400}, "how many, from the lowest on").or_else(1)},
        "Factors of the loads of a state at which cloth buckles, ascending: a list of { factor=, shape= }.",
        modes_sample() + "local first = fabric.buckling{ from=a }[1]\n"

@@ -62,9 +62,21 @@ wrong("fabric.buckling", "fabric.buckling{ from=run, count='1' }",
 wrong("fabric.buckling", "fabric.buckling{ from=run, count=500 }",
   "deck.lua:1: buckling: field 'count': expected an integer from 1 to 400, got 500")
 wrong("fabric.buckling", "fabric.buckling{ from=run, modes=2 }",
-  "deck.lua:1: buckling: unknown field 'modes' (known: from count)")
+  "deck.lua:1: buckling: unknown field 'modes' (known: from load count)")
 wrong("fabric.buckling", "fabric.buckling{ from=run }",
   "deck.lua:1: buckling: the state of this run has no stress: expected one under the loads whose factor is asked for")
+wrong("fabric.buckling", "fabric.buckling{ from=run, load=-1 }",
+  "deck.lua:1: buckling: field 'load': expected a model, got -1")
+wrong("fabric.buckling", "fabric.buckling{ from=run:solve(), load=run.model:copy() }",
+  "deck.lua:1: buckling: field 'load': expected a model with loads or motions beside those of the run at time 1 s, got none")
+wrong("fabric.buckling", "fabric.buckling{ from=run:solve(), load=run.model:copy{ without='move' }:force('top', { y=1 }) }",
+  "deck.lua:1: buckling: field 'load': expected the supports of the run, which hold or move the same; node 7 differs")
+wrong("fabric.buckling", "fabric.buckling{ from=run:solve(), load=fabric.model{ mesh=mesh, card=card, warp=0 } }",
+  "deck.lua:1: buckling: field 'load': expected a model of the same cloth; it differs in the warp direction")
+wrong("fabric.buckling", "local m = run.model:copy() m:contact{ between={ fabric.rigid.plane{ point={0, 0, -1}, normal={0, 0, 1} }, 'all' } } "
+  .. "fabric.buckling{ from=run:solve(), load=m }",
+  "deck.lua:1: buckling: field 'load': expected the bodies and contacts of the run; it differs in the rigid body 'plane' (none "
+  .. "there) and the contact of plane and 'all' (none there)")
 
 -- shapes
 wrong("shape:mesh", "fabric.modes{ model=held, count=1 }[1].shape:mesh()",
