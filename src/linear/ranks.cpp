@@ -14,7 +14,8 @@ namespace {
 constexpr double kNothing = 1e-14;  // of the largest eigenvalue of a core: below, it has none there
 
 // With K = the sparse part, Z = K^-1 U and the core C: (K + U C U^T)^-1 b = z - Z (1 + C U^T Z)^-1 C U^T z
-// where z = K^-1 b.
+// where z = K^-1 b. Where K alone is singular, as of a mechanism that nothing but a gas holds, some of its
+// freedoms get a stiffness of their own, which the ranks take away again.
 class WithRanks final : public LinearSolver {
  public:
   explicit WithRanks(std::unique_ptr<LinearSolver> sparse) : sparse_(std::move(sparse)) {}
@@ -22,12 +23,16 @@ class WithRanks final : public LinearSolver {
   bool analyse(const Matrix& A) override { return sparse_->prepare(A); }
   bool factorise_numbers(const Matrix& A) override {
     extra_ = 0;
-    return sparse_->factorise(A) && (A.ranks.empty() || close(A));
+    is_held_ = false;
+    if (sparse_->factorise(A)) return A.ranks.empty() || close(A);
+    is_held_ = !A.ranks.empty() && hold(A);
+    return is_held_ && close(held_);
   }
   bool solve(const Matrix& A, std::span<const double> b, std::span<double> x) override {
-    if (!sparse_->solve(A, b, x)) return false;
+    if (!sparse_->solve(is_held_ ? held_ : A, b, x)) return false;
     if (A.ranks.empty()) return true;
-    const Eigen::VectorXd w = small_.solve(A.ranks.core * along(A.ranks, x));
+    const FewRanks& ranks = is_held_ ? held_.ranks : A.ranks;
+    const Eigen::VectorXd w = small_.solve(ranks.core * along(ranks, x));
     for (std::size_t j = 0; j < Z_.size(); ++j)
       for (std::size_t i = 0; i < x.size(); ++i) x[i] -= w[static_cast<Index>(j)] * Z_[j][i];
     return true;
@@ -46,6 +51,65 @@ class WithRanks final : public LinearSolver {
     for (std::size_t i = 0; i < ranks.columns.size(); ++i)
       all[static_cast<Index>(i)] = dot(ranks.columns[i], x);
     return all;
+  }
+
+  // As few freedoms as the ranks are many at most, those that go farthest under them.
+  bool hold(const Matrix& A) {
+    constexpr double share = 1e-6;  // of the sums of entries, with which K has factors
+    Vector sums;
+    absolute_sums(A, sums);
+    held_ = A;
+    held_.ranks = {};
+    Matrix near = held_;
+    for (Index i = 0; i < A.size(); ++i) near.add(i, i, share * sums[static_cast<std::size_t>(i)]);
+    if (!sparse_->factorise(near)) return false;
+    std::vector<Vector> ways(A.ranks.columns.size(), Vector(sums.size()));
+    for (std::size_t j = 0; j < ways.size(); ++j) {
+      if (!sparse_->solve(near, A.ranks.columns[j], ways[j]) || !all_finite(ways[j])) return false;
+      for (std::size_t i = 0; i < sums.size(); ++i) ways[j][i] *= std::sqrt(sums[i]);
+    }
+    std::vector<std::pair<Index, double>> held;
+    while (!ways.empty()) {
+      const std::size_t at = farthest(ways);
+      held.emplace_back(static_cast<Index>(at), sums[at]);
+      held_.add(held.back().first, held.back().first, sums[at]);
+      if (sparse_->factorise(held_)) {
+        take_away(A.ranks, held);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  // The freedom that goes farthest along one of the ways; that way is taken out of the others.
+  static std::size_t farthest(std::vector<Vector>& ways) {
+    const auto less = [](double a, double b) { return std::abs(a) < std::abs(b); };
+    const auto most = [&](const Vector& way) {
+      return std::abs(*std::max_element(way.begin(), way.end(), less));
+    };
+    auto longest = std::max_element(ways.begin(), ways.end(),
+                                    [&](const Vector& a, const Vector& b) { return most(a) < most(b); });
+    const Vector way = *longest;
+    ways.erase(longest);
+    const auto at = static_cast<std::size_t>(std::max_element(way.begin(), way.end(), less) - way.begin());
+    for (Vector& other : ways) {
+      const double factor = way[at] == 0 ? 0 : other[at] / way[at];
+      for (std::size_t i = 0; i < other.size(); ++i) other[i] -= factor * way[i];
+    }
+    return at;
+  }
+
+  void take_away(const FewRanks& ranks, const std::vector<std::pair<Index, double>>& held) {
+    const auto k = static_cast<Index>(ranks.columns.size()), more = static_cast<Index>(held.size());
+    held_.ranks = ranks;
+    held_.ranks.core = Eigen::MatrixXd::Zero(k + more, k + more);
+    held_.ranks.core.topLeftCorner(k, k) = ranks.core;
+    for (Index j = 0; j < more; ++j) {
+      const auto [at, stiffness] = held[static_cast<std::size_t>(j)];
+      held_.ranks.columns.emplace_back(static_cast<std::size_t>(held_.size()), 0.0);
+      held_.ranks.columns.back()[static_cast<std::size_t>(at)] = 1;
+      held_.ranks.core(k + j, k + j) = -stiffness;
+    }
   }
 
   bool close(const Matrix& A) {
@@ -87,6 +151,8 @@ class WithRanks final : public LinearSolver {
   }
 
   std::unique_ptr<LinearSolver> sparse_;
+  Matrix held_;  // in the place of A
+  bool is_held_ = false;
   std::vector<Vector> Z_;
   Eigen::PartialPivLU<Eigen::MatrixXd> small_;
   Index extra_ = 0;

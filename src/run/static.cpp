@@ -135,6 +135,11 @@ Static::Static(std::shared_ptr<model::Model> model, const StaticOptions& options
     throw Error(
         "static: field 'control': \"arc\" follows the path of the loads, not the time: expected \"load\" "
         "with a card whose stress changes in time");
+  const auto* const gas = assembly_->terms().find<mechanics::Gas>();
+  if (options_.control == Control::arc && gas != nullptr && gas->flows())
+    throw Error(
+        "static: field 'control': \"arc\" follows the path of the loads, not the time in which gas flows: "
+        "expected \"load\", or gas without inflow, vents and leakage");
   if (options_.control == Control::arc)
     arc_ = std::make_unique<solver::ArcLength>(std::move(linear));
   else

@@ -1,6 +1,7 @@
 // Matrices with a part of few ranks: solutions, products, and the count of negative eigenvalues.
 #include <Eigen/Eigenvalues>
 #include <cmath>
+#include <tuple>
 
 #include "catch.hpp"
 #include "linear/linear_solver.hpp"
@@ -66,6 +67,45 @@ TEST_CASE("a matrix with few ranks is solved as the dense one, and has its negat
       const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> of(D, Eigen::EigenvaluesOnly);
       CHECK(solver->report().negative_pivots == (of.eigenvalues().array() < 0).count());
     }
+}
+
+TEST_CASE("a singular matrix that few ranks make regular is solved as the dense one") {
+  constexpr Index n = 11;
+  Eigen::Matrix2d holding, pulling;
+  holding << 2, 0.5, 0.5, 3;
+  pulling = -holding;
+  for (const auto& core : {holding, pulling}) {
+    // Two lines beside each other, or one, which nothing holds.
+    for (const bool parted : {false, true}) {
+      Matrix A = line_with_ranks(n, 0, core);
+      A.add(0, 0, -1);
+      A.add(n - 1, n - 1, -1);
+      if (parted) {
+        for (const auto& [r, c, v] : {std::tuple{4, 5, 1.0}, {5, 4, 1.0}, {4, 4, -1.0}, {5, 5, -1.0}})
+          A.add(r, c, v);
+      }
+      REQUIRE(!make_symmetric_solver()->factorise(A));
+      const Eigen::MatrixXd D = dense(A);
+      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> of(D, Eigen::EigenvaluesOnly);
+      REQUIRE(of.eigenvalues().cwiseAbs().minCoeff() > 1e-6);
+      for (auto make : {make_symmetric_solver, make_unsymmetric_solver}) {
+        auto solver = with_ranks(make(Ordering::automatic));
+        for (int twice = 0; twice < 2; ++twice) {
+          REQUIRE(solver->factorise(A));
+          std::vector<double> b(n), x(n);
+          for (std::size_t i = 0; i < b.size(); ++i) b[i] = std::sin(2.0 + static_cast<double>(i));
+          REQUIRE(solver->solve(A, b, x));
+          const Eigen::Map<const Eigen::VectorXd> want(b.data(), n), found(x.data(), n);
+          CHECK((D * found - want).norm() < 1e-9 * want.norm());
+          CHECK(solver->report().negative_pivots == (of.eigenvalues().array() < 0).count());
+        }
+      }
+    }
+  }
+  // One that they do not make regular.
+  Matrix A = line_with_ranks(n, 0, holding);
+  for (double& v : A.value) v = 0;
+  CHECK(!with_ranks(make_symmetric_solver())->factorise(A));
 }
 
 TEST_CASE("the sums of a matrix with few ranks bound its entries, and a factor scales all of it") {

@@ -30,6 +30,7 @@ class Gas final : public Term, public FewRankTerm {
     double pressure, volume, mass, temperature;
   };
   GasReading read(const model::GasGiven& gas) const;  // Error: it is not one of the model
+  bool flows() const { return flow_.flows(); }        // whether gas comes or goes
   bool pushes() const;                                // whether a pressure differs from that outside
 
  private:

@@ -97,9 +97,14 @@ bool notes_readings(const DeckRun& run) {
 void add_value(lua_State* L, const DeckRun& run, const Fields& fields, const Argument& row, Archive& bytes) {
   std::string name = row.name, value;
   if (fields.push(row.name) == LUA_TUSERDATA) {
-    const auto body = to_object<const model::Rigid>(L, -1);
-    if (!body) throw Error("an object that cannot be named");
-    value = "body " + std::to_string(run.analysis->body_number(*body));
+    if (const auto body = to_object<const model::Rigid>(L, -1)) {
+      value = "body " + std::to_string(run.analysis->body_number(*body));
+    } else {
+      const auto gas = to_object<const model::GasGiven>(L, -1);
+      if (!gas) throw Error("an object that cannot be named");
+      const auto& gases = run.analysis->model().gases();
+      value = "gas " + std::to_string(std::find(gases.begin(), gases.end(), gas) - gases.begin());
+    }
   } else if (!lua_isnil(L, -1) && (row.kinds & ValueKind::fields) != 0 && lua_istable(L, -1) &&
              !row.rows.empty()) {
     const Fields inner = fields.fields(row.name);
