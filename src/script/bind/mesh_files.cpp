@@ -5,6 +5,7 @@
 #include "mesh/check.hpp"
 #include "mesh/generators.hpp"
 #include "mesh/pair.hpp"
+#include "mesh/refine.hpp"
 #include "model/outlook.hpp"
 #include "script/bind/mesh.hpp"
 #include "script/bind/model.hpp"
@@ -143,6 +144,11 @@ int pair(Call& call) {
   return 1;
 }
 
+int refine(Call& call) {
+  mesh::refine(*call.self<Mesh>());
+  return 0;
+}
+
 int orient(Call& call) {
   Vec3 direction = Vec3::Zero();
   if (call.has("direction")) {
@@ -244,6 +250,20 @@ Entry pair_row() {
           pair};
 }
 
+Entry refine_row() {
+  return {"mesh:refine",
+          Style::positional,
+          {},
+          "Cuts every element from its middle to the middles of its sides into quadrilaterals, four of a "
+          "quadrilateral and three of a triangle, so that no triangle is left, which stiff yarns would lock. "
+          "New nodes lie on the sides: make a mesh of a curved outline fine enough before. Sets take them.",
+          "local fabric = require 'fabric'\n"
+          "local mesh = fabric.mesh.rectangle{ width=0.1, height=0.1, nx=1, ny=1, triangles=true }\n"
+          "mesh:refine()\n"
+          "assert(#mesh.elements == 6 and #mesh:set 'left' == 3)",
+          refine};
+}
+
 Entry orient_row() {
   return {
       "mesh:orient",
@@ -266,7 +286,7 @@ Mesh read_mesh_file(const Call& call, const std::string& path) {
 }
 
 std::vector<Entry> mesh_file_rows() {
-  return {read_row(), write_row(), deck_lines_row(), check_row(), pair_row(), orient_row()};
+  return {read_row(), write_row(), deck_lines_row(), check_row(), pair_row(), refine_row(), orient_row()};
 }
 
 }  // namespace fabricsh::script

@@ -1,0 +1,98 @@
+#include "mesh/refine.hpp"
+
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "mesh/edges.hpp"
+
+namespace fabricsh::mesh {
+
+namespace {
+
+std::size_t place_of(Index i) { return static_cast<std::size_t>(i); }
+std::size_t corners(const std::array<Index, 4>& element) { return element[3] < 0 ? 3 : 4; }
+
+// A side, its middle and whether the border of the mesh runs along it.
+struct Side {
+  Index first, second, middle;
+  bool border;
+};
+
+// Ascending by the ends, which find() needs.
+std::vector<Side> cut_sides(Mesh& mesh) {
+  std::vector<Side> sides;
+  for_each_edge(edges(mesh), [&](const Edge* begin, const Edge* end) {
+    sides.push_back({begin->first, begin->second, 0, end - begin == 1});
+  });
+  for (Side& side : sides) {
+    side.middle = static_cast<Index>(mesh.nodes.size());
+    mesh.nodes.emplace_back((mesh.nodes[place_of(side.first)] + mesh.nodes[place_of(side.second)]) / 2);
+  }
+  return sides;
+}
+
+Index middle_of(const std::vector<Side>& sides, Index a, Index b) {
+  const std::pair ends(std::min(a, b), std::max(a, b));
+  return std::lower_bound(sides.begin(), sides.end(), ends,
+                          [](const Side& side, const std::pair<Index, Index>& of) {
+                            return std::pair(side.first, side.second) < of;
+                          })
+      ->middle;
+}
+
+// A set of the border alone, such as an edge of a panel, must not take the inner side that joins two of its
+// nodes across a corner.
+void extend(NodeSet& ids, const std::vector<Side>& sides, const std::vector<std::array<Index, 4>>& elements,
+            Index first_middle, std::size_t nodes) {
+  std::vector<char> member(nodes, 0), border(nodes, 0);
+  for (const Index id : ids) member[place_of(id)] = 1;
+  for (const Side& side : sides)
+    if (side.border) border[place_of(side.first)] = border[place_of(side.second)] = 1;
+  const bool inner = std::any_of(ids.begin(), ids.end(), [&](Index id) { return border[place_of(id)] == 0; });
+  for (const Side& side : sides)
+    if (member[place_of(side.first)] != 0 && member[place_of(side.second)] != 0 && (side.border || inner))
+      ids.push_back(side.middle);
+  for (std::size_t e = 0; inner && e < elements.size(); ++e) {
+    const auto begin = elements[e].begin();
+    if (std::all_of(begin, begin + static_cast<std::ptrdiff_t>(corners(elements[e])),
+                    [&](Index id) { return member[place_of(id)] != 0; }))
+      ids.push_back(first_middle + static_cast<Index>(e));
+  }
+}
+
+}  // namespace
+
+void refine(Mesh& mesh) {
+  check_unused(mesh, "refine");
+  if (!mesh.parts.empty()) throw Error("refine: expected a mesh of one part");
+  const std::vector<std::array<Index, 4>> before = mesh.elements;
+  const std::vector<Vec3> warp = mesh.warp;
+  const std::vector<Side> sides = cut_sides(mesh);
+  const auto first_middle = static_cast<Index>(mesh.nodes.size());
+  mesh.elements.clear();
+  mesh.warp.clear();
+  for (std::size_t e = 0; e < before.size(); ++e) {
+    const auto& ids = before[e];
+    const std::size_t n = corners(ids);
+    const auto middle = static_cast<Index>(mesh.nodes.size());
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t i = 0; i < n; ++i) {
+      sum += mesh.nodes[place_of(ids[i])];
+      mesh.elements.push_back({ids[i], middle_of(sides, ids[i], ids[(i + 1) % n]), middle,
+                               middle_of(sides, ids[(i + n - 1) % n], ids[i])});
+      if (!warp.empty()) mesh.warp.push_back(warp[e]);
+    }
+    mesh.nodes.emplace_back(sum / static_cast<double>(n));
+  }
+  for (auto& [name, ids] : mesh.sets) {
+    if (name == "all") {
+      for (auto id = static_cast<Index>(ids.size()); id < static_cast<Index>(mesh.nodes.size()); ++id)
+        ids.push_back(id);
+    } else if (name != "corners") {
+      extend(ids, sides, before, first_middle, mesh.nodes.size());
+    }
+  }
+  mesh.origin += " refined";
+}
+
+}  // namespace fabricsh::mesh
