@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "base/number.hpp"
@@ -57,6 +58,14 @@ const char* switching(const law::Internal& before, const law::Internal& now) {
 
 double largest_strain(const PointLook& p) {
   return std::max({std::abs(p.E[0]), std::abs(p.E[1]), std::abs(p.E[4])});
+}
+
+// Degrees, without sign: 90 less the angle between the yarns.
+double shear_angle(const PointLook& p) {
+  const double stretch = (1 + 2 * p.E[0]) * (1 + 2 * p.E[1]);
+  return stretch > 0
+             ? std::asin(std::min(1.0, std::abs(p.E[4]) / std::sqrt(stretch))) * 180 / std::numbers::pi
+             : 0;
 }
 
 bool all_slack(const std::vector<PointLook>& points) {
@@ -113,6 +122,15 @@ Looks look_at_all(const mechanics::Assembly& assembly) {
   return all;
 }
 
+void find_sheared(const Looks& before, ResidualSite& site) {
+  for (std::size_t e = 0; e < before.size(); ++e)
+    for (const PointLook& p : before[e])
+      if (const double angle = shear_angle(p); angle > site.shear_angle) {
+        site.sheared = static_cast<mesh::Index>(e);
+        site.shear_angle = angle;
+      }
+}
+
 void count(const Looks& before, const Looks& now, ResidualSite& site) {
   site.elements = static_cast<std::int64_t>(now.size());
   for (std::size_t e = 0; e < now.size(); ++e) {
@@ -153,6 +171,7 @@ ResidualSite find_residual_site(mechanics::Assembly& assembly, const mesh::Mesh&
   const Looks before = look_at_all(assembly);
   name_element(about, before, now, site);
   count(before, now, site);
+  if (site.inverted >= 0) find_sheared(before, site);
   if (site.element >= 0) {
     site.centre = assembly.cloth().centre(site.element);
     for (const auto& p : look(assembly, site.element, true))
@@ -197,6 +216,8 @@ void Diagnosis::complete(const model::Model& model, const mechanics::Assembly& a
   moved = farthest_move(assembly, time, time + (tries.empty() ? 0 : tries.front().step));
   size = assembly.cloth().smallest_size();
   if (const auto* woven = std::get_if<card::Woven>(&model.card_of(site.element).law)) tested = woven->tested;
+  if (site.sheared >= 0 && !std::holds_alternative<card::Woven>(model.card_of(site.sheared).law))
+    site.shear_angle = 0;  // it has no yarns
   if (const auto* contact = assembly.terms().find<mechanics::Contacts>()) {
     const auto rubs = contact->held_friction();
     constexpr double most = 0.8;  // of all friction

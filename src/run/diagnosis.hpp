@@ -94,8 +94,12 @@ struct ResidualSite {
   std::int64_t switching = 0, slack = 0,
                elements = 0;  // elements with a switching yarn; with both yarns slack; all
   mesh::Index inverted = -1;  // an inverted element
-  mesh::Index turned = -1;    // a node whose director is turned over, at sound elements
-  std::string reason;         // why a term could not compute its forces; empty: no failure, or that of a law
+  // The element with the largest shear angle at the beginning of the step, and that angle in degrees: at 90
+  // warp and weft lie on each other and the element has no area.
+  mesh::Index sheared = -1;
+  double shear_angle = 0;
+  mesh::Index turned = -1;  // a node whose director is turned over, at sound elements
+  std::string reason;       // why a term could not compute its forces; empty: no failure, or that of a law
 };
 
 // One failed attempt at a step.

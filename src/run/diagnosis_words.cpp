@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kWideRatio = 1e6;  // of stiffnesses: above it Newton's steps lose half their digits
 constexpr double kBeyond = 1.5;     // factor on the tested strain
+constexpr double kYarnsMeet = 65;   // degrees of shear, from which yarns are told to be about to meet
 constexpr std::size_t kShown = 8;   // number of residuals and attempts shown
 
 const char* branch_word(law::LoadBranch branch) {
@@ -124,6 +125,19 @@ bool ends_singular(const Diagnosis& f) {
   return !f.tries.empty() && f.tries.back().status == solver::NewtonStatus::singular && !f.dynamic;
 }
 
+// Yarns that turn onto each other take the area of their element, whatever its size; where a held edge ends,
+// a finer mesh has more of that.
+std::string advice_on_inverted(const Diagnosis& f) {
+  const std::string less = f.moved > 0 ? "less stroke" : "less load",
+                    where = " (element " + std::to_string(f.site.inverted + 1) + " is turned inside out";
+  if (f.site.shear_angle < kYarnsMeet) return less + ", or a finer mesh there" + where + ")";
+  return less + ", or a card whose shear stiffens before its yarns meet, as cloth does" + where +
+         ": the shear angle of element " + std::to_string(f.site.sheared + 1) + " has come to " +
+         number(f.site.shear_angle, 2) +
+         " degrees, at 90 warp and weft lie on each other and an element has no area; a finer mesh does not "
+         "help)";
+}
+
 void advise_on_tangent(const Diagnosis& f, std::vector<std::string>& all) {
   const bool named = f.mechanism.ways > 0 && !f.mechanism.driven;  // otherwise it has advice of its own
   const std::string pivots = std::to_string(f.last.negative_pivots) + " negative pivots";
@@ -135,10 +149,7 @@ void advise_on_tangent(const Diagnosis& f, std::vector<std::string>& all) {
     all.push_back(next_way(f) +
                   " for folds, wrinkles and snaps, control=\"arc\" for a limit point (the last tangent has " +
                   pivots + ")");
-  if (f.site.inverted >= 0)
-    all.push_back(std::string(f.moved > 0 ? "less stroke" : "less load") +
-                  ", or a finer mesh there (element " + std::to_string(f.site.inverted + 1) +
-                  " is turned inside out)");
+  if (f.site.inverted >= 0) all.push_back(advice_on_inverted(f));
   if (f.site.turned >= 0)
     all.push_back("a smaller step, or a finer mesh there (the director at node " +
                   std::to_string(f.site.turned + 1) + " is turned over, the elements about it are sound)");
