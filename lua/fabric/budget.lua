@@ -95,17 +95,38 @@ local function middle(t)
   return values
 end
 
+-- The relative error of a run's stresses in the energy norm: recovered less computed, the mean over its elements by their areas.
+local function error_of(analysis)
+  if type(analysis) ~= "userdata" then error("budget: p.analysis: expected the run, got a " .. type(analysis), 0) end
+  local mesh, sum, whole = analysis.model.mesh, 0, 0
+  local nodes, elements = mesh.nodes, mesh.elements
+  for e, share in ipairs(analysis:field "error") do
+    local x, cross = {}, {}
+    for i, n in ipairs(elements[e]) do x[i] = nodes[n] end
+    for k = 1, 3 do
+      local i, j, last = k % 3 + 1, (k + 1) % 3 + 1, x[4] or x[1]
+      cross[k] = (x[3][i] - x[1][i]) * (last[j] - x[2][j]) - (x[3][j] - x[1][j]) * (last[i] - x[2][i])
+    end
+    local area = math.sqrt(cross[1] ^ 2 + cross[2] ^ 2 + cross[3] ^ 2)
+    sum, whole = sum + area * share ^ 2, whole + area
+  end
+  return math.sqrt(sum / whole)
+end
+
+-- Numbers by name; and the error of the stresses, if run(p) has put its run into p.analysis.
 local function answer(t, values, used)
   local card = t.card
   for _, change in ipairs(values.changes) do card = change(card) end
-  local result = t.run(question(card, values, used))
+  local p = question(card, values, used)
+  local result = t.run(p)
   if type(result) ~= "table" or next(result) == nil then error("budget: expected run(p) to return numbers by name, got " .. (type(result) == "table" and "none" or "a " .. type(result)), 0) end
   for name, value in pairs(result) do
     if type(name) ~= "string" or type(value) ~= "number" or value ~= value then
       error(("budget: expected run(p) to return numbers by name, got %s = %s"):format(tostring(name), tostring(value)), 0)
     end
   end
-  return result
+  local analysis = rawget(p, "analysis")
+  return result, analysis and not fabric.checking() and error_of(analysis) or nil
 end
 
 -- All runs: at the middle on each mesh and with each step, then A, B and, for the shares, A with input i of B for each sample.
@@ -136,11 +157,12 @@ end
 
 local function compute(t, jobs, names)
   local answers = fabric.lab.parallel { count = #jobs, processes = t.processes, progress = "budget", collect = true, work = function(i)
-    local result, row = answer(t, jobs[i]), {}
+    local row, result, wrong = {}, answer(t, jobs[i])
     for k, name in ipairs(names) do
       if result[name] == nil then error(("budget: run(p) returned no '%s' this time"):format(name), 0) end
       row[k] = result[name]
     end
+    row[#names + 1] = wrong or -1
     return row
   end }
   return answers
@@ -216,8 +238,8 @@ local function indices_with_bands(rows, inputs, seed)
   return out, quantile(alone, 0.975) < 1 and quantile(all, 0.025) > 1
 end
 
--- The budget of one number. rows: of the samples, without those that failed.
-local function budget_of(t, inputs, base, numerical, rows)
+-- The budget of one number. rows: of the samples, without those that failed; errors: of the stresses on the meshes, or none.
+local function budget_of(t, inputs, base, numerical, rows, errors)
   local out = { contributions = {} }
   local function add(source, deviation, more)
     local c = more or {}
@@ -233,8 +255,11 @@ local function budget_of(t, inputs, base, numerical, rows)
       for i = 2, #sizes do values[i] = numerical[place + i - 1] end
       place = place + #sizes - 1
       local found = limit_of(kind, sizes, values)
+      if kind == "mesh" and found.untold and errors[#sizes] then found.deviation = math.max(found.deviation, math.abs(found.value) * errors[#sizes]) end
       shift = shift + found.value - base
       add(kind == "steps" and "step" or kind, found.deviation, { order = found.order, values = values, untold = found.untold, limit = found.value })
+    elseif kind == "mesh" and errors[1] then -- a number may be wrong by as much as the stresses
+      add("mesh", math.abs(base) * errors[1], { range = "error of the stresses" })
     end
   end
   value = value + shift
@@ -318,6 +343,11 @@ local function text_of(t, result, names)
       say("  %-24s %11.3g %8.1f  %-22s %-22s %s", c.source, c.deviation, 100 * c.share, index "first", index "total", c.why and range .. ": " .. c.why or range)
     end
   end
+  if #result.mesh_errors > 0 then
+    local list = {}
+    for i, v in ipairs(result.mesh_errors) do list[i] = ("%.2g"):format(v) end
+    say("stresses on the mesh%s: recovered less computed, over the whole: %s", #list > 1 and "es" or "", table.concat(list, ", "))
+  end
   local function at(kind) return t[kind] and ("%s %s"):format(kind == "steps" and "step" or kind, tostring(t[kind][1])) or nil end
   local where, there = table.concat({ at "mesh" or at "steps", at "mesh" and at "steps" or nil }, ", "), {}
   for i, name in ipairs(names) do there[i] = ("%s = %.5g"):format(name, result.of[name].coarsest) end
@@ -376,7 +406,7 @@ local function run(t)
   local used, inputs = {}, {}
   if t.card then band_inputs(t, t.card, inputs) end
   local not_varied = assumed_inputs(t, t.card, inputs)
-  local base = answer(t, middle(t), used)
+  local base, base_error = answer(t, middle(t), used)
   local names = sorted.keys(base)
   for _, kind in ipairs { "mesh", "steps" } do
     local name = kind == "steps" and "step" or kind
@@ -395,6 +425,8 @@ local function run(t)
   for i = 1, numerical do
     if answers[i].trouble then fail("budget: " .. answers[i].trouble) end
   end
+  result.mesh_errors = { base_error }
+  for i = 2, base_error and t.mesh and #t.mesh or 1 do result.mesh_errors[i] = answers[i - 1][#names + 1] end
   local width, whole = 2 + (t.shares and #inputs or 0), {}
   for i = 1, #inputs > 0 and t.samples or 0 do
     local trouble
@@ -411,7 +443,7 @@ local function run(t)
       for k = 1, width do rows[r][k] = answers[numerical + (i - 1) * width + k][place] end
     end
     for i = 1, numerical do values[i] = answers[i][place] end
-    local b = budget_of(t, inputs, base[name], values, rows)
+    local b = budget_of(t, inputs, base[name], values, rows, result.mesh_errors)
     result.of[name], result.value[name], result.band[name], result.contributions[name] = b, b.value, b.band, b.contributions
   end
   result.untold = untold_of(result, names)
@@ -426,7 +458,7 @@ end
 define {
   name = "fabric.budget",
   arguments = {
-    { name = "run", kind = "function", sentence = "run(p) returns numbers by name; p.card, p.mesh, p.step, p.specimen (a seed) and p.assumed.NAME are those of this run" },
+    { name = "run", kind = "function", sentence = "run(p) returns numbers by name; p.card, p.mesh, p.step, p.specimen (a seed) and p.assumed.NAME are those of this run; where it puts its run into p.analysis, mesh_errors is the error of the stresses on each mesh: with one mesh its part, with more the least where these do not converge" },
     { name = "card", of = "card", optional = true, sentence = "its measured bands and what it assumes are varied" },
     { name = "mesh", kind = "table", optional = true, sentence = "for p.mesh, rising, e.g. {4, 8, 16} elements along a side" },
     { name = "steps", kind = "table", optional = true, sentence = "for p.step, falling" },

@@ -197,3 +197,31 @@ end
 refused("sobol: field 'x': expected {low, high}", fabric.sobol, { x = { 3, 1 }, n = 4 })
 refused("sobol: field 'n': expected a whole number", fabric.sobol, { x = { 1, 3 } })
 refused("latin_hypercube: expected at least one input", fabric.latin_hypercube, { n = 4 })
+
+-- --- the error of the stresses, where run(p) shows its run: a sheet held at an end and pulled, whose stresses jump at the corners
+local function pulled(p)
+  local mesh = fabric.mesh.rectangle { width = 0.03, height = 0.05, nx = p.mesh, ny = 2 * p.mesh }
+  local m = fabric.model { mesh = mesh, card = fabric.card "denim", warp = 90 }
+  m:fix("all", "z rotation"):fix("bottom", "x y"):fix("top", "x"):move("top", { y = fabric.ramp(0.005, 1) })
+  local a = fabric.static { model = m, duration = 1, step = 0.5 }:solve()
+  p.analysis = a
+  local parts = a:field "error"
+  local sum = 0
+  for _, share in ipairs(parts) do sum = sum + share ^ 2 / #parts end -- elements of one size
+  return { force = select(2, a:reaction "top"), wrong = math.sqrt(sum) }
+end
+b = budget { mesh = { 3 }, run = pulled }
+near(b.mesh_errors[1], b.value.wrong, 1e-9, "the error of the stresses")
+near(by_source(b.contributions.force).mesh.deviation, b.value.force * b.mesh_errors[1], 1e-9 * b.value.force, "one mesh: its share of the value")
+assert(b.text:find("error of the stresses", 1, true) and b.text:find("stresses on the mesh: recovered less computed, over the whole: 0.0", 1, true))
+b = budget { mesh = { 3, 6, 12 }, run = pulled }
+assert(#b.mesh_errors == 3 and b.mesh_errors[3] < 0.6 * b.mesh_errors[1] and by_source(b.contributions.force).mesh.order)
+b = budget { mesh = { 3, 4, 5 }, run = function(p)
+  pulled(p)
+  return { flips = p.mesh == 4 and 1 or 1.0001 }
+end }
+assert(b.of.flips.deviation > 0.9 * b.mesh_errors[3] and #b.untold == 1)
+refused("p.analysis: expected the run, got a number", budget, { mesh = { 3 }, run = function(p)
+  p.analysis = 7
+  return { f = p.mesh }
+end })
