@@ -101,10 +101,11 @@ class Static final : public Run {
   bool follows_path(double end, StepReport& report);
   struct Halves {  // the difference of a step to its halves: over what is largest so far, m and N
     double error = std::numeric_limits<double>::quiet_NaN(), moved = 0, pulled = 0;
+    int parts = 2;
   };
   Halves path_error(double end, StepReport& report);
-  Halves compare_halves(double end, std::span<const double> to);
-  bool solve_half(double end, std::span<const double> guess);
+  Halves compare_parts(int parts, double end, std::span<const double> to);
+  bool solve_part(double end, std::span<const double> guess);
   std::vector<double> held_by_supports() const;  // N, 3 per node
   void put(std::span<const double> kinematics);  // as the trial configuration
   void note_path(const StepReport& report);
@@ -144,13 +145,14 @@ class Static final : public Run {
   std::unique_ptr<solver::StabilityCheck> check_;  // where stable_ has not asked: along an arc, by relaxation
   std::unique_ptr<solver::Descent> helper_;        // of Newton's method
   Diagnosis step_;                                 // the present one
-  bool cutting_ = false;   // whether a step that fails is halved, or is as long as asked for
-  bool afresh_ = false;    // whether halves of a step are solved as any step is
-  bool relaxing_ = false;  // whether the last try at the present step was by relaxation
-  Halves halves_;          // of the last step that was compared
-  bool crept_ = false;     // whether it needed the overdamped motion
-  bool settling_ = false;  // whether settle_jump() has tried to relax the present step
-  struct StaticState {     // the variables of the run
+  bool cutting_ = false;     // whether a step that fails is halved, or is as long as asked for
+  bool afresh_ = false;      // whether halves of a step are solved as any step is
+  bool hard_parts_ = false;  // whether one of them took many iterations
+  bool relaxing_ = false;    // whether the last try at the present step was by relaxation
+  Halves halves_;            // of the last step that was compared
+  bool crept_ = false;       // whether it needed the overdamped motion
+  bool settling_ = false;    // whether settle_jump() has tried to relax the present step
+  struct StaticState {       // the variables of the run
     StepControl step;
     double arc_length = 0, tried_length = 0, longest_length = 0, landing = 0;  // along an arc
     bool reported_pivots = false, reported_damping = false, reported_error = false, reported_balance = false;
@@ -168,11 +170,12 @@ class Static final : public Run {
     double way = 0, path_force = 0, path_moved = 0, path_pulled = 0, path_worst = 0, path_step = 0,
            path_time = 0, path_ratio = 0;
     std::int64_t path_asked = -1, path_next = 0, path_gap = 1;
+    int path_parts = 2;  // in which the step that errs most was made again
     void keep(Archive& archive) {
       archive(step, arc_length, tried_length, longest_length, landing, reported_pivots, reported_damping,
               reported_error, reported_balance, jumps, settled, inverted, turned, relaxed, made, unsure,
               fallen, internal, way, path_force, path_moved, path_pulled, path_worst, path_step, path_time,
-              path_ratio, path_asked, path_next, path_gap);
+              path_ratio, path_asked, path_next, path_gap, path_parts);
     }
   } now_;
 };

@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kLong = 0.125;      // of the run
+constexpr double kMost = 0.5;        // of the run: longer steps are also compared with four parts
 constexpr double kSmall = 2e-3;      // below it the next steps are not asked
 constexpr double kLeast = 1.0 / 64;  // of the run: a shorter step may err as much as one of this length
 // The halves need not be solved better than the error is asked for.
@@ -84,7 +85,7 @@ void Static::put(std::span<const double> kinematics) {
 
 // Beginning between or at known shapes, a few iterations are enough. Where that does not get there, or is not
 // wanted, it is solved as any step is.
-bool Static::solve_half(double end, std::span<const double> guess) {
+bool Static::solve_part(double end, std::span<const double> guess) {
   const auto converges = [](const solver::NewtonResult& result) {
     return result.status == solver::NewtonStatus::converged;
   };
@@ -107,6 +108,7 @@ bool Static::solve_half(double end, std::span<const double> guess) {
   const bool relaxing = relaxing_, crept = crept_;
   StepReport unseen;
   const bool solved = attempt(end, unseen);
+  hard_parts_ = hard_parts_ || unseen.iterations > kStaticIterations.many;
   step_ = step;
   relaxing_ = relaxing;
   crept_ = crept;
@@ -123,28 +125,31 @@ std::vector<double> Static::held_by_supports() const {
   return force;
 }
 
-// The step from the committed state to the trial state at `to` is made again in two halves, which begin at
-// the shapes that are known. Returns by how much their end differs: the largest distance of a node over the
-// largest displacement so far, or the largest difference of a support's force over the largest force. NaN:
-// the halves have no answer.
-Static::Halves Static::compare_halves(double end, std::span<const double> to) {
+// The step from the committed state to the trial state at `to` is made again in two halves, or in four parts
+// that are solved afresh. Halves begin at the shapes that are known. Returns by how much the end differs: the
+// largest distance of a node over the largest displacement so far, or the largest difference of a support's
+// force over the largest force. NaN: the parts have no answer.
+Static::Halves Static::compare_parts(int parts, double end, std::span<const double> to) {
   const auto& state = std::as_const(*assembly_).state();
   const std::vector<double> from(state.committed_kinematics().begin(), state.committed_kinematics().end()),
       held = held_by_supports();
   std::vector<double> reference;
   for (const Vec3& X : assembly_->dofs().reference()) reference.insert(reference.end(), X.begin(), X.end());
   const auto numbers = reference.size();
-  const double half = (committed_time() + end) / 2;
+  const double start = committed_time();
   double way = now_.way;
   for (const std::span<const double> shape : {std::span<const double>(from), to})
     way = std::max(way, largest_distance(shape, reference, numbers));
   now_.way = way;
   rollback();
-  if (!solve_half(half, middle(from, to))) return {};
-  way = now_.way = std::max(way, largest_distance(state.x(), reference, numbers));
-  assembly_->finish_step();
-  problem_->commit(half);
-  if (!solve_half(end, to)) return {};
+  for (int i = 1; i < parts; ++i) {
+    const double time = start + i * (end - start) / parts;
+    if (!solve_part(time, middle(from, to))) return {};
+    way = now_.way = std::max(way, largest_distance(state.x(), reference, numbers));
+    assembly_->finish_step();
+    problem_->commit(time);
+  }
+  if (!solve_part(end, to)) return {};
   const double force = now_.path_force = std::max(now_.path_force, problem_->force_scale());
   const auto now = state.x();
   const auto pulls = held_by_supports();
@@ -152,16 +157,25 @@ Static::Halves Static::compare_halves(double end, std::span<const double> to) {
                pulled = afresh_ ? difference_of_sizes(pulls, held, std::vector<double>(numbers))
                                 : largest_distance(pulls, held, numbers);
   const double error = std::max(way > 0 ? moved / way : 0, force > 0 ? pulled / force : 0);
-  if (error < kHalves.tolerance) return {0, 0, 0};  // below it the halves say nothing
-  return {error, moved, pulled};
+  if (error < kHalves.tolerance) return {0, 0, 0, parts};  // below it the halves say nothing
+  return {error, moved, pulled, parts};
 }
 
-// The trial state is afterwards what it was.
+// Where a step of almost the whole run and its halves are both hard to solve and end at the same shape, four
+// parts are asked, too: of several stable shapes both may have found the second best, as loads that come up
+// more slowly do not. The trial state is afterwards what it was.
 Static::Halves Static::path_error(double end, StepReport& report) {
   const auto& state = std::as_const(*assembly_).state();
   const std::vector<double> to(state.kinematics().begin(), state.kinematics().end());
   const std::string start = save_state();
-  const Halves error = compare_halves(end, to);
+  const double committed_start = committed_time();
+  hard_parts_ = false;
+  Halves error = compare_parts(2, end, to);
+  const double part = (end - committed_start) / (duration_ - began());
+  if (afresh_ && hard_parts_ && !by_shares() && part > kMost && error.error <= usual_path) {
+    go_back(start);
+    if (const Halves more = compare_parts(4, end, to); more.error > error.error) error = more;
+  }
   const double way = now_.way, force = now_.path_force;
   go_back(start);
   now_.way = way;
@@ -221,6 +235,7 @@ void Static::note_path(const StepReport& report) {
   now_.path_next = steps + now_.path_gap;
   if (report.path <= now_.path_worst) return;
   now_.path_worst = report.path;
+  now_.path_parts = halves_.parts;
   now_.path_step = report.step;
   now_.path_time = report.time;
 }
@@ -232,8 +247,8 @@ void Static::watch_path() {
                sum = std::max(now_.way > 0 ? now_.path_moved / now_.way : 0,
                               now_.path_force > 0 ? now_.path_pulled / now_.path_force : 0);
   if (warned("path") || sum <= said) return;
-  warn("path", "warning: static: by time " + number(time()) +
-                   " s the steps are long: in two halves they end " + number(100 * sum, 2) +
+  warn("path", "warning: static: by time " + number(time()) + " s the steps are long: in " +
+                   (now_.path_parts > 2 ? "four parts" : "two halves") + " they end " + number(100 * sum, 2) +
                    " % of the largest displacement or force elsewhere, most that of " +
                    number(now_.path_step) + " s at time " + number(now_.path_time) + " s. Expected at most " +
                    number(100 * said) +

@@ -50,6 +50,7 @@ for _, to in ipairs { 0.3, 0.8, 1.7, 2 } do
 end
 local ok, message = pcall(a.reaction, a, "right", { window = 0.7 })
 assert(not ok and message:find("field 'options.window': expected to be asked for once before the first step", 1, true), message)
+assert(message:find("write a:reaction('right', { window=0.7 }) before a:solve() too", 1, true), message)
 
 -- records: each row is a mean over what is behind it
 local b, steps = made(name)

@@ -213,7 +213,9 @@ int mean_reaction(Call& call, const model::Rigid* body) {
       throw Error(
           "reaction: field 'options.window': expected to be asked for once before the first step, so that "
           "the steps are followed, got the first call at time " +
-          fabricsh::number(run.time()) + " s");
+          fabricsh::number(run.time()) + " s: write a:reaction(" +
+          (body == nullptr ? "'" + set + "'" : std::string("body")) + ", { window=" +
+          fabricsh::number(width) + " }) before a:solve() too, whose result counts for nothing");
     window = &run.window(name, run::Window(width, run::Window::Reaction{set, number}));
   }
   for (const double r : window->mean()) lua_pushnumber(call.L(), r);
