@@ -56,3 +56,14 @@ local stack = form { stack = { 0, 90 }, holder = { springs = 1e5 }, quarter = tr
 assert(stack.angles[#stack.angles].ply == 2 and not stack.trouble and stack.curve[#stack.curve].error < 0.01)
 local gap = form { holder = { gap = 0.3 * mm }, quarter = true, cells = 5, stroke = 1.5 * mm }
 assert(gap.curve[#gap.curve].holder > 0 and not gap.trouble)
+
+-- What a die does not tell follows from the punch; the deck's own tables stay as they are.
+do
+  local punch, die = { radius = 12 * mm }, {}
+  local least = form { punch = punch, die = die, quarter = true, cells = 8, stroke = 1 * mm }
+  near("contact on the default edge, ten plies thick", least.contact, 2 * 0.38 * mm, 1e-9)
+  assert(not least.trouble and next(die) == nil and punch.shape == nil)
+  local box = form { blank = 80 * mm, punch = { shape = "box", size = { 30 * mm, 24 * mm }, corner = 8 * mm, edge = 6 * mm }, die = {}, quarter = true, cells = 8, stroke = 0.2 * mm,
+                     prepare = function(a) a:every(1e-6, function() a:stop() end) end }
+  near("contact on the default edge of a box", box.contact, 24 * mm / 6 / 5, 1e-9)
+end

@@ -20,8 +20,15 @@ local settles = 0.08      -- of the duration: the holder closes
 local edge_share = 0.2    -- distance of contact over the radius of the die's edge
 local bears = 6e6        -- Pa, that contact carries before its barrier begins
 local heavy = 4           -- mass of a holder over that of the plies
-local edge_of_punch = 1 / 6 -- radius of the die's edge over that of a round punch
+local rim_share = { hemisphere = 1 / 6, ["double dome"] = 1 / 6, box = 1 / 3 } -- default radius of the die's edge over that of the punch
+local rim_plies = 10      -- and over the thickness of a ply, at least
+local wider = 1.1         -- default gap of punch and die over the thickness of the stack in contact
+local nip_share = 1 / 25   -- of the punch's radius, at least
+local most_plies = 50
+local most_elements = 4e6
 local slow = 0.05         -- kinetic energy over the work of the punch, above which a run is too fast
+
+local in_punch, in_die = { "form", "punch." }, { "form", "die." }
 
 local function fail(field, words) define.fail(("form: field '%s': %s"):format(field, words)) end
 
@@ -89,7 +96,7 @@ end
 
 -- The plies that fit between punch and die, checked where the tools are given by their lengths.
 local function check_gap(t, plies)
-  local inner, at_die = tools.outline("form", t.punch, 0), polar(tools.outline("form", t.die, 0))
+  local inner, at_die = tools.outline(in_punch, t.punch, 0), polar(tools.outline(in_die, t.die, 0))
   local least, where = math.huge, nil
   for _, p in ipairs(inner) do
     local angle, r = math.atan(p[2], p[1]), math.sqrt(p[1] ^ 2 + p[2] ^ 2)
@@ -106,7 +113,7 @@ end
 
 local function check_cover(t, width, height)
   local reach = { 0, 0 }
-  for _, p in ipairs(tools.outline("form", t.die, t.die.edge)) do
+  for _, p in ipairs(tools.outline(in_die, t.die, t.die.edge)) do
     for i = 1, 2 do reach[i] = math.max(reach[i], math.abs(p[i] + t.die.edge * p[i + 2])) end
   end
   if width / 2 <= reach[1] or height / 2 <= reach[2] then
@@ -119,36 +126,63 @@ local function check_holder(holder)
   if (holder.force and 1 or 0) + (holder.springs and 1 or 0) + (holder.gap and 1 or 0) ~= 1 then
     fail("holder", "expected one of force= (N), springs= (N/m) and gap= (m), got " .. ((holder.force or holder.springs) and "several" or holder.gap and "several" or "none"))
   end
+  if holder.gap then check_length("holder.gap", holder.gap) end
+end
+
+local function lengths_of(shape) return shape == "box" and { "size", "corner" } or shape == "double dome" and { "radius", "length", "waist" } or { "radius" } end
+
+local function want(field, given, names)
+  for _, name in ipairs(names) do
+    if given[name] == nil then fail(field .. "." .. name, ("expected a length in m for shape='%s', got none"):format(given.shape)) end
+    if name == "size" and #given.size ~= 2 then
+      fail(field .. ".size", ("expected {along x, along y}, got %s"):format(#given.size == 1 and "1 number" or #given.size .. " numbers"))
+    end
+  end
+end
+
+-- What a die does not tell: the edge first, on which the distance of contact depends, and then the opening, which depends on that.
+local function complete(t, thick)
+  local punch, die = t.punch, t.die
+  local radius = punch.shape == "box" and math.min(punch.size[1], punch.size[2]) / 2 or punch.radius
+  die.edge = die.edge or math.max(rim_share[punch.shape] * radius, rim_plies * thick, (t.contact or 0) / edge_share)
+  t.contact = t.contact or math.max(thick, edge_share * die.edge)
+  if die.shape ~= punch.shape then return end
+  local facets = punch.shape == "box" and 0 or radius * (1 - math.cos(math.pi / die.around)) -- the punch is round between them
+  local nip = math.max(wider * (thick + (#t.stack - 1) * t.contact), nip_share * radius)
+  local opening = set_off(punch, nip + facets)
+  for _, name in ipairs(lengths_of(die.shape)) do die[name] = die[name] or opening[name] end
 end
 
 -- Everything about sizes, before anything is made.
 local function prepare(t)
   local width, height = blank_of(t)
   t.stack = t.stack or { 0 }
+  if #t.stack > most_plies then fail("stack", ("expected at most %d plies, got %d"):format(most_plies, #t.stack)) end
+  local elements = t.cells ^ 2 * math.min(width, height) / math.max(width, height) * #t.stack * (t.triangles and 2 or 1)
+  if elements > most_elements then
+    fail("cells", ("expected at most %.2g elements in all plies, got %.3g: fewer cells along the longer side, or fewer plies"):format(most_elements, elements))
+  end
+  t.punch, t.die = copy(t.punch), copy(t.die or {})
   check_holder(t.holder)
   check_length("stroke", t.stroke)
+  if t.contact then check_length("contact", t.contact) end
   check_tool("punch", t.punch)
-  t.die = t.die or {}
   check_tool("die", t.die)
   t.punch.shape = t.punch.shape or "hemisphere"
   t.die.shape = t.die.shape or t.punch.shape
   t.punch.around, t.die.around = t.punch.around or 64, t.die.around or 64
-  if t.punch.shape == "hemisphere" and t.die.shape == "hemisphere" and t.punch.radius then
-    t.die.radius = t.die.radius or t.punch.radius + math.max(1.5 * #t.stack * t.card:free_thickness(), t.punch.radius / 25)
-    t.die.edge = t.die.edge or edge_of_punch * t.punch.radius
-  end
-  for _, pair in ipairs { { "punch", t.punch }, { "die", t.die } } do
-    local shape, given = pair[2].shape, pair[2]
-    local wanted = shape == "box" and { "size", "corner" } or shape == "double dome" and { "radius", "length", "waist" } or { "radius" }
-    if pair[1] == "die" or shape == "box" then wanted[#wanted + 1] = "edge" end
-    for _, name in ipairs(wanted) do
-      if given[name] == nil then fail(pair[1] .. "." .. name, ("expected a length in m for shape='%s', got none"):format(shape)) end
-    end
-  end
+  local names = lengths_of(t.punch.shape)
+  if t.punch.shape == "box" then names[#names + 1] = "edge" end
+  want("punch", t.punch, names)
   local thick = t.card:free_thickness()
-  t.contact = t.contact or math.max(thick, edge_share * t.die.edge)
+  complete(t, thick)
+  want("die", t.die, lengths_of(t.die.shape))
   if t.contact < thick then
     fail("contact", ("the plies would start inside each other: expected at least their thickness, %.4g m, got %.4g"):format(thick, t.contact))
+  end
+  local off = (t.contact - thick) / 2
+  if t.punch.radius and t.punch.radius <= off then
+    fail("punch.radius", ("expected more than %.4g m, by which contact is thicker than the plies, got %.4g"):format(off, t.punch.radius))
   end
   check_gap(t, #t.stack * thick)
   check_cover(t, width, height)
@@ -181,7 +215,7 @@ local function plies_of(t, width, height)
   end
   local h = width / nx * (t.quarter and 0.5 or 1)
   if h > 1.5 * t.die.edge then
-    fabric.warn(("form: elements of %.3g mm on an edge of %.3g mm follow it roughly: punch force and draw-in go up and down by the element (cells=%d would follow it)"):format(
+    fabric.warn(("form: elements of %.3g mm on an edge of %.3g mm follow it roughly: punch force and draw-in go up and down by the element (cells=%.0f would follow it)"):format(
       h / mm, t.die.edge / mm, math.ceil(t.cells * h / (1.5 * t.die.edge))))
   end
   return bodies
@@ -197,7 +231,7 @@ local function add_holder(t, m, top, ramp, mass, share)
   local z = top + t.contact / 2 + (h.gap and h.gap - #t.stack * thick or 0)
   given.at = { 0, 0, z }
   if not h.gap then given.mass = (h.mass or heavy * mass / share) * share end
-  local body = tools.die(given, "form")
+  local body = tools.die(given, in_die)
   if h.gap then return body end
   m:fix(body, "x y rotation"):damper(body, { z = 2000 * given.mass })
   if h.force then
@@ -233,7 +267,7 @@ local function setup(t)
   punch.at, die.at = { 0, 0, top + t.contact / 2 }, { 0, 0, -t.contact / 2 }
   die.outer = die.outer or 0.75 * math.sqrt(width ^ 2 + height ^ 2)
   t.die_body = die
-  punch, die = tools.punch(punch, "form"), tools.die(die, "form")
+  punch, die = tools.punch(punch, in_punch), tools.die(die, in_die)
   m:move(punch, { z = function(time) return -way(time) end })
   local mass = width * height * share * t.card.density * t.card.thickness * #bodies
   local holder = add_holder(t, m, top, ramp, mass, share)
@@ -315,7 +349,7 @@ end
 -- How far plies rise from the die where it is flat.
 local function wrinkles(t, s, a)
   local reach = 0
-  for _, p in ipairs(tools.outline("form", t.die, t.die.edge)) do
+  for _, p in ipairs(tools.outline(in_die, t.die, t.die.edge)) do
     reach = math.max(reach, math.sqrt((p[1] + t.die.edge * p[3]) ^ 2 + (p[2] + t.die.edge * p[4]) ^ 2))
   end
   local out = { height = 0 }
@@ -384,16 +418,18 @@ define {
     { name = "card", of = "card", sentence = "the fabric of all plies" },
     { name = "stack", kind = "numbers", unit = "degrees", optional = true, sentence = "{lowest, ..., upmost}: warp of each ply from x, default {0}" },
     { name = "blank", kind = "number|numbers", unit = "m", above = 0, sentence = "side of a square, or {along x, along y}" },
-    { name = "punch", kind = "fields", rows = tools.punch_rows, sentence = "as of fabric.rigid.punch" },
-    { name = "die", kind = "fields", optional = true,
-      rows = tools.shape_rows { name = "edge", kind = "number", unit = "m", above = 0, optional = true, sentence = "radius of the rounded edge; default a sixth of a round punch" },
-      sentence = "the opening, as of fabric.rigid.die; default of a round punch: wider by a twenty-fifth of its radius or by one and a half plies" },
-    { name = "holder", kind = "fields", optional = true, rows = {
-      { name = "force", kind = "number", unit = "N", above = 0, high = 1e7, optional = true, sentence = "by which it presses" },
-      { name = "springs", kind = "number", unit = "N/m", above = 0, high = 1e9, optional = true, sentence = "that press it from where it lies" },
-      { name = "gap", kind = "number", unit = "m", above = 0, high = 1, optional = true, sentence = "that it leaves" },
-      { name = "mass", kind = "number", unit = "kg", above = 0, high = 1e4, optional = true, sentence = "of the plate; default four times that of the plies" },
-    }, sentence = "one of force, springs and gap; without it none" },
+    { name = "punch", kind = "fields", rows = tools.punch_rows, sentence = "the arguments of fabric.rigid.punch: { radius= }, { shape='box', size=, corner=, edge= }, { shape='double dome', radius=, length=, waist= }" },
+    { name = "die", kind = "fields", optional = true, sentence = "of fabric.rigid.die: { radius=, edge= }, ...; lengths of the opening that are left out: those of a punch of the same shape, wider on each side by 1.1 times the thickness of the stack in contact, at least a twenty-fifth of the punch's radius",
+      rows = tools.die_rows("of the opening; default that of the punch",
+        "radius of the rounded edge of the opening; default the larger of a sixth of the punch's radius (of a box: a sixth of the shorter side) and ten times the thickness of a ply; where contact= is given, at least five times that",
+        "radius of the round outside of die and holder; default 0.75 times the diagonal of the blank") },
+    { name = "holder", kind = "fields", optional = true, sentence = "{ force=N }, { springs=N/m } or { gap=m }; without it none",
+      rows = {
+        { name = "force", kind = "number", unit = "N", above = 0, high = 1e7, optional = true, sentence = "that presses it on the plies" },
+        { name = "springs", kind = "number", unit = "N/m", above = 0, high = 1e10, optional = true, sentence = "stiffness of all springs that hold it down" },
+        { name = "gap", kind = "number", unit = "m", above = 0, optional = true, sentence = "from die to holder, which stands" },
+        { name = "mass", kind = "number", unit = "kg", low = 1e-6, high = 1e6, optional = true, sentence = "of the plate; default four times that of the plies" },
+      } },
     { name = "friction", kind = "number", low = 0, default = 0.2, sentence = "of tools and plies" },
     { name = "ply_friction", kind = "number", low = 0, optional = true, sentence = "of plies on each other; default that of the tools" },
     { name = "stroke", kind = "number", unit = "m", above = 0, sentence = "way of the punch from first contact" },

@@ -12,8 +12,15 @@ local loft = require "fabric.rigid.loft"
 local tools = {}
 
 local quarter = 8 -- facets of a rounded edge
+local largest = 1000 -- m: of any length
+local sharpest = 1e-6 -- m: least radius of an edge
 
-local function fail(call, field, words) define.fail(("%s: field '%s': %s"):format(call, field, words)) end
+-- call: the name of a function, or {name, path} where the tool is a table within its arguments.
+local function fail(call, field, words)
+  local name, path = call, ""
+  if type(call) == "table" then name, path = table.unpack(call) end
+  define.fail(("%s: field '%s%s': %s"):format(name, path, field, words))
+end
 
 -- Outlines: lists of {x, y, nx, ny}, counter-clockwise, n points outwards.
 
@@ -83,6 +90,12 @@ local function waist(call, t)
   end
 end
 
+local function counted(n) return n == 1 and "1 number" or n .. " numbers" end
+
+local function sides(call, t)
+  if #t.size ~= 2 then fail(call, "size", ("expected {width, height}, got %s"):format(counted(#t.size))) end
+end
+
 -- The outline of what is given; room: how far it is offset outwards.
 local function outline(call, t, room)
   if t.shape == "hemisphere" then return circle(t.radius, t.around) end
@@ -91,6 +104,7 @@ local function outline(call, t, room)
     if room >= t.waist then fail(call, "waist", ("expected more than the edge, %.4g m, got %.4g"):format(room, t.waist)) end
     return peanut(t.radius, t.length, t.waist, t.around)
   end
+  sides(call, t)
   local a, b = table.unpack(t.size)
   if t.corner > math.min(a, b) / 2 + 1e-12 then
     fail(call, "corner", ("expected at most half of the shorter side, %.4g m, got %.4g"):format(math.min(a, b) / 2, t.corner))
@@ -100,7 +114,10 @@ end
 
 local function at_of(call, t)
   local p = t.at or { 0, 0, 0 }
-  if #p ~= 3 then fail(call, "at", ("expected {x, y, z}, got %s"):format(#p == 1 and "1 number" or #p .. " numbers")) end
+  if #p ~= 3 then fail(call, "at", ("expected {x, y, z}, got %s"):format(counted(#p))) end
+  for i = 1, 3 do
+    if math.abs(p[i]) > largest then fail(call, "at", ("expected at most %d m from the origin, got %.4g at place %d"):format(largest, p[i], i)) end
+  end
   return p
 end
 
@@ -111,9 +128,9 @@ local function ring(line, at, offset, z)
 end
 
 -- A box from its flat bottom up.
-local function box(t, at)
-  local around, rings = outline("punch", t, 0), {}
-  if t.edge > t.corner then fail("punch", "edge", ("expected at most the corner, %.4g m, got %.4g"):format(t.corner, t.edge)) end
+local function box(call, t, at)
+  if t.edge > t.corner then fail(call, "edge", ("expected at most the corner, %.4g m, got %.4g"):format(t.corner, t.edge)) end
+  local around, rings = outline(call, t, 0), {}
   for k = 0, quarter do
     local a = math.pi / 2 * k / quarter
     rings[#rings + 1] = ring(around, at, t.edge * (math.sin(a) - 1) + (k == 0 and 1e-9 * t.edge or 0), t.edge * (1 - math.cos(a)))
@@ -164,10 +181,10 @@ function tools.punch(t, call)
   local at = at_of(call, t)
   if t.shape == "box" then
     want(call, t, { "size", "corner", "edge" })
-    if #t.size ~= 2 then fail(call, "size", ("expected {width, height}, got %s"):format(#t.size == 1 and "1 number" or #t.size .. " numbers")) end
+    sides(call, t)
     t.height = t.height or math.min(t.size[1], t.size[2])
     if t.height <= t.edge then fail(call, "height", ("expected more than the edge, %.4g m, got %.4g"):format(t.edge, t.height)) end
-    return fabric.rigid.surface { mesh = box(t, at), closed = true, mass = t.mass, name = t.name }
+    return fabric.rigid.surface { mesh = box(call, t, at), closed = true, mass = t.mass, name = t.name }
   end
   want(call, t, { "radius" })
   if t.shape == "double dome" then
@@ -224,45 +241,43 @@ function tools.die(t, call)
 end
 
 local shapes = { "hemisphere", "box", "double dome" }
-tools.rows = {
+local function length_row(name, sentence, optional, low)
+  return { name = name, kind = "number", unit = "m", above = not low and 0 or nil, low = low, high = largest, optional = optional, sentence = sentence }
+end
+local outline_rows = {
   { name = "shape", kind = "text", choices = shapes, default = "hemisphere", sentence = "of the punch or of the opening: hemisphere (round), box, double dome" },
-  { name = "radius", kind = "number", unit = "m", above = 0, optional = true, sentence = "of a hemisphere, a dome or a round opening" },
-  { name = "size", kind = "numbers", unit = "m", above = 0, optional = true, sentence = "{along x, along y} of a box" },
-  { name = "corner", kind = "number", unit = "m", above = 0, optional = true, sentence = "radius of a box's corners, seen from above" },
-  { name = "length", kind = "number", unit = "m", above = 0, optional = true, sentence = "from centre to centre of a double dome, along x" },
-  { name = "waist", kind = "number", unit = "m", above = 0, optional = true, sentence = "radius of the arcs that join both domes" },
+  length_row("radius", "of a hemisphere, a dome or a round opening", true),
+  { name = "size", kind = "numbers", unit = "m", above = 0, high = largest, optional = true, sentence = "{along x, along y} of a box" },
+  length_row("corner", "radius of a box's corners, seen from above", true),
+  length_row("length", "from centre to centre of a double dome, along x", true),
+  length_row("waist", "radius of the arcs that join both domes", true),
 }
-local around = { name = "around", kind = "integer", low = 24, high = 2000, default = 64, sentence = "facets around" }
-local height = { name = "height", kind = "number", unit = "m", above = 0, optional = true,
-                 sentence = "of a box; of the shaft of a hemisphere; default the shorter side, the radius" }
-local edge = { name = "edge", kind = "number", unit = "m", above = 0, optional = true, sentence = "radius of a box's lower edge" }
-
--- The rows that describe a shape alone, with some of one's own.
-function tools.shape_rows(...)
-  local all = { table.unpack(tools.rows) }
-  for _, row in ipairs { ... } do all[#all + 1] = row end
-  all[#all + 1] = around
+local around_row = { name = "around", kind = "integer", low = 24, high = 2000, default = 64, sentence = "facets around" }
+local punch_edge = length_row("edge", "radius of a box's lower edge", true, sharpest)
+local height_row = length_row("height", "of a box; of the shaft of a hemisphere; default the shorter side, the radius", true)
+local own_rows = {
+  { name = "at", kind = "numbers", optional = true, sentence = "{x, y, z}: its lowest point, or the middle of the opening in the face of a die, m; default the origin" },
+  around_row,
+  { name = "mass", kind = "number", unit = "kg", above = 0, high = 1e6, optional = true, sentence = "with it forces and contact move the body" },
+  { name = "name", kind = "text", optional = true, sentence = "for messages and files; default the shape's" },
+}
+local function join(...)
+  local all = {}
+  for _, list in ipairs { ... } do table.move(list, 1, #list, #all + 1, all) end
   return all
 end
-tools.punch_rows = tools.shape_rows(edge, height)
 
-local function rows(own, edge)
-  local all = {}
-  for _, row in ipairs(tools.rows) do all[#all + 1] = row end
-  all[#all + 1] = edge
-  for _, row in ipairs(own) do all[#all + 1] = row end
-  for _, row in ipairs {
-    { name = "at", kind = "numbers", optional = true, sentence = "{x, y, z}: its lowest point, or the middle of the opening in the face of a die, m; default the origin" },
-    around,
-    { name = "mass", kind = "number", unit = "kg", above = 0, optional = true, sentence = "with it forces and contact move the body" },
-    { name = "name", kind = "text", optional = true, sentence = "for messages and files; default the shape's" },
-  } do all[#all + 1] = row end
+-- Rows of tools whose place is that of a test: fabric.lab.form.
+tools.punch_rows = join(outline_rows, { punch_edge, height_row, around_row })
+function tools.die_rows(shape, edge, outer)
+  local all = join(outline_rows, { length_row("edge", edge, true, sharpest), length_row("outer", outer, true), around_row })
+  all[1] = { name = "shape", kind = "text", choices = shapes, optional = true, sentence = shape }
   return all
 end
 
 define {
   name = "fabric.rigid.punch",
-  arguments = rows({ height }, edge),
+  arguments = join(outline_rows, { punch_edge, height_row }, own_rows),
   sentence = "A punch for forming, its lowest point at `at`: a hemisphere with its shaft (a rod, round without facets), a box with radii, or a double dome.",
   example = "local fabric = require 'fabric'\nlocal mm = fabric.units.mm\n"
     .. "local punch = fabric.rigid.punch{ radius=50*mm }\n"
@@ -273,12 +288,12 @@ define {
 define {
   name = "fabric.rigid.dome",
   arguments = {
-    { name = "radius", kind = "number", unit = "m", above = 0, sentence = "of the dome, or of both" },
-    { name = "length", kind = "number", unit = "m", above = 0, optional = true, sentence = "from centre to centre along x; without it a hemisphere" },
-    { name = "waist", kind = "number", unit = "m", above = 0, optional = true, sentence = "radius of the arcs that join both domes; default the radius" },
+    length_row("radius", "of the dome, or of both"),
+    length_row("length", "from centre to centre along x; without it a hemisphere", true),
+    length_row("waist", "radius of the arcs that join both domes; default the radius", true),
     { name = "at", kind = "numbers", optional = true, sentence = "{x, y, z}: its lowest point, m; default the origin" },
-    { name = "around", kind = "integer", low = 24, high = 2000, default = 64, sentence = "facets around" },
-    { name = "mass", kind = "number", unit = "kg", above = 0, optional = true, sentence = "with it forces and contact move the body" },
+    around_row,
+    { name = "mass", kind = "number", unit = "kg", above = 0, high = 1e6, optional = true, sentence = "with it forces and contact move the body" },
     { name = "name", kind = "text", optional = true, sentence = "for messages and files; default the shape's" },
   },
   sentence = "A dome or a double dome as a punch: fabric.rigid.punch of these shapes.",
@@ -292,10 +307,11 @@ define {
 
 define {
   name = "fabric.rigid.die",
-  arguments = rows({
-    { name = "outer", kind = "number", unit = "m", above = 0, sentence = "radius of the round outside" },
+  arguments = join(outline_rows, {
+    length_row("edge", "radius of the rounded edge of the opening", false, sharpest),
+    length_row("outer", "radius of the round outside"),
     { name = "facing", kind = "text", choices = { "up", "down" }, default = "up", sentence = "up: the cloth lies on it; down: a blank holder" },
-  }, { name = "edge", kind = "number", unit = "m", above = 0, sentence = "radius of the rounded edge of the opening" }),
+  }, own_rows),
   sentence = "A plate with an opening for forming, its face at `at`: a die, or facing down a blank holder. shape, radius, size, corner, length and waist are those of the opening.",
   example = "local fabric = require 'fabric'\nlocal mm = fabric.units.mm\nlocal die = fabric.rigid.die{ radius=55*mm, edge=6*mm, outer=150*mm }",
   run = function(t) return tools.die(t) end,
