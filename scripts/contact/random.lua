@@ -185,7 +185,7 @@ print(string.format("%d passed, %d crashed, %d stopped by themselves; worst ledg
 if tears then print(sum.torn .. " tore; " .. sum.silent .. " with a ledger beyond 1e-2 and no word") end
 for kind, n in pairs(words) do print(n .. " x " .. kind) end
 fabric.expect {
-  -- Lips that were hardly apart may overlap; nothing else passes.
+  -- Crack faces that were hardly apart may overlap; nothing else passes.
   { "something has passed, share of the scenes", sum.passed / count, 0, absolute = tears and 0.02 or 0 },
   { "crashed", sum.crashed, 0, absolute = 0 },
   { "worst ledger", worst.error, 0, absolute = 0.05 }, -- beyond it a run stops by itself and says so

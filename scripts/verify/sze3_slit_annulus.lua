@@ -1,6 +1,6 @@
--- Slit annular plate lifted by a line force along one lip of the slit, the other clamped: problem 3 of [sze2004] (see
+-- Slit annular plate lifted by a line force along one face of the slit, the other clamped: problem 3 of [sze2004] (see
 -- problem.lua): radii 6 and 10, h = 0.03, E = 21e6, nu = 0, 0.8 per length. Published values: 10 x 80 elements (S4R);
--- A and B are the ends of the lifted lip on the inner and the outer circle.
+-- A and B are the ends of the lifted face on the inner and the outer circle.
 --
 --   fabricsh scripts/verify/sze3_slit_annulus.lua [k ...]      4 k x 30 k elements, usually k = 1; the table on the last
 -- warns: is far from what cloth is

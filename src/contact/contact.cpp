@@ -12,9 +12,10 @@
 namespace fabricsh::contact {
 namespace {
 
-constexpr double rounding = 1e-9;        // share of a skin: rounding never decides what is looked at
-constexpr double of_apart = 0.9;         // the gap of lips, as a share of how far they have been apart
-constexpr double grown_from = 0.02;      // of the whole gap: lips that were less far apart do not touch yet
+constexpr double rounding = 1e-9;  // share of a skin: rounding never decides what is looked at
+constexpr double of_apart = 0.9;   // the gap of crack faces, as a share of how far they have been apart
+constexpr double grown_from =
+    0.02;  // of the whole gap: crack faces that were less far apart do not touch yet
 constexpr double nearly = 1 - rounding;  // of the motion that a list allows for
 
 double mean_edge(const Scene& scene) {
@@ -27,7 +28,7 @@ double mean_edge(const Scene& scene) {
   return count > 0 ? sum / count : 1e-3;
 }
 
-// What lips come back with does not stop within a gap far below that of the law.
+// What crack faces come back with does not stop within a gap far below that of the law.
 double grown(double apart, const ContactLaw& law) {
   return apart < grown_from * law.gap() ? 0 : of_apart * apart;
 }
@@ -118,10 +119,10 @@ void Contact::mark_checked(std::span<const Vec3> x, double change) {
 void Contact::scale(Candidate& c) const {
   const double share = opened_[std::size_t(c.interaction)];
   c.pair.scale = share >= 1 ? c.whole : c.whole * (c.start + (1 - c.start) * share);
-  if (c.lips) c.pair.scale = std::min(c.pair.scale, grown(least_apart(c), law(c)) / law(c).gap());
+  if (c.crack_faces) c.pair.scale = std::min(c.pair.scale, grown(least_apart(c), law(c)) / law(c).gap());
 }
 
-// m, of the lips among the points of a pair of them.
+// m, of the crack faces among the points of a pair of them.
 double Contact::least_apart(const Candidate& c) const {
   double least = std::numeric_limits<double>::infinity();
   for (const std::int32_t p : c.point)
@@ -151,8 +152,8 @@ bool Contact::widen(std::span<const Vec3> x, std::vector<double>& apart) {
   prepare(x);
   std::vector<double> nearest(apart.size(), std::numeric_limits<double>::infinity());
   for (const Candidate& c : inner_) {
-    const double gap = c.lips ? gap_of(c, corners_of(c, x)) : 0;
-    if (!c.lips || gap >= law(c).gap() * c.whole) continue;
+    const double gap = c.crack_faces ? gap_of(c, corners_of(c, x)) : 0;
+    if (!c.crack_faces || gap >= law(c).gap() * c.whole) continue;
     for (const std::int32_t p : c.point)
       if (p >= 0) nearest[std::size_t(p)] = std::min(nearest[std::size_t(p)], gap);
   }
@@ -425,7 +426,7 @@ double Contact::share_of(const std::vector<Candidate>& pairs, std::span<const Ve
   double share = 1;
 #pragma omp parallel for schedule(static) reduction(min : share) if (pairs.size() > 64)
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    if (pairs[i].pair.scale == 0) continue;  // lips that were never apart
+    if (pairs[i].pair.scale == 0) continue;  // crack faces that were never apart
     const Corners start = corners_of(pairs[i], x), step = corners_of(pairs[i], by);
     Corners end;
     for (std::size_t k = 0; k < 4; ++k) end[k] = start[k] + step[k];

@@ -85,10 +85,10 @@ class Contact {
   // with the share s of the law's lengths then has s + (1 - s) * share of them.
   void open_to(std::span<const double> share);
 
-  // Sets for each lip how far it has been apart at least: the distance of the nearest pair of lips that it is
-  // in; infinite, where none is within reach. Returns whether any is more than before.
+  // Sets for each crack face how far it has been apart at least: the distance of the nearest pair of crack
+  // faces that it is in; infinite, where none is within reach. Returns whether any is more than before.
   bool widen(std::span<const Vec3> x, std::vector<double>& apart);
-  void apart_changed();  // Scene::apart has: the pairs of lips have other lengths
+  void apart_changed();  // Scene::apart has: the pairs of crack faces have other lengths
   void scene_changed();  // other nodes at the corners of its triangles, see Scene::with_corners
 
   // The largest share, 0 to 1, of the displacement `by` (m) during which no pair reaches its floor; with
@@ -160,7 +160,7 @@ class Contact {
   Skins skins_;
   std::vector<double> opened_;         // by interaction
   double widest_ = 0, narrowest_ = 0;  // m: largest and smallest distance from gap to floor of any pair
-  double narrowest_at_first_ = 0;      // of all pairs but lips
+  double narrowest_at_first_ = 0;      // of all pairs but crack faces
   std::vector<Candidate> outer_, inner_;
   std::vector<Vec3> at_search_, at_refine_, at_check_;
   mutable Patches patches_;  // its boxes are worked out anew each time

@@ -112,17 +112,17 @@ class Scene {
 
   // The same scene with other nodes at the corners of the triangles of cloth, which lie at the same places.
   Scene with_corners(const std::function<Triangle(const TriangleRow&)>& corners) const;
-  // Lips: points that were one with others of their place until a joint opened. For each point how far it has
-  // been from all that it was near to, m; -1: it is no lip. Between lips the law's lengths are at most 0.9 of
-  // the least of these, so that nothing is pressed when they part, and nothing gets through later. Empty:
-  // there are no lips.
+  // Crack faces: points that were one with others of their place until a joint opened. For each point how far
+  // it has been from all that it was near to, m; -1: it is no crack face. Between crack faces the law's
+  // lengths are at most 0.9 of the least of these, so that nothing is pressed when they part, and nothing
+  // gets through later. Empty: there are no crack faces.
   void set_apart(std::vector<double> apart);
   const std::vector<double>& apart() const { return apart_; }
-  bool parts() const { return !apart_.empty(); }  // whether there are lips
+  bool parts() const { return !apart_.empty(); }  // whether there are crack faces
   double apart(std::int32_t point) const { return apart_.empty() ? -1 : apart_[std::size_t(point)]; }
 
   // Points that seams hold together: of each point those that it is sewn to, ascending. Pairs of such points
-  // do not touch, wherever they are in the reference, unless both are lips. Empty: there are no seams.
+  // do not touch, wherever they are in the reference, unless both are crack faces. Empty: there are no seams.
   void sew(std::vector<std::vector<std::int32_t>> partners) { partners_ = std::move(partners); }
   bool is_sewn(std::int32_t point) const {
     return std::size_t(point) < partners_.size() && !partners_[std::size_t(point)].empty();

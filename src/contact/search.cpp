@@ -9,8 +9,8 @@ namespace {
 
 constexpr double neighbour_share = 0.9;  // of their reference distance, as the gap of neighbours
 constexpr double crossing_share = 0.5;   // share of the area of two crossing edges, see contact.md
-constexpr double lips_reach = 3;         // mean edges: in the reference, how far lips are apart at most
-constexpr double same_place = 1e-9;      // mean edges
+constexpr double faces_reach = 3;    // mean edges: in the reference, how far crack faces are apart at most
+constexpr double same_place = 1e-9;  // mean edges
 constexpr double shared = 0.5;  // weight where both surfaces have facets: two cloths press from both sides
 
 using Rows = std::vector<Candidate>;
@@ -157,15 +157,17 @@ class Search {
   double scale(double reference_distance, const ContactLaw& law) const {
     return std::min(1.0, neighbour_share * reference_distance / law.gap());
   }
-  // Whether a pair at this distance in the reference is one of lips.
-  bool lips(std::span<const std::int32_t> one, std::span<const std::int32_t> other, double distance) const {
-    const auto is_lip = [&](std::int32_t p) { return scene_.apart(p) >= 0; };
-    return scene_.parts() && distance < lips_reach * cell_ && std::any_of(one.begin(), one.end(), is_lip) &&
-           std::any_of(other.begin(), other.end(), is_lip);
+  // Whether a pair at this distance in the reference is one of crack faces.
+  bool crack_faces(std::span<const std::int32_t> one, std::span<const std::int32_t> other,
+                   double distance) const {
+    const auto is_crack_face = [&](std::int32_t p) { return scene_.apart(p) >= 0; };
+    return scene_.parts() && distance < faces_reach * cell_ &&
+           std::any_of(one.begin(), one.end(), is_crack_face) &&
+           std::any_of(other.begin(), other.end(), is_crack_face);
   }
-  // The same for lips, which may lie at the same place and are no neighbours then.
-  double scale(double reference_distance, const ContactLaw& law, bool lips) const {
-    return lips && reference_distance < same_place * cell_ ? 1 : scale(reference_distance, law);
+  // The same for crack faces, which may lie at the same place and are no neighbours then.
+  double scale(double reference_distance, const ContactLaw& law, bool crack_faces) const {
+    return crack_faces && reference_distance < same_place * cell_ ? 1 : scale(reference_distance, law);
   }
   // Whether a seam holds a point and one of others together; `parted`: it did until it was opened.
   bool sewn(std::int32_t p, std::span<const std::int32_t> others, bool& parted) const {
@@ -180,13 +182,13 @@ class Search {
     }
     return together;
   }
-  double facet_scale(std::int32_t p, const Triangle& t, const ContactLaw& law, bool& are_lips) const {
-    are_lips = false;
+  double facet_scale(std::int32_t p, const Triangle& t, const ContactLaw& law, bool& are_faces) const {
+    are_faces = false;
     if (p == t[0] || p == t[1] || p == t[2]) return 0;
     const double distance =
         std::sqrt(squared_point_triangle(reference(p), reference(t[0]), reference(t[1]), reference(t[2])));
-    are_lips = lips(std::span(&p, 1), t, distance);
-    return scale(distance, law, are_lips);
+    are_faces = crack_faces(std::span(&p, 1), t, distance);
+    return scale(distance, law, are_faces);
   }
   // What a pair begins with where overlaps are opened: its point's share, or the smallest of its edges' ends.
   static double start(const Candidate& row, const std::vector<double>& opening) {
@@ -238,10 +240,10 @@ class Search {
     const bool neighbours = owner == row.surface && same_sheet(which, p, row.nodes[0]);
     if (neighbours) {
       if (far(out, law)) return;
-      out.pair.scale = facet_scale(p, row.nodes, law, out.lips);
+      out.pair.scale = facet_scale(p, row.nodes, law, out.crack_faces);
       if (out.pair.scale == 0) return;
     }
-    out.lips = out.lips || parted;
+    out.crack_faces = out.crack_faces || parted;
     if (!cloth(row.surface))
       out.pair.area = scene_.area(p);
     else if (cloth(owner))
@@ -258,9 +260,9 @@ class Search {
     const auto neighbour = [&](std::span<const std::int32_t> triangles) {
       for (const std::int32_t t : triangles) {
         const TriangleRow& other = scene_.triangles()[std::size_t(t)];
-        bool lips = false;
-        if (sewn(out.point[0], other.nodes, lips)) return true;
-        if (other.surface == row.surface && facet_scale(out.point[0], other.nodes, law, lips) < 1)
+        bool crack_faces = false;
+        if (sewn(out.point[0], other.nodes, crack_faces)) return true;
+        if (other.surface == row.surface && facet_scale(out.point[0], other.nodes, law, crack_faces) < 1)
           return true;
       }
       return false;
@@ -291,11 +293,11 @@ class Search {
       if (far(out, law)) return;
       const double apart =
           std::sqrt(squared_segment_segment(reference(a.a), reference(a.b), reference(b.a), reference(b.b)));
-      out.lips = lips(std::array{a.a, a.b}, std::array{b.a, b.b}, apart);
-      out.pair.scale = scale(apart, law, out.lips);
+      out.crack_faces = crack_faces(std::array{a.a, a.b}, std::array{b.a, b.b}, apart);
+      out.pair.scale = scale(apart, law, out.crack_faces);
       if (out.pair.scale == 0) return;
     }
-    out.lips = out.lips || parted;
+    out.crack_faces = out.crack_faces || parted;
     const double width = std::min(a.area / a.length, b.area / b.length);
     const double end = law.gap() * out.pair.scale + out.pair.offset;
     out.pair.area = crossing_share * width * width;

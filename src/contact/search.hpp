@@ -8,18 +8,18 @@ struct Candidate {
   std::array<std::int32_t, 4> point{-1, -1, -1, -1};  // corners; -1: none
   std::int32_t interaction = 0;
   Pair pair;
-  double whole = 1;   // pair.scale where nothing is being opened
-  double start = 1;   // share of it to begin with, where an overlap is (Interaction::opening)
-  bool lips = false;  // whether its sides were joined before; see Scene::set_apart
+  double whole = 1;          // pair.scale where nothing is being opened
+  double start = 1;          // share of it to begin with, where an overlap is (Interaction::opening)
+  bool crack_faces = false;  // whether its sides were joined before; see Scene::set_apart
 };
 
 // All pairs that are nearer than their gap plus `skin` (m) at the positions `x` (cloth and rigid
 // vertices). Their order depends on the surfaces only, so that it is the same for any skin and any number
 // of threads. Pairs of one cloth that share a node are left out. For neighbours whose reference distance
-// is smaller than the gap, the law's lengths are scaled down so that the gap is 0.9 of that distance. Lips
-// that shared a node before are no neighbours.
-// by: m, displacements of all points; then a pair whose corners do not come that near on their way is left
-// out, too. Those with walls, which are larger than their corners show, stay.
+// is smaller than the gap, the law's lengths are scaled down so that the gap is 0.9 of that distance. Crack
+// faces that shared a node before are no neighbours. by: m, displacements of all points; then a pair whose
+// corners do not come that near on their way is left out, too. Those with walls, which are larger than their
+// corners show, stay.
 std::vector<Candidate> find_pairs(const Scene& scene, std::span<const Vec3> x, double skin,
                                   std::span<const Vec3> by = {});
 

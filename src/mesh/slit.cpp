@@ -137,7 +137,7 @@ std::map<Index, Index> divide(Mesh& mesh, const std::vector<Cut>& line) {
 
 }  // namespace
 
-Lips slit(Mesh& mesh, const Vec3& from, const Vec3& to) {
+CrackFaces slit(Mesh& mesh, const Vec3& from, const Vec3& to) {
   check_unused(mesh, "slit");
   if (!mesh.parts.empty()) throw Error("slit: expected a mesh of one part: slit that of the body first");
   if (!((to - from).norm() > 0))
@@ -154,13 +154,13 @@ Lips slit(Mesh& mesh, const Vec3& from, const Vec3& to) {
   follow_sets(mesh, twin);
   if (whole_boundary) mesh.sets["boundary"] = free_nodes(mesh);
   if (mesh.origin.find(" slit") == std::string::npos) mesh.origin += " slit";
-  Lips lips;
+  CrackFaces crack_faces;
   for (const auto& [node, added] : twin) {
-    lips.left.push_back(node);
-    lips.right.push_back(added);
+    crack_faces.left.push_back(node);
+    crack_faces.right.push_back(added);
   }
-  std::sort(lips.right.begin(), lips.right.end());
-  return lips;
+  std::sort(crack_faces.right.begin(), crack_faces.right.end());
+  return crack_faces;
 }
 
 }  // namespace fabricsh::mesh

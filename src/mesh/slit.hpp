@@ -8,7 +8,7 @@ namespace fabricsh::mesh {
 
 // The nodes of the two sides, ascending; at an end inside the mesh, where the sides stay together, both have
 // its node.
-struct Lips {
+struct CrackFaces {
   NodeSet left, right;  // as seen from the start of the slit, against the normal
 };
 
@@ -17,6 +17,6 @@ struct Lips {
 // sets of those at their places. A set boundary that has the nodes of all free edges has them again. Errors,
 // with the place: no node at an end; a part of the line without an edge, or along an edge that is free; a
 // slit of one edge inside the mesh, which would not open; a mesh of several parts or in use.
-Lips slit(Mesh& mesh, const Vec3& from, const Vec3& to);
+CrackFaces slit(Mesh& mesh, const Vec3& from, const Vec3& to);
 
 }  // namespace fabricsh::mesh

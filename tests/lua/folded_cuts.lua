@@ -51,16 +51,16 @@ local width, leg, tear, h, speed = 24 * mm, 20 * mm, 20 * mm, 4 * mm, 2
 local card = fabric.svk { warp = 1e8, weft = 6e7, shear = 3e7, poisson = { 0, 0 }, density = 500, thickness = 0.5 * mm, through_thickness = true }
 card = card:with { rupture = { weft = { strength = 1250, energy = 20 } }, bending = { warp = 1e-5, weft = 1e-5, twist = 5e-6 } }
 local mesh = fabric.mesh.rectangle { width = width, height = leg + tear + 3 * h, nx = 6, ny = 13 }
-mesh:slit { from = { width / 2, 0 }, to = { width / 2, leg }, left = "left lip", right = "right lip" }
-local lip = {}
-for i, name in ipairs { "left lip", "right lip" } do
-  for _, n in ipairs(mesh:set(name)) do lip[n] = mesh.nodes[n][2] < leg - 0.01 * h and i or nil end
+mesh:slit { from = { width / 2, 0 }, to = { width / 2, leg }, left = "left face", right = "right face" }
+local face = {}
+for i, name in ipairs { "left face", "right face" } do
+  for _, n in ipairs(mesh:set(name)) do face[n] = mesh.nodes[n][2] < leg - 0.01 * h and i or nil end
 end
 for i, name in ipairs { "leg 1", "leg 2" } do
   local ids = {}
   for n = 1, #mesh.nodes do
     local p = mesh.nodes[n]
-    if p[2] < 0.01 * h and (lip[n] or (p[1] < width / 2 and 1 or 2)) == i then ids[#ids + 1] = n end
+    if p[2] < 0.01 * h and (face[n] or (p[1] < width / 2 and 1 or 2)) == i then ids[#ids + 1] = n end
   end
   mesh:set(name, ids)
 end

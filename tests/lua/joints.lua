@@ -102,7 +102,7 @@ local cases = {
   { options = { damping = { mass = 100, stiffness = 1e-5 } } },
   { options = { scheme = "implicit", step = 1e-4, hht = -0.1 } },
   { options = implicit, change = function(p) p:remove(p:list()[1]):remove(p:list()[2]):remove(p:list()[2]):tie("rigid", "top"):force("top", { y = fabric.ramp(0.5, 0.01) }) end },
-  -- The lips meet in their plane, which is hard: what their damping takes there is known to a fifth only.
+  -- The crack faces meet in their plane, which is hard: what their damping takes there is known to a fifth only.
   { options = {}, change = function(p)
     p:gravity { 0, 0, -9.81 }:contact { between = { floor, "all" }, friction = 0.3, restitution = 1 }:contact { self = "all", friction = 0.2, restitution = 1 }
   end },

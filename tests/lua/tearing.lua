@@ -46,7 +46,7 @@ m:tearable "all"
 ok, why = pcall(fabric.dynamic, { model = m, duration = 1e-3 })
 assert(not ok and tostring(why):find("element 1 has an edge 10 degrees off the yarns", 1, true), tostring(why))
 
--- A strip that touches itself breaks in one column of yarns after the other, and columns that have begun to open close again as others go on: lips that were
+-- A strip that touches itself breaks in one column of yarns after the other, and columns that have begun to open close again as others go on: crack faces that were
 -- hardly apart do not touch, and the tear goes on.
 do
   local young, t = 1e7, 0.3e-3

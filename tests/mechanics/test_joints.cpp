@@ -199,7 +199,8 @@ TEST_CASE("nodes that are apart do not become one, and nothing is changed then")
   mechanics::Assembly a(*model);
   REQUIRE(a.open(a.dofs().joints().edges_between(std::vector<Index>{3, 4, 5}), 0));
   std::vector<double> delta(a.dofs().unknowns(), 0);
-  const Index other = a.dofs().joints().leader(model->mesh().elements[2][0]);  // of the upper lip at the left
+  const Index other =
+      a.dofs().joints().leader(model->mesh().elements[2][0]);  // of the upper crack face at the left
   delta[a.dofs().freedoms().nodes[other].equation[1]] = 1e-4;
   a.begin_iterate();
   a.apply_increment(delta, 1, {});

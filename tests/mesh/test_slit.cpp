@@ -33,11 +33,11 @@ int pieces(const Mesh& m) {
 
 TEST_CASE("a slit from the rim doubles its nodes but for its tip") {
   Mesh m = rectangle(0.3, 0.5, 3, 5);
-  const Lips lips = slit(m, {0.1, 0, 0}, {0.1, 0.3, 0});
+  const CrackFaces crack_faces = slit(m, {0.1, 0, 0}, {0.1, 0.3, 0});
   CHECK(m.nodes.size() == 24 + 3);
-  CHECK((lips.left == NodeSet{1, 5, 9, 13}));
-  CHECK((lips.right == NodeSet{13, 24, 25, 26}));
-  for (Index i = 0; i < 3; ++i) CHECK(m.nodes[24 + i] == m.nodes[lips.left[i]]);
+  CHECK((crack_faces.left == NodeSet{1, 5, 9, 13}));
+  CHECK((crack_faces.right == NodeSet{13, 24, 25, 26}));
+  for (Index i = 0; i < 3; ++i) CHECK(m.nodes[24 + i] == m.nodes[crack_faces.left[i]]);
   // Seen against the normal, what is to the left of the way up is at smaller x.
   CHECK((m.elements[0] == std::array<Index, 4>{0, 1, 5, 4}));
   CHECK((m.elements[1] == std::array<Index, 4>{24, 2, 6, 25}));
@@ -53,15 +53,15 @@ TEST_CASE("slits inside, through, across each other and on the way back") {
   Mesh m = rectangle(0.4, 0.4, 4, 4);
   slit(m, {0.1, 0.2, 0}, {0.3, 0.2, 0});
   CHECK(m.nodes.size() == 25 + 1);
-  slit(m, {0.2, 0.4, 0}, {0.2, 0.2, 0});  // ends at the lips of the first
+  slit(m, {0.2, 0.4, 0}, {0.2, 0.2, 0});  // ends at the crack faces of the first
   CHECK(m.nodes.size() == 26 + 3);
   CHECK(pieces(m) == 1);
   Mesh through = rectangle(0.4, 0.4, 4, 4);
-  const Lips lips = slit(through, {0.4, 0.3, 0}, {0, 0.3, 0});
+  const CrackFaces crack_faces = slit(through, {0.4, 0.3, 0}, {0, 0.3, 0});
   CHECK(pieces(through) == 2);
-  CHECK(lips.left.size() == 5);
+  CHECK(crack_faces.left.size() == 5);
   CHECK(through.nodes[through.elements[0][0]].y() == 0);
-  CHECK(lips.right.front() == 25);  // above, seen on the way to smaller x
+  CHECK(crack_faces.right.front() == 25);  // above, seen on the way to smaller x
   CHECK(through.elements[12][0] == 25);
 }
 

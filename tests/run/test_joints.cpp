@@ -173,7 +173,7 @@ TEST_CASE("joints that close lose the kinetic energy of the halves against each 
   CHECK((momentum(*a) - p).norm() <= 1e-12 * p.norm());
   CHECK(after.lost_in("joints") > 0);
   CHECK(after.lost_in("joints") == Approx(before.kinetic - after.kinetic).epsilon(1e-12));
-  // What pulling the lips together has stored is work from outside.
+  // What pulling the crack faces together has stored is work from outside.
   const double work = after.external - before.external, stored = after.stored - before.stored;
   CHECK(std::abs(work - stored) <= 1e-12 * (before.kinetic + after.stored));
   a->advance(0.005);

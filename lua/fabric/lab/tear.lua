@@ -41,7 +41,7 @@ local specimens = {
   trapezoid = { width = 75 * mm, short = 25 * mm, long = 100 * mm, cut = 15 * mm, tear = 50 * mm, mean = "astm", rise = 0.01 },
 }
 
--- The strength with which yarns break over `spread` elements when the legs part at right angles: the lips are 2 a apart at a distance a
+-- The strength with which yarns break over `spread` elements when the legs part at right angles: the crack faces are 2 a apart at a distance a
 -- behind the tip, and carry nothing from 2 G / f on.
 local function strengths(t, yarn, broken)
   local most = broken.energy / (spread * t.h)
@@ -70,16 +70,16 @@ local function specimen(t)
     if y <= least then define.fail(("tear: field 'leg': expected more than %.4g m for a wing %.4g m wide with elements of %.3g m, got %.4g"):format(least, t.width, t.h, y)) end
     mesh:map(function(px, py) return px, py + math.max(0, 1 - py / straight) * math.abs(px - x) / math.tan(wing), 0 end)
   end
-  mesh:slit { from = { x, 0 }, to = { x, y }, left = "left lip", right = "right lip" }
-  local lip = {}
-  for i, name in ipairs { "left lip", "right lip" } do
-    for _, n in ipairs(mesh:set(name)) do lip[n] = mesh.nodes[n][2] < y - near and i or nil end
+  mesh:slit { from = { x, 0 }, to = { x, y }, left = "left face", right = "right face" }
+  local face = {}
+  for i, name in ipairs { "left face", "right face" } do
+    for _, n in ipairs(mesh:set(name)) do face[n] = mesh.nodes[n][2] < y - near and i or nil end
   end
   for i, name in ipairs { "leg 1", "leg 2" } do
     local ids = {}
     for n = 1, #mesh.nodes do
       local p = mesh.nodes[n]
-      local side, from = lip[n] or (p[1] < x and 1 or 2), t.method == "wing" and math.abs(p[1] - x) / math.tan(wing) or 0
+      local side, from = face[n] or (p[1] < x and 1 or 2), t.method == "wing" and math.abs(p[1] - x) / math.tan(wing) or 0
       if p[2] < from + near and side == i then ids[#ids + 1] = n end
     end
     mesh:set(name, ids)

@@ -179,7 +179,7 @@ class Contacts final : public Term, public StepLimiter, public OwnUnknowns, publ
   Sheet sheet(const std::vector<Index>& elements) const;
   void find_masses();
   contact::Triangle corners_of(const contact::TriangleRow& row) const;
-  std::vector<double> lips() const;
+  std::vector<double> crack_faces() const;
   void sew_scene();
   std::vector<double> parted_lips() const;
   void set_apart(std::vector<double> apart);

@@ -1,5 +1,5 @@
-// Contact where joints open and close: its surfaces are those of the leaders of joints. Lips that have just
-// parted lie on each other, and how far they have been apart limits what contact does between them
+// Contact where joints open and close: its surfaces are those of the leaders of joints. Crack faces that have
+// just parted lie on each other, and how far they have been apart limits what contact does between them
 // (contact/scene.hpp).
 #include <algorithm>
 #include <cmath>
@@ -54,7 +54,7 @@ contact::Triangle Contacts::corners_of(const contact::TriangleRow& row) const {
 
 // How far the points have been apart from the others of their places, m: 0 where the joint has just become
 // another; -1 where it is whole.
-std::vector<double> Contacts::lips() const {
+std::vector<double> Contacts::crack_faces() const {
   const mesh::Mesh& mesh = model_.mesh();
   std::vector<double> apart(x_.size(), -1);
   std::vector<char> changed(mesh.uncut().nodes.size(), 0), open = changed;
@@ -83,7 +83,7 @@ void Contacts::sew_scene() {
   scene_.sew(std::move(partners));
 }
 
-// As lips(), of seams that have parted.
+// As crack_faces(), of seams that have parted.
 std::vector<double> Contacts::parted_lips() const {
   std::vector<double> apart(x_.size(), -1);
   const auto part = [&](Index n) { apart[n] = std::max(0.0, scene_.apart(static_cast<std::int32_t>(n))); };
@@ -105,7 +105,7 @@ void Contacts::renumbered(Forces& forces) {
   const std::vector<Vec3> before = force_;
   std::vector<double> area(nodes_);
   for (std::size_t n = 0; n < nodes_; ++n) area[n] = scene_.area(static_cast<std::int32_t>(n));
-  std::vector<double> apart = lips();
+  std::vector<double> apart = crack_faces();
   const std::vector<double> parted = parted_lips();
   for (std::size_t n = 0; n < apart.size(); ++n) apart[n] = std::max(apart[n], parted[n]);
   scene_ = scene_.with_corners([this](const contact::TriangleRow& row) { return corners_of(row); });

@@ -10,14 +10,14 @@ namespace fabricsh::mechanics {
 
 namespace {
 
-// Share of m / dt^2 that a string's way back may have in explicit motion, m being the mass of both lips taken
-// together. Waves in the cloth have 1.96 of the 4 that central differences bear; two strings that meet at a
-// corner add twice this share each.
+// Share of m / dt^2 that a string's way back may have in explicit motion, m being the mass of both crack
+// faces taken together. Waves in the cloth have 1.96 of the 4 that central differences bear; two strings that
+// meet at a corner add twice this share each.
 constexpr double kStiffest = 0.5;
 
-// Distance of the origin from closed lips over the opening at which a string carries nothing more, where
-// steps are not explicit: the way back is a thousand times stiffer than the way out, and the direction of the
-// force is that at the opening as long as the lips part less than this.
+// Distance of the origin from closed crack faces over the opening at which a string carries nothing more,
+// where steps are not explicit: the way back is a thousand times stiffer than the way out, and the direction
+// of the force is that at the opening as long as the crack faces part less than this.
 constexpr double kOrigin = 1e-3;
 
 // Share of the opening left at which a string ends in steps along a path.
@@ -69,7 +69,8 @@ double BridgingString::stored(const Vec3& way) const {
   return strength() / (widest + offset) * (way.squaredNorm() - offset * offset) / 2;
 }
 
-// The work on the way to the largest opening, less what comes back on the way from there to closed lips.
+// The work on the way to the largest opening, less what comes back on the way from there to closed crack
+// faces.
 double BridgingString::lost() const {
   const double w = std::min(widest, vanishes());
   const double work = force.norm() * w * (1 - w / (2 * vanishes()));

@@ -1,7 +1,7 @@
 // Yarns that break in tearable zones. Cloth tears along its yarns: at a place either family can break, and
 // the joint there then opens along a line of the other family. What the elements on both sides of such a
 // line hand to each other along the yarn is compared with the yarn's strength; when it is reached, strings
-// between the lips carry the force on, and less as they part, until the energy of the yarns is spent.
+// between the crack faces carry the force on, and less as they part, until the energy of the yarns is spent.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -19,8 +19,8 @@ namespace fabricsh::mechanics {
 
 // A string between two corners that were one: it carries the force f0 where it opens, and linearly less with
 // the opening, down to none at 2 G / f0; back it goes to the origin. The origin lies `offset` before the
-// closed lips, along the force there, so that the way back is no stiffer than an explicit step or Newton's
-// method can bear.
+// closed crack faces, along the force there, so that the way back is no stiffer than an explicit step or
+// Newton's method can bear.
 struct BridgingString {
   Index a = 0, b = 0;                // nodes
   int family = 0;                    // that broke
@@ -36,7 +36,7 @@ struct BridgingString {
   // N/m, d pull / d way, after pull(). onwards: at the committed opening that of going on as in the last
   // step.
   Mat3 stiffness(const Vec3& way, bool onwards) const;
-  double stored(const Vec3& way) const;  // J, against closed lips
+  double stored(const Vec3& way) const;  // J, against closed crack faces
   double lost() const;                   // J, never falls as `widest` grows
   void keep(Archive& archive) {
     archive(a, b, family, force.x(), force.y(), force.z(), offset, energy, committed, outwards);

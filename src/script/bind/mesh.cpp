@@ -173,9 +173,9 @@ int slit(Call& call) {
   std::array<std::string, 2> names;
   if (call.has("left")) names[0] = call.text("left");
   if (call.has("right")) names[1] = call.text("right");
-  const mesh::Lips lips = mesh::slit(*mesh, point_of(call, "from"), point_of(call, "to"));
-  if (!names[0].empty()) mesh->define(names[0], lips.left);
-  if (!names[1].empty()) mesh->define(names[1], lips.right);
+  const mesh::CrackFaces crack_faces = mesh::slit(*mesh, point_of(call, "from"), point_of(call, "to"));
+  if (!names[0].empty()) mesh->define(names[0], crack_faces.left);
+  if (!names[1].empty()) mesh->define(names[1], crack_faces.right);
   lua_pushvalue(call.L(), 1);
   return 1;
 }

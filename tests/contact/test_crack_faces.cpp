@@ -1,4 +1,4 @@
-// Lips of a cut: two strips of one surface that lie edge to edge and part.
+// Crack faces of a cut: two strips of one surface that lie edge to edge and part.
 #include <limits>
 
 #include "catch.hpp"
@@ -30,7 +30,7 @@ struct Rows {
     out.meet(0, 0, test::blend_law(), 0);
     return out;
   }
-  std::vector<double> lips(double apart) const {
+  std::vector<double> crack_faces(double apart) const {
     std::vector<double> all(nodes.size(), -1);
     std::fill(all.begin() + 4, all.begin() + 12, apart);
     return all;
@@ -52,12 +52,13 @@ Totals forces(Contact& contact, const std::vector<Vec3>& x, Vec3* on_second = nu
 
 }  // namespace
 
-TEST_CASE("contact: lips are not pressed when they part, and are held up at 0.9 of how far they have been") {
+TEST_CASE(
+    "contact: crack faces are not pressed when they part, and are held up at 0.9 of how far they have been") {
   const Vec3 way = GENERATE(Vec3(0, 1, 0), Vec3(0, 0, 1));  // in the plane, and out of it
   const Rows rows;
   const ContactLaw law = test::blend_law();
   Scene scene = rows.scene();
-  scene.set_apart(rows.lips(0));
+  scene.set_apart(rows.crack_faces(0));
   Contact contact(scene);
   CHECK(forces(contact, rows.nodes).touching == 0);
   // As they move apart nothing is pressed, and the distance is remembered.
@@ -89,11 +90,12 @@ TEST_CASE("contact: lips are not pressed when they part, and are held up at 0.9 
   CHECK(share > 0);
 }
 
-TEST_CASE("contact: lips that have been farther apart than the gap touch as sheets that never were one") {
+TEST_CASE(
+    "contact: crack faces that have been farther apart than the gap touch as sheets that never were one") {
   const Rows rows;
   const ContactLaw law = test::blend_law();
   Scene scene = rows.scene();
-  scene.set_apart(rows.lips(0));
+  scene.set_apart(rows.crack_faces(0));
   Contact contact(scene);
   std::vector<double> apart = scene.apart();
   CHECK(contact.widen(rows.moved({0, 1.2 * law.gap(), 0}), apart));
