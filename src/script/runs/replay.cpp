@@ -33,6 +33,14 @@ std::string after_call(const DeckRun& run) {
            "a restart does not repeat");
 }
 
+[[noreturn]] void lose_beginning(DeckRun& run, const std::string& what) {
+  lose(run,
+       what + " begins from the state " + after_call(run) + ", which went on after that, and checkpoint '" +
+           run.job.from()->path +
+           "' has its later state alone. Let a run from which others begin end before, or go on with it as "
+           "a run of its own, from=");
+}
+
 // The moment of a reading and the expression, which give one value: a run changes only by calls, and its
 // settings by what is counted in `changes`.
 std::string key_of(const DeckRun& run, std::string name, std::string arguments) {
@@ -190,20 +198,24 @@ void refuse_within(lua_State* L, const Entry& entry) {
       (entry.owner() == "analysis" ? "; a hook of analysis:every may do so" : ""));
 }
 
+// A run that is passed over is in the state of the checkpoint, not in that of the call.
+void refuse_passed_over(const Call& call) {
+  for (const Argument& row : call.entry().arguments) {
+    if (row.of != "analysis") continue;
+    const auto run = call.object<DeckRun>(row.name);
+    if (!run || !run->passes_over()) continue;
+    row.name == "from" ? lose_beginning(*run, call.entry().name) : lose_reading(*run, call.entry().name);
+  }
+}
+
 }  // namespace
 
 int execute(Call& call) {
   const Entry& entry = call.entry();
   refuse_within(call.L(), entry);
+  if (entry.touches == Touches::whole_run) refuse_passed_over(call);
   if (entry.weighs) return make(call);
-  if (entry.touches == Touches::nothing) return entry.run(call);
-  if (entry.touches == Touches::whole_run) {
-    for (const Argument& row : entry.arguments)
-      if (row.of == "analysis")
-        if (const auto run = call.object<DeckRun>(row.name); run && run->passes_over())
-          lose_reading(*run, entry.name);
-    return entry.run(call);
-  }
+  if (entry.touches == Touches::nothing || entry.touches == Touches::whole_run) return entry.run(call);
   DeckRun& run = *call.self<DeckRun>();
   if (!run.passes_over() && !notes_readings(run)) return entry.run(call);
   const std::string arguments = arguments_of(call, run);

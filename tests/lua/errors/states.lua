@@ -109,3 +109,39 @@ wrong("model:copy", "held:copy{ without=3 }",
   "deck.lua:1: copy: field 'changes.without': expected a table or a string, got 3")
 wrong("model:copy", "held:copy{ without='fix botom' }",
   "deck.lua:1: copy: argument 'changes.without': unknown declaration 'fix botom', did you mean 'fix bottom'?")
+
+-- fabric.lab.chain
+local function chain(fields) return "fabric.lab.chain{ model=model, " .. fields .. " }" end
+wrong("fabric.lab.chain", "fabric.lab.chain{ steps={} }",
+  "deck.lua:1: chain: field 'model': expected a model, got nil (missing, or a misspelt variable)")
+wrong("fabric.lab.chain", "fabric.lab.chain{ model=mesh, steps={} }", "deck.lua:1: chain: field 'model': expected a model, got a mesh")
+wrong("fabric.lab.chain", "fabric.lab.chain{ model=model }",
+  "deck.lua:1: chain: field 'steps': expected a table { {name=, duration=, scheme=?, loads=?, release=?, options=?}, ... }, got nil (missing, or a "
+  .. "misspelt variable)")
+wrong("fabric.lab.chain", chain "steps={}",
+  "deck.lua:1: chain: field 'steps': expected a list of steps { {name=, duration=, ...}, ... }, got no step")
+wrong("fabric.lab.chain", chain "steps={ 'pull' }",
+  "deck.lua:1: chain: field 'steps[1]': expected a table {name, scheme, duration, loads, release, options}, got 'pull'")
+wrong("fabric.lab.chain", chain "steps={ { name='pull', duration=1, load=1 } }",
+  "deck.lua:1: chain: field 'steps[1]': unknown field 'load' (known: name scheme duration loads release options)")
+wrong("fabric.lab.chain", chain "steps={ { duration=1 } }",
+  "deck.lua:1: chain: field 'steps[1].name': expected a string, got nil")
+wrong("fabric.lab.chain", chain "steps={ { name='pull', duration=1 }, { name='go', duration=1, scheme='quick' } }",
+  "deck.lua:1: chain: field 'steps[2].scheme': expected 'static' or 'explicit' or 'implicit', got 'quick'")
+wrong("fabric.lab.chain", chain "steps={ { name='pull', duration=0 } }",
+  "deck.lua:1: chain: field 'steps[1].duration': expected a positive number in s, got 0")
+wrong("fabric.lab.chain", chain "steps={ { name='pull', duration=1, loads={} } }",
+  "deck.lua:1: chain: field 'steps[1].loads': expected a function(model, begins, before) that adds to the model, got a table")
+wrong("fabric.lab.chain", chain "steps={ { name='pull', duration=1, release=1 } }",
+  "deck.lua:1: chain: field 'steps[1].release': expected none: nothing holds the cloth before the first step")
+wrong("fabric.lab.chain", chain "steps={ { name='pull', duration=1 }, { name='go', duration=1, release=-1 } }",
+  "deck.lua:1: chain: field 'steps[2].release': expected a positive number in s, got -1")
+wrong("fabric.lab.chain", chain "steps={ { name='pull', duration=1, options=3 } }",
+  "deck.lua:1: chain: field 'steps[1].options': expected a table of further fields of fabric.static or fabric.dynamic, got 3")
+wrong("fabric.lab.chain", chain "steps={ { name='pull', duration=1 } }, cycles=0",
+  "deck.lua:1: chain: field 'cycles': expected an integer of at least 1, got 0")
+wrong("fabric.lab.chain", chain "steps={ { name='pull', duration=1 } }, columns={ force=3 }",
+  "deck.lua:1: chain: field 'columns': expected { name=function(analysis) ... end, ... }, got 3 for 'force'")
+wrong("fabric.lab.chain", chain "steps={ { name='pull', duration=1 } }, watch=3", "deck.lua:1: chain: field 'watch': expected a function, got 3")
+wrong("fabric.lab.chain", chain "steps={ { name='pull', duration=1 } }, checkpoint=3", "deck.lua:1: chain: field 'checkpoint': expected a string, got 3")
+wrong("fabric.lab.chain", chain "steps={ { name='pull', duration=1 } }, cycle=3", "deck.lua:1: chain: unknown field 'cycle', did you mean 'cycles'?")
