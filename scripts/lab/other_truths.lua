@@ -6,7 +6,6 @@
 --   fabricsh scripts/lab/other_truths.lua [seeds] [samples] [out]      1 12; a figure in out; the table of share/doc/laboratory.md is of scripts/long/lab_other_truths.lua
 --
 -- warns: make no card and were drawn again
--- warns: is unlike the others
 local fabric = require "fabric"
 local lab = fabric.lab
 local folder = require "fabric.lab.folder"

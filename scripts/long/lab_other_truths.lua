@@ -1,6 +1,6 @@
--- scripts/lab/other_truths.lua forty times.
+-- scripts/lab/other_truths.lua twenty times.
 -- warns: make no card and were drawn again
 -- warns: is unlike the others
 arg[0] = arg[0]:gsub("long/lab_", "lab/")
-arg[1], arg[2] = "40", "16"
+arg[1], arg[2] = "20", "12"
 dofile(arg[0])

@@ -164,7 +164,7 @@ local function fit_law(spring, without)
       list[#list + 1] = { name = test.name, measured = test.measured, noise = 1, predict = function(p) return loads(card_of(p, spring), test.rows, test.yarn) end }
     end
   end
-  return lab.identify { parameters = spring and sprung or own, tests = list, processes = 1, iterations = 300 }
+  return lab.identify { parameters = spring and sprung or own, tests = list, processes = 1, iterations = spring and 300 or 60 }
 end
 local function rms_of(card, ratio)
   local squares, count = 0, 0
