@@ -4,8 +4,9 @@
 --
 -- The folder (default: the synthetic sample data) holds laboratory.lua and whatever there is of the files that lua/fabric/lab/folder.lua
 -- describes; what no file shows is assumed, marked so, and named with the test that would tell. Writes into out (default
--- out/characterise): card.lua, a figure and its -residual.svg for each of warp, weft, shear that was tested, report.html, and the card for
--- LS-DYNA, OpenRadioss and Abaqus, card.k, card.rad and card.inp, in mm, t, s, each with what is lost in it.
+-- out/characterise): card.lua, a figure, its -residual.svg and, from three specimens on, its -left-out.svg for each of warp, weft, shear
+-- that was tested, report.html, and the card for LS-DYNA, OpenRadioss and Abaqus, card.k, card.rad and card.inp, in mm, t, s, each with
+-- what is lost in it.
 --
 -- Some elements go beyond the tested strain, as the warning says:
 -- warns: the card was tested to

@@ -17,7 +17,7 @@ local function pulled(n, back)
     for k = 1, back and 20 or 0 do r.displacement[61 + k], r.force[61 + k] = u - 1e-4 * k, top * (1 - k / 25) end
     tests[i] = lab.tensile { record = r, gauge_length = 0.1, width = 0.02, thickness = 4e-4, plies = 1 }
   end
-  return { tests = tests, fit = lab.fit { tests = tests, find_slack = "either" } }
+  return { tests = tests, fit = lab.fit { tests = tests, find_slack = "either" }, spread = n > 2 and lab.spread { tests = tests } or nil }
 end
 local function rows_of(n, back)
   local part = pulled(n, back)
@@ -38,6 +38,15 @@ for _, row in ipairs(rows) do
   assert(not row[2]:find "e%+", row[2])
 end
 assert(seen >= 3, seen)
+-- the band of the others beside the specimen that was left out
+if #figures.warp.files > 0 then
+  local text = ""
+  for _, file in ipairs(figures.warp.files) do
+    local f <close> = assert(io.open(file))
+    if file:find "left%-out" then text = f:read "a" end
+  end
+  assert(text:find("left out", 1, true) and text:find("95 % of the next specimens, by the other 2", 1, true), text)
+end
 assert(figures.warp.whole and figures.warp.whole > 0 and figures.warp.whole < 0.2)
 rows, figures = rows_of(1, false)
 assert(not figures.warp.whole)

@@ -245,6 +245,13 @@ local function overlay(result, name, out)
   local rest, differences = residual(part, E, S)
   plot { file = out .. "/" .. name .. "-residual.svg", curves = differences, key = "below", xlabel = strain,
     ylabel = "measured less simulated, % of the peak", size = { 120 * u.mm, 90 * u.mm } }
+  local left = part.spread and part.spread.least_like
+  if left then -- a prediction is shown beside what was not used for it
+    plot { file = out .. "/" .. name .. "-left-out.svg", key = "below", xlabel = strain, ylabel = "second Piola-Kirchhoff stress, MPa", size = { 120 * u.mm, 90 * u.mm },
+      curves = { { x = left.E, y = scaled(left.S, 1 / u.MPa), style = "points", label = ("specimen %d, left out"):format(left.specimen) },
+        { x = left.E, band = { low = scaled(left.low, 1 / u.MPa), high = scaled(left.high, 1 / u.MPa) }, colour = "grey",
+          label = ("%g %% of the next specimens, by the other %d"):format(100 * part.spread.level, #part.tests - 1) } } }
+  end
   local whole
   if not trouble and not part.without_markers then
     local best = furthest(part, result.about.gauge_length, function(test) return name == "shear" and test.pull.E or test.E end)

@@ -29,23 +29,25 @@ local function moments(values, k, without)
   return sum / n, math.sqrt(squares / (n - 1)), n
 end
 
--- Leaves out each specimen in turn: the share of its points within the prediction band of the others.
-local function left_out(values, n, level)
-  local out = {}
+-- Leaves out each specimen in turn: the share of its points within the prediction band of the others; and the specimen with the smallest share, with its points and that band.
+local function left_out(values, n, level, reach)
+  local out, worst = {}, nil
   for held = 1, #values do
-    local inside, total = 0, 0
+    local inside, total, seen = 0, 0, { specimen = held, E = {}, S = {}, low = {}, high = {} }
     for k = 1, n do
       local mean, s, count = moments(values, k, held)
       local y = values[held][k]
       if y and count >= 2 then
         local half = fabric.lab.student(0.5 + level / 2, count - 1) * s * math.sqrt(1 + 1 / count)
         total = total + 1
+        seen.E[total], seen.S[total], seen.low[total], seen.high[total] = (k - 0.5) * reach / n, y, mean - half, mean + half
         if math.abs(y - mean) <= half then inside = inside + 1 end
       end
     end
     out[held] = total > 0 and inside / total or 0 / 0
+    if total > 0 and not (worst and out[held] >= out[worst.specimen]) then worst = seen end
   end
-  return out
+  return out, worst
 end
 
 -- The stress of each specimen over the mean, averaged over the bins in which the mean is a tenth of its largest at least.
@@ -131,7 +133,7 @@ local function spread(t)
       out.next_low[place], out.next_high[place] = mean - q * s * math.sqrt(1 + 1 / n), mean + q * s * math.sqrt(1 + 1 / n)
     end
   end
-  out.left_out = left_out(values, t.points, t.level)
+  out.left_out, out.least_like = left_out(values, t.points, t.level, reach)
   local sum = 0
   for _, part in ipairs(out.left_out) do sum = sum + part end
   out.coverage = sum / #out.left_out
@@ -157,7 +159,7 @@ define {
     { name = "points", kind = "integer", low = 5, high = 1000, default = 50, sentence = "bins of strain, equally wide" },
   },
   sentence = "How specimens differ in virgin loading: E, S (mean), deviation (of one specimen), low and high (band of the mean), next_low and "
-    .. "next_high (band in which the next specimen lies), left_out (of each specimen the part of its points in the band of the others), coverage "
+    .. "next_high (band in which the next specimen lies), left_out (of each specimen the part of its points in the band of the others), least_like (that with the smallest part: specimen, E, S, low and high of the others' band), coverage "
     .. "(their mean), unlike (specimens that the others do not explain: specimen, ratio to them, their deviation), reach, text.",
   example = "local tests = {}\nfor i, scale in ipairs{ 1, 1.1, 0.95, 1.02 } do\n  local E, S = {}, {}\n"
     .. "  for k = 1, 100 do E[k] = k/1000; S[k] = scale*1e7*E[k] end\n"
