@@ -285,7 +285,9 @@ std::string bending_warning(const model::Model& model, const mechanics::Assembly
       words = odd_bending(model.regions()[r].card, section.thickness, *section.points.front().law);
     for (std::size_t i = 0; i < plies.size() && words.empty(); ++i)
       words = odd_bending(plies[i].card, plies[i].thickness,
-                          *section.points[i * section.points.size() / plies.size()].law);
+                          *std::find_if(section.points.begin(), section.points.end(), [i](const auto& p) {
+                             return p.ply == static_cast<int>(i);
+                           })->law);
   }
   return words.empty() || !may_leave_surface(assembly) ? std::string() : words;
 }

@@ -53,18 +53,32 @@ void check(double thickness, double offset) {
     throw Error("offset: expected a number from -1 to 1, got " + std::to_string(offset));
 }
 
+card::Card unfolded(card::Card card) {
+  card.folds = card::Folds::resolved;
+  return card;
+}
+
 // Folds take the whole force of a sheet, not the stress of a point that bends with it.
-void require_own_bending(const card::Card& card) {
-  if (card.folds == card::Folds::within)
-    throw Error("card '" + card.name +
-                "', field 'folds': \"within elements\" expects a bending={warp=, weft=, twist=} of the "
-                "card's own, got integration through the thickness");
+bool shares_folds(const card::Card& card, int points) {
+  return card.folds == card::Folds::within && points > 1;
+}
+
+// What folds release, W - w of law/folds.hpp, is counted at the middle of the sheet: a point with folds, of
+// the weight of the ply, less one without. Both have the same strain, so that all else cancels where nothing
+// folds, and a sheet that is not bent has W alone.
+void add_shared_folds(Section& s, const card::Card& card, double weight, double angle, int ply) {
+  for (const bool folds : {true, false}) {
+    const auto law = law::compile(folds ? card : unfolded(card), false);
+    s.points.push_back({0, folds ? weight : -weight, angle, card.density, law, s.state_size, ply});
+    s.state_size += law::state_size(*law);
+  }
 }
 
 // Adds the points of a ply between zeta = low and zeta = high.
 void add_points(Section& s, const card::Card& card, int points, double low, double high, double angle,
                 int ply, bool transverse_shear = true) {
-  const auto law = law::compile(card, transverse_shear);
+  const bool shares = shares_folds(card, points);
+  const auto law = law::compile(shares ? unfolded(card) : card, transverse_shear);
   s.symmetric = s.symmetric && law::symmetric(*law);
   for (const auto& [zeta, weight] : gauss_legendre(points)) {
     const double half = (high - low) / 2;
@@ -72,6 +86,7 @@ void add_points(Section& s, const card::Card& card, int points, double low, doub
         {(low + high) / 2 + half * zeta, half * weight, angle, card.density, law, s.state_size, ply});
     s.state_size += law::state_size(*law);
   }
+  if (shares) add_shared_folds(s, card, high - low, angle, ply);
 }
 
 void add_bending(Section& s, const card::Card& card) {
@@ -159,7 +174,6 @@ Section membrane(const card::Card& card, double thickness) {
 
 Section integrated(const card::Card& card, double thickness, int points, double offset) {
   Section s = plain_section(card, thickness, offset);
-  if (!card.bending) require_own_bending(card);
   add_points(s, card, card.bending ? 1 : points, -1, 1, 0, 0);
   if (card.bending) add_bending(s, card);
   find_plain(s);
@@ -176,7 +190,6 @@ Section stacked(const std::vector<Ply>& plies, int points, double offset) {
       throw Error(name + "thickness: expected a positive length in m, got " + number(plies[i].thickness));
     if (plies[i].card.bending)
       throw Error(name + "a card with its own bending rigidity can't be one of several layers");
-    require_own_bending(plies[i].card);
     s.thickness += plies[i].thickness;
     s.areal_mass += plies[i].card.density * plies[i].thickness;
     s.solid_thickness += solid_thickness_of(plies[i].card, plies[i].thickness);

@@ -108,5 +108,4 @@ for _, scheme in ipairs { "explicit", "implicit" } do
   assert(most > 0.3 and whole:reaction "top" == parts:reaction "top")
 end
 
-fails("field 'folds': \"within elements\" expects a bending=", fabric.model, { mesh = fabric.mesh.rectangle { width = 1, height = 1, nx = 1, ny = 1 }, card = fabric.card "blend", folds = "within elements" })
 fails("model: field 'folds': expected 'resolved' or 'within elements' or 'free', got 'elements'", fabric.model, { mesh = fabric.mesh.rectangle { width = 1, height = 1, nx = 1, ny = 1 }, card = fabric.card "blend", folds = "elements" })

@@ -76,3 +76,17 @@ do
   fails("expected the mesh of the body's facets, 36 nodes, got 9 nodes", fabric.lab.wear, { analysis = a, body = other, mesh = small, times = { 1e-3, 2e-3 } })
   fails("expected ascending times", fabric.lab.wear, { analysis = a, body = other, mesh = face, times = { 0.02, 0.01 } })
 end
+
+-- Cloth that is shortened in its plane: where folds within elements take that, nothing is said of the mesh.
+for _, case in ipairs { { "within elements", true }, { "resolved", false } } do
+  local ground = fabric.mesh.rectangle { width = 100 * mm, height = 100 * mm, nx = 2, ny = 2, origin = { -20 * mm, -20 * mm, 0 } }
+  local table_top = fabric.rigid.surface { mesh = ground, name = "top" }
+  local sheet = fabric.mesh.rectangle { width = side, height = side, nx = 3, ny = 3, origin = { 0, 0, card.thickness / 2 } }
+  local stiff = card:with { warp = { loading = { 20e6 }, unloading = 20e6, poisson = card.warp.poisson } }
+  local m = fabric.model { mesh = sheet, card = stiff, warp = 0, folds = case[1] }
+  m:contact { between = { table_top, "all" } }:gravity { 0, 0, -9.81 }:fix("all", "y z rotation"):fix("left", "x")
+  m:move("right", { x = fabric.ramp(-2 * mm, 0.005) })
+  local worn = fabric.lab.wear { analysis = fabric.dynamic { model = m, duration = 0.006, damping = { mass = 500 } }, body = table_top, mesh = ground, times = { 0.005, 0.006 } }
+  assert(worn.compressed.value > 0.02 and worn.gives_way == case[2], ("%s: %g, %s"):format(case[1], worn.compressed.value, worn.compressed.folded))
+  assert((worn.text:find("these are folds", 1, true) ~= nil) == case[2], worn.text)
+end

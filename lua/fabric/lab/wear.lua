@@ -9,7 +9,8 @@ local fabric = require "fabric"
 -- Cloth folds before its yarns are compressed by this much. Elements that are larger than the folds are compressed instead, carry a load that
 -- the cloth would not, and press with it; unless their yarns carry next to nothing then (fabric.lab.tension_field): less than this part of what
 -- they carry when they are stretched as much.
-local folds_at, slack_below = 0.01, 0.05
+-- Folds within the element (folds= of the model or card) do the same: they have taken more than this part of what it is shorter.
+local folds_at, slack_below, folded_at = 0.01, 0.05, 0.5
 
 local function fail(field, words) define.fail(("wear: field '%s': %s"):format(field, words)) end
 
@@ -138,7 +139,9 @@ local function observe(t, state, regions, discs)
     largest(state.tension.warp, run:field "tension_warp", run.time)
     largest(state.tension.weft, run:field "tension_weft", run.time)
     largest(state.beyond, run:field "beyond", run.time)
-    largest(state.compressed, compression(run), run.time)
+    local c = state.compressed
+    largest(c, compression(run), run.time)
+    if c.time == run.time then c.folded = run:field "folded"[c.element] end
     close_window(t, state, regions, discs, run.time)
   end)
 end
@@ -268,7 +271,8 @@ local function run(t)
     t.state.energies[k] = t.state.energies[k] or energies(a)
     if k > 1 then result.cycles[k - 1] = work_between(t.state.energies[k - 1], t.state.energies[k]) end
   end
-  result.gives_way = result.compressed.value >= folds_at and gives_way(a.model.card)
+  local c = result.compressed
+  result.gives_way = c.value >= folds_at and ((c.folded or 0) > folded_at or gives_way(a.model.card))
   for _, region in ipairs(regions) do result.names[#result.names + 1] = region.name end
   add_regions(result, t, t.state, regions)
   add_slip(result, t.state)
@@ -301,7 +305,7 @@ define {
   sentence = "What worn cloth does to the body and its wearer: runs through the times and returns regions (of each name, and of all: mean, Pa, the largest of its mean pressures over time, usual, their mean over time, "
     .. "peak, the largest over a disc of skin, peak_at, m, its middle on the body at time 0, touched, the largest share of its area), map (mean and largest of each vertex, Pa), rows (the mean pressures over time), "
     .. "cycles (of each: work, J, that moves the body, supports and loads did, and what became of it: cloth, what the law of the cloth dissipated, friction, damping, impact, fracture, stored, kinetic), slip (m, on the skin: largest and its node, mean, nodes), "
-    .. "tension (warp, weft: value, N/m, element, time), beyond (strain over the tested strain of the card), compressed (how much shorter yarns get: value, element, time; from 1 % on, where a finer mesh would fold, a warning says so), gives_way (whether the yarns of the card carry next to nothing then), gap, ledger, and text, all of this in words.",
+    .. "tension (warp, weft: value, N/m, element, time), beyond (strain over the tested strain of the card), compressed (how much shorter yarns get: value, element, time, folded: the part that folds within the element took; from 1 % on, where a finer mesh would fold, a warning says so), gives_way (whether the yarns of the card carry next to nothing then, or folds within elements took it), gap, ledger, and text, all of this in words.",
   example = "local fabric = require 'fabric'\n"
     .. "local face = fabric.mesh.rectangle{ width=0.08, height=0.08, nx=2, ny=2, origin={-0.01, -0.01, 0} }\n"
     .. "face:set('left half', function(x) return x < 0.03 end)\n"

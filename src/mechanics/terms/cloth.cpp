@@ -54,7 +54,9 @@ void Cloth::set_initial_states() {
       const auto folding = fold_tensions(e);
       for (const auto& point : batch.section->points) {
         site.thickness = batch.section->thickness_of(point.ply);
-        for (std::size_t i = 0; i < 2; ++i) site.folding[i] = folding[i] / batch.section->thickness;
+        const double cosine = std::pow(std::cos(point.angle), 2);
+        for (std::size_t i = 0; i < 2; ++i)
+          site.folding[i] = (cosine * folding[i] + (1 - cosine) * folding[1 - i]) / batch.section->thickness;
         numbers.resize(static_cast<std::size_t>(law::state_size(*point.law)));
         try {
           law::set_initial(*point.law, site, numbers.data());

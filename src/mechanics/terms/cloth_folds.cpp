@@ -33,14 +33,20 @@ double extent(const Vec3* corners, int count, const Vec3& axis) {
   return high - low;
 }
 
-// N.m: its own, or that of the yarns through the thickness.
+// N.m, along warp or weft of the section: its own, or that of the points through the thickness.
 double rigidity(const section::Section& section, std::size_t yarn) {
   if (section.bends_apart) return section.bending[yarn].rigidity;
   double sum = 0;
   const double half = section.thickness / 2;
   for (const auto& point : section.points) {
     const double z = half * (point.zeta - section.offset);
-    sum += half * point.weight * z * z * law::backbone_modulus(*point.law, static_cast<int>(yarn) + 1, 0);
+    const auto modulus = [&](std::size_t axis) {
+      return law::backbone_modulus(*point.law, static_cast<int>(axis) + 1, 0);
+    };
+    // Along the section's yarn, which a ply may have at an angle.
+    const double c = std::pow(std::cos(point.angle), 2), n = 1 - c;
+    sum += half * point.weight * z * z *
+           (c * c * modulus(yarn) + n * n * modulus(1 - yarn) + 4 * c * n * modulus(2));
   }
   return sum;
 }

@@ -12,12 +12,12 @@ void Cloth::find_tested() {
     const auto& section = model_.sections()[r];
     const auto& region = model_.regions()[r];
     const auto& plies = region.options.plies;
-    const std::size_t per_card = section.points.size() / std::max<std::size_t>(1, plies.size());
     tested_.emplace_back();
     for (std::size_t k = 0; k < section.points.size(); ++k) {
       const auto& point = section.points[k];
       TestedPoint here{point.law.get(), point.state, {}, {}};
-      here.tested = law::tested_strains(plies.empty() ? region.card : plies[k / per_card].card);
+      here.tested =
+          law::tested_strains(plies.empty() ? region.card : plies[static_cast<std::size_t>(point.ply)].card);
       for (std::size_t i = 0; i < 3; ++i) here.inverse[i] = here.tested[i] > 0 ? 1 / here.tested[i] : 0;
       if (here.tested != std::array<double, 3>{}) tested_.back().push_back(here);
     }

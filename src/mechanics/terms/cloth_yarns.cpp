@@ -10,14 +10,16 @@ namespace fabricsh::mechanics {
 
 namespace {
 
-// The thickness point at which the yarns are read: the middle one of the ply, or of all plies.
+// The thickness point at which the yarns are read: the middle one of the ply, or of all plies. The two that
+// count folds, the second of which has a negative weight, are at the end of each ply (section.cpp).
 int middle_point(const section::Section& section, int ply) {
-  int first = 0, count = 0;
-  for (int k = 0; k < static_cast<int>(section.points.size()); ++k) {
-    if (ply != Cloth::all_plies && section.points[k].ply != ply) continue;
-    if (count++ == 0) first = k;
+  std::vector<int> found;
+  const int points = static_cast<int>(section.points.size());
+  for (int k = 0; k < points; ++k) {
+    const bool folds = section.points[k].weight < 0 || (k + 1 < points && section.points[k + 1].weight < 0);
+    if (!folds && (ply == Cloth::all_plies || section.points[k].ply == ply)) found.push_back(k);
   }
-  return first + count / 2;
+  return found[found.size() / 2];
 }
 
 // The base vectors a_1 + eta d and a_2 + xi d, in a triangle without d.

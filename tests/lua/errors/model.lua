@@ -204,8 +204,6 @@ wrong("model:symmetry", "fabric.static{ model=fabric.model{ mesh=mesh, card=card
   "deck.lua:1: static: symmetry: set 'left': the cloth of element 1 is not symmetric about the plane, whose normal lies at 20 degrees to the warp: expected warp and weft along and across the plane; or the whole model")
 wrong("fabric.model", "fabric.model{ mesh=mesh, card=card, folds='elements' }",
   "deck.lua:1: model: field 'folds': expected 'resolved' or 'within elements' or 'free', got 'elements'")
-wrong("fabric.model", "fabric.model{ mesh=mesh, card=card, folds='within elements' }",
-  "deck.lua:1: model: card 'blend', field 'folds': \"within elements\" expects a bending={warp=, weft=, twist=} of the card's own, got integration through the thickness")
 wrong("fabric.model", "fabric.model{ mesh=mesh, card=card:with{ folds='free', law='thesis' } }",
   "deck.lua:1: model: card 'blend': field 'folds': expected \"resolved\", or law = \"potential\", got \"free\"")
 wrong("fabric.model", "fabric.model{ mesh=mesh, card=card, yarns='ful' }",
