@@ -130,7 +130,37 @@ measured cloths of Wang, Ramamoorthi and O'Brien (2011) are licensed for scholar
   return table.concat(lines, "\n") .. "\n"
 end
 
-local path, text = "share/doc/cards.md", page()
+-- Paragraphs and items of lists in lines of fewer than 120 characters; code, tables and headings stay.
+local function wrapped(text)
+  local out, words, hang, code = {}, {}, "", false
+  local function flush()
+    local line = nil
+    for _, word in ipairs(words) do
+      if line and #line + 1 + #word > 118 then
+        out[#out + 1], line = line, hang .. word
+      else
+        line = line and line .. " " .. word or word
+      end
+    end
+    out[#out + 1], words = line, {}
+  end
+  for line in text:gmatch "([^\n]*)\n" do
+    local fence = line:find "^```" ~= nil
+    local stays = code or fence or line == "" or line:find "^[|#]" ~= nil
+    if fence then code = not code end
+    if #words > 0 and (stays or line:find "^%- ") then flush() end
+    if stays then
+      out[#out + 1] = line
+    else
+      if #words == 0 then hang = line:find "^%- " and "  " or "" end
+      for word in line:gmatch "%S+" do words[#words + 1] = word end
+    end
+  end
+  if #words > 0 then flush() end
+  return table.concat(out, "\n") .. "\n"
+end
+
+local path, text = "share/doc/cards.md", wrapped(page())
 if arg[1] == "write" then
   local file <close> = assert(io.open(root .. path, "w"))
   file:write(text)

@@ -1,8 +1,7 @@
 -- What of a card is assumed instead of measured, with the range in which it may lie, for fabric.budget.
 --
--- The range is the one that the card's provenance states, "assumed: 0.4 (0.1 to 0.6), ...", or else the rule below. Ranges of `poisson` are
+-- The range is the one that the card states, card.ranges["warp.poisson"] = { 0.1, 0.6 }, or else the rule below. Ranges of `poisson` are
 -- values, the others factors on the card's value; those of `loading` are factors on all forces of the part, unloading and friction too.
-local filled = require "fabric.lab.filled"
 local assumed = {}
 
 local rules = {
@@ -10,21 +9,10 @@ local rules = {
   no_poisson = { 0, 1, why = "from none to the largest of [williams2010]" },
   unloading = { 0.6, 2.5, why = "eight curves of [williams2010] unload 2.5 to 10.2 times as steeply as they load; the rule says 4" },
   shear_unloading = { 0.5, 1.3, why = "four curves of [williams2010] unload 1.5 to 3.9 times as steeply as they load; the rule says 3" },
+  loading = { 0.5, 2, why = "a guess: not measured on this cloth" },
   bending = { 0.15, 4, why = "95 % of 307 cloths [feng2022] have 0.146 to 4.12 times the median of those with their mass within a quarter" },
   twist = { 0.05, 5, why = "309 cloths [feng2022] have at 45 degrees a twist of up to 5.2 times half of the mean of warp and weft (97.5 %), the stiffer three quarters 0.2 and more, an eighth none" },
 }
-
--- The rule for a loading curve, by the words of its provenance, which are those of the rules of fabric.lab.card and of fabric.lab.filled.
-local of_yarns = { 0.55, 3, why = "four cloths of [williams2010] have 0.05 to 0.27 of the yarns' modulus; the rule is 0.09" }
-local of_shear = { 0.36, 1.8, why = "four cloths of [williams2010] have 4 to 20 times the modulus in shear; the rule is 11" }
-local guess = { 0.5, 2, why = "a guess: not measured on this cloth" }
-local function loading_rule(part, words)
-  if words:find("card 'worsted'", 1, true) then return part == "shear" and filled.shear or filled.pull end
-  if words:find("0.09 of the yarns'", 1, true) then return of_yarns end
-  if words:find("the initial modulus in shear", 1, true) then return of_shear end
-  if words:find "as the w%a+'s" then return filled.other_yarn end
-  return guess
-end
 
 -- How a value is put into a card.
 local function poisson(part) return function(card, value) return card:with { [part] = { poisson = value } } end end
@@ -67,12 +55,6 @@ local known = {
   { "shear.unloading", "shear_unloading", unloading "shear" },
 }
 
-local function stated(words)
-  local low, high = words:match "%(([%d.eE+-]+) to ([%d.eE+-]+)%)"
-  low, high = tonumber(low), tonumber(high)
-  return low and high and low < high and { low, high, why = "the card" } or nil
-end
-
 -- A model refuses cards that can be written down, such as one whose loading is steeper than its unloading.
 local function accepted(apply, card, value)
   local made, changed = pcall(apply, card, value)
@@ -92,24 +74,24 @@ end
 
 -- The assumed quantities of a card: a list of { name, low, high, value, apply, why }, and the names of those that nothing varies.
 function assumed.of(card)
-  local list, others, provenance = {}, {}, card.provenance or {}
-  local function add(name, rule, value, apply, words)
-    local range = stated(words) or rules[rule] or loading_rule(name:match "^%a+", words)
-    list[#list + 1] = usable(card, { range[1], range[2], name = name, value = value, apply = apply, why = range.why })
+  local list, others, provenance, ranges = {}, {}, card.provenance or {}, card.ranges or {}
+  local function add(name, rule, value, apply)
+    local range = ranges[name] or rules[rule]
+    list[#list + 1] = usable(card, { range[1], range[2], name = name, value = value, apply = apply, why = ranges[name] and "the card" or range.why })
   end
-  local seen, zero = {}, without_poisson(card)
-  if zero and (provenance["warp.poisson"] or ""):find "^assumed" then add("poisson", "no_poisson", 0, both_poisson, "") end
+  local function is_assumed(field) return provenance[field] and provenance[field]:find "^assumed" end
+  local seen, zero = { bending = true, ["bending.twist"] = true }, without_poisson(card)
+  if zero and is_assumed "warp.poisson" then add("poisson", "no_poisson", 0, both_poisson) end
   for _, row in ipairs(known) do
-    local words = provenance[row[1]] or ""
     seen[row[1]] = true
-    if words:find "^assumed" and not (zero and row[2] == "poisson") then add(row[1], row[2], row[2] == "poisson" and card[row[1]:match "^%a+"].poisson or 1, row[3], words) end
+    if is_assumed(row[1]) and not (zero and row[2] == "poisson") then
+      add(row[1], row[2], row[2] == "poisson" and card[row[1]:match "^%a+"].poisson or 1, row[3])
+    end
   end
-  local words = provenance.bending or ""
-  if card.bending and words:find "^assumed" then add("bending", "bending", 1, bending, words) end
-  if card.bending and words:find "twist" and words:find "assumed" then add("bending.twist", "twist", 1, twist, "") end
-  seen.bending = card.bending ~= nil
-  for name, text in pairs(provenance) do
-    if not seen[name] and text:find "^assumed" then others[#others + 1] = name end
+  if card.bending and is_assumed "bending" then add("bending", "bending", 1, bending) end
+  if card.bending and is_assumed "bending.twist" then add("bending.twist", "twist", 1, twist) end
+  for name in pairs(provenance) do
+    if is_assumed(name) and (not seen[name] or not card.bending and name:find "^bending") then others[#others + 1] = name end
   end
   table.sort(others)
   return list, others

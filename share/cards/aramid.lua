@@ -34,7 +34,8 @@ return fabric.woven {
     ["warp.poisson"] = poisson, ["weft.poisson"] = poisson,
     ["shear.loading"] = "assumed: straight, 0.09 of the yarns' initial modulus, the rule of fabric.lab.card",
     ["shear.unloading"] = "assumed: 3 times the tangent, the rule of fabric.lab.card",
-    bending = "assumed: bending length 18.6 mm, the median of 100 fabrics of 100 to 225 g/m2 [feng2022]; twist half of it",
+    bending = "assumed: bending length 18.6 mm, the median of 100 fabrics of 100 to 225 g/m2 [feng2022]", ["bending.twist"] = "assumed: half of it",
     thickness = "assumed: 0.25 mm", density = "assumed: 200 g/m2 over the thickness, half of it fibres of 1450 kg/m3 each way",
   },
+  ranges = { ["shear.loading"] = { 0.55, 3 } }, -- that of the rule over its value
 }

@@ -32,7 +32,7 @@ return fabric.woven {
     ["warp.poisson"] = poisson, ["weft.poisson"] = poisson,
     ["shear.loading"] = "fitted to 2 specimens, monotone curve",
     ["shear.unloading"] = "assumed: 3 times the steepest tangent, the rule of fabric.lab.card",
-    bending = "assumed: bending length 22.1 mm, the median of 15 fabrics above 500 g/m2 [feng2022]; twist half of it",
+    bending = "assumed: bending length 22.1 mm, the median of 15 fabrics above 500 g/m2 [feng2022]", ["bending.twist"] = "assumed: half of it",
     thickness = "assumed: 1 mm, over which the force per width was divided", density = "assumed: 740 g/m2 over the thickness",
   },
 }

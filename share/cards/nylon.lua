@@ -25,7 +25,7 @@ return fabric.woven {
     ["warp.unloading"] = unloading, ["weft.unloading"] = unloading,
     ["shear.unloading"] = "assumed: 3 times the steepest tangent, the rule of fabric.lab.card",
     ["warp.poisson"] = poisson, ["weft.poisson"] = poisson,
-    bending = "assumed: E t^3/12 of the authors' lamina; twist half of the mean",
+    bending = "assumed: E t^3/12 of the authors' lamina", ["bending.twist"] = "assumed: half of the mean",
     thickness = "fitted by the authors of the records, with their lamina", density = "typed: as the authors of the records give it",
   },
 }

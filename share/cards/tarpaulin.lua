@@ -25,7 +25,8 @@ return fabric.woven {
     ["warp.unloading"] = unloading, ["weft.unloading"] = unloading,
     ["shear.unloading"] = "assumed: 3 times the tangent, the rule of fabric.lab.card",
     ["warp.poisson"] = poisson, ["weft.poisson"] = poisson,
-    bending = "assumed: bending length 22.1 mm, the median of 15 fabrics above 500 g/m2 [feng2022]; twist half of it",
+    bending = "assumed: bending length 22.1 mm, the median of 15 fabrics above 500 g/m2 [feng2022]", ["bending.twist"] = "assumed: half of it",
     thickness = "measured: 0.82 mm", density = "measured: 1050 g/m2 over the thickness",
   },
+  ranges = { ["shear.loading"] = { 0.55, 3 } }, -- that of the rule over its value
 }

@@ -9,5 +9,6 @@ return require "fabric.lab.hanging" {
   name = "tropical", mass = 11.65e-2, thickness = 0.340 * u.mm,
   source = "Matsudaira, Masuda, Wada, Yokura 2015, J. Textile Eng. 61 [matsudaira2015], table 1, quoted in antonbj3/3fold-motion-engine: polyester tropical",
   bending = { warp = B, weft = B, twist = B / 2, friction_warp = friction, friction_weft = friction },
-  bending_origin = "measured: B, 2HB, one number for both directions; assumed: twist half of B, friction builds up over 10 1/m",
+  bending_origin = "measured: B, 2HB, one number for both directions; friction builds up over 10 1/m",
+  twist_origin = "assumed: half of B",
 }

@@ -45,7 +45,7 @@ return fabric.woven {
     ["warp.unloading"] = unloading, ["weft.unloading"] = unloading,
     ["shear.unloading"] = "assumed: 3 times the steepest tangent, the rule of fabric.lab.card",
     ["warp.poisson"] = poisson, ["weft.poisson"] = poisson,
-    bending = "assumed: bending length 18.6 mm, the median of 100 fabrics of 100 to 225 g/m2 [feng2022]; twist half of it",
+    bending = "assumed: bending length 18.6 mm, the median of 100 fabrics of 100 to 225 g/m2 [feng2022]", ["bending.twist"] = "assumed: half of it",
     density = "measured: 150 g/m2 over the thickness", thickness = "assumed: areal mass over 400 kg/m3",
   },
 }

@@ -20,7 +20,7 @@ return card:with {
     ["shear.loading"] = "measured: EB5 (FAST-3) less what the yarns stretch",
     ["warp.unloading"] = unloading, ["weft.unloading"] = unloading, ["shear.unloading"] = unloading,
     ["warp.poisson"] = poisson, ["weft.poisson"] = poisson,
-    bending = "measured: bending length (FAST-2); assumed: twist half of the mean",
+    bending = "measured: bending length (FAST-2)", ["bending.twist"] = "assumed: half of the mean",
     density = "measured: 168 g/m2 over the thickness",
     thickness = "assumed: areal mass over 400 kg/m3; the report has only a surface thickness",
   },

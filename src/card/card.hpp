@@ -147,10 +147,14 @@ inline constexpr const char* fold_words[] = {"resolved", "within elements", "fre
 // Where the number of a field comes from: pairs of a field and words that begin with one of the origins
 // (law/provenance.hpp), ascending by field, each once.
 using Provenance = std::vector<std::pair<std::string, std::string>>;
+// Where the number of an assumed field may lie, lowest and highest: of Poisson's ratios as they are, of other
+// fields as factors on what the card has; ascending by field, each once.
+using Ranges = std::vector<std::pair<std::string, std::array<double, 2>>>;
 
 struct Card {
   std::string name, source;
   Provenance provenance = {};
+  Ranges ranges = {};
   double density = 0;    // kg/m^3
   double thickness = 0;  // m
   std::variant<Woven, Svk, LinearElastic> law;

@@ -81,6 +81,14 @@ std::string provenance_text(const Provenance& provenance) {
   return out + "\n  },";
 }
 
+std::string ranges_text(const Ranges& ranges) {
+  std::string out = "\n  ranges = { ";
+  for (const auto& [field, range] : ranges)
+    out += (out.ends_with("{ ") ? "[" : ", [") + quoted(field) + "] = { " + exact_number(range[0]) + ", " +
+           exact_number(range[1]) + " }";
+  return out + " },";
+}
+
 }  // namespace
 
 std::string lua_text(const Card& card) {
@@ -93,6 +101,7 @@ std::string lua_text(const Card& card) {
       if (field.last == last && written(field, card))
         out += (field.beside ? " " : "\n  ") + field_text(field, card, "  ") + ",";
   if (!card.provenance.empty()) out += provenance_text(card.provenance);
+  if (!card.ranges.empty()) out += ranges_text(card.ranges);
   return out + "\n}\n";
 }
 

@@ -64,7 +64,8 @@ namespace {
 void check_provenance(const card::Card& card, CheckReport& report) {
   for (const auto& [field, words] : card.provenance)
     if (words.starts_with("assumed"))
-      report.items.push_back({"assumed." + field, Severity::note, field + " is " + words, {}});
+      report.items.push_back(
+          {"assumed." + field, Severity::note, field + " is " + words + range_text(card, field), {}});
   if (const std::string line = line_of_origin(card.source); card.provenance.empty() && !line.empty())
     report.items.push_back({"source",
                             Severity::warning,

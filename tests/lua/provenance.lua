@@ -115,3 +115,36 @@ assert(not plain.provenance and plain.source == "a\nthickness: assumed: 0.3 mm")
 local words = "the source has the line 'thickness: assumed: 0.3 mm', which is words alone"
 assert(tostring(plain:check()):find(words, 1, true), tostring(plain:check()))
 assert(not tostring(own:check()):find("which is words alone", 1, true), "a card that states its origins")
+
+-- Ranges of what is assumed are data: written, read, kept by card:with as long as the number is assumed, and what fabric.budget varies; words are words.
+do
+  local assumed = require "fabric.assumed"
+  local function range_of(card, name)
+    for _, input in ipairs(assumed.of(card)) do if input.name == name then return input[1], input[2], input.why end end
+  end
+  local guessed = fabric.card("denim"):with {
+    provenance = { ["warp.poisson"] = "assumed: 0.3 (0.25 to 0.35), says a friend", ["shear.loading"] = "assumed: by eye", bending = "measured", ["bending.twist"] = "assumed: a third" },
+    bending = { warp = 3e-5, weft = 2e-5, twist = 8e-6 }, ranges = { ["warp.poisson"] = { 0.22, 0.41 }, ["shear.loading"] = { 0.7, 1.6 }, ["bending.twist"] = { 0.3, 2.5 } } }
+  for _, card in ipairs { guessed, guessed:with { name = "renamed" } } do
+    fabric.expect {
+      { "lowest ratio", (range_of(card, "warp.poisson")), 0.22, absolute = 0 }, { "highest", select(2, range_of(card, "warp.poisson")), 0.41, absolute = 0 },
+      { "shear", select(2, range_of(card, "shear.loading")), 1.6, absolute = 0 }, { "twist", (range_of(card, "bending.twist")), 0.3, absolute = 0 },
+    }
+    assert(select(3, range_of(card, "shear.loading")) == "the card" and not range_of(card, "bending"))
+  end
+  local words = guessed:with { ranges = {} }
+  assert(range_of(guessed:with { shear = { loading = { 2e5 } } }, "shear.loading") == nil, "a number that was typed is not assumed")
+  assert(guessed:with { shear = { loading = { 2e5 } } }.ranges["shear.loading"] == nil)
+  assert(words.ranges["warp.poisson"][1] == 0.22, "an empty table changes nothing")
+  local plain = fabric.card("denim"):with { provenance = { ["warp.poisson"] = "assumed: 0.3 (0.25 to 0.35), says a friend" } }
+  assert(range_of(plain, "warp.poisson") == 0.1 and plain.ranges == nil, "words are not read")
+  local file = os.tmpname() .. ".lua"
+  guessed:write(file)
+  local back = fabric.card(file)
+  os.remove(file)
+  fabric.expect { { "read back", back.ranges["bending.twist"][2], 2.5, absolute = 0 }, { "and the shear", back.ranges["shear.loading"][1], 0.7, absolute = 0 } }
+  assert(tostring(guessed):find("says a friend; 0.22 to 0.41", 1, true) and tostring(guessed):find("by eye; 0.7 to 1.6 times", 1, true), tostring(guessed))
+  local fit = { loading = { 8e6, 8e8 }, unloading = 9e8, tested = 0.2 }
+  local ruled = fabric.lab.card { name = "a", density = 600, thickness = 4e-4, warp = fit, assume = true }
+  assert(ruled.ranges["weft.loading"][2] == 10 and ruled.ranges["shear.loading"][1] == 0.55)
+end

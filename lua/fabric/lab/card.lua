@@ -1,6 +1,7 @@
 -- fabric.lab.card: a card from fits, with confidence bands and the origin of each number.
 local fabric = require "fabric"
 local define = require "fabric.define"
+local filled = require "fabric.lab.filled"
 local origin = require "fabric.lab.origin"
 local fail = define.fail
 
@@ -103,7 +104,7 @@ local function yarns_from_shear(shear)
   local by_rule, stiff = rule.yarns.value * first, stress_at(shear.loading, shear.tested) / rule.inextensible
   if by_rule >= stiff then
     return by_rule, ("assumed: straight, %g times the initial modulus in shear (%s on the shipped cloths), since no pull was made along a yarn"):format(
-      rule.yarns.value, rule.yarns.range)
+      rule.yarns.value, rule.yarns.range), { 0.36, 1.8 } -- the range of the rule over its value
   end
   return stiff, ("assumed: straight, %.3g MPa, with which the yarns stretch by %g %% at the end of the bias test, whose evaluation takes them for inextensible, "
     .. "since no pull was made along a yarn"):format(stiff / 1e6, 100 * rule.inextensible)
@@ -154,7 +155,7 @@ local function check_part(fit, name)
 end
 
 -- The assumed part for a direction without a test; nil if there was one.
-local function missing_part(t, name, provenance)
+local function missing_part(t, name, provenance, ranges)
   if t[name] then return t[name] end
   local given = assumed(t, name .. ".loading", "there is no test of it")
   if given then
@@ -164,6 +165,7 @@ local function missing_part(t, name, provenance)
   local twin = other[name] and t[other[name]]
   if twin then
     provenance[name .. ".loading"] = "assumed: as the " .. other[name] .. "'s, since no test was made along it"
+    ranges[name .. ".loading"] = { filled.other_yarn[1], filled.other_yarn[2] }
     return { loading = twin.loading, tested = twin.tested, unloading = twin.unloading, loop = twin.loop }
   end
   if other[name] then
@@ -171,7 +173,7 @@ local function missing_part(t, name, provenance)
       fail(("card: field '%s': expected a result of fabric.lab.fit for one direction, or of shear, at least"):format(name))
     end
     local modulus
-    modulus, provenance[name .. ".loading"] = yarns_from_shear(t.shear)
+    modulus, provenance[name .. ".loading"], ranges[name .. ".loading"] = yarns_from_shear(t.shear)
     return { loading = { modulus } }
   end
   local sum, n = 0, 0
@@ -182,6 +184,7 @@ local function missing_part(t, name, provenance)
   end
   provenance["shear.loading"] = ("assumed: straight, %g of the yarns' initial modulus (%s on the shipped cloths), since no bias test was made"):format(
     rule.shear.value, rule.shear.range)
+  ranges["shear.loading"] = { 0.55, 3 } -- the range of the rule over its value
   return { loading = { rule.shear.value * sum / n } }
 end
 
@@ -249,12 +252,12 @@ end
 
 local function card(t)
   check_assume(t)
-  local provenance, made, bands, source, tested = {}, {}, {}, { t.source ~= "" and t.source or nil }, {}
+  local provenance, ranges, made, bands, source, tested = {}, {}, {}, {}, { t.source ~= "" and t.source or nil }, {}
   for _, name in ipairs(parts) do
     if t[name] then check_part(t[name], name) end
   end
   for _, name in ipairs(parts) do
-    local fit = missing_part(t, name, provenance)
+    local fit = missing_part(t, name, provenance, ranges)
     check_part(fit, name)
     provenance[name .. ".loading"] = provenance[name .. ".loading"] or origin.words(fit, "loading", name)
     local poisson = name ~= "shear" and poisson_of(t, name, provenance) or nil
@@ -276,7 +279,7 @@ local function card(t)
   return fabric.woven {
     name = t.name, source = table.concat(source, "; "), density = t.density, thickness = t.thickness,
     warp = made.warp, weft = made.weft, shear = made.shear, tested = tested,
-    bands = bands.level and bands or nil, bending = t.bending, viscous = viscous, provenance = provenance,
+    bands = bands.level and bands or nil, bending = t.bending, viscous = viscous, provenance = provenance, ranges = ranges,
   }
 end
 

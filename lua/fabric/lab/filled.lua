@@ -28,12 +28,12 @@ function filled.part(name, thickness)
   return { loading = scaled(part.loading, factor), unloading = part.unloading * factor, poisson = part.poisson, measure = part.measure }, worsted.tested[name]
 end
 
--- The words of card.provenance for a filled part, with the range that fabric.budget reads.
-local function words(what, range) return ("assumed: %s, factor (%g to %g): %s"):format(what, range[1], range[2], range.why) end
+-- The words of card.provenance for a filled part, and the range of card.ranges.
+local function words(what, range) return ("assumed: %s: %s"):format(what, range.why), { range[1], range[2] } end
 function filled.source(name) return words("force per width as of the card 'worsted'", name == "shear" and filled.shear or filled.pull) end
 function filled.source_as_other(other) return words("as the " .. other .. "'s", filled.other_yarn) end
 filled.unloading_source = "assumed: over the loading as of the card 'worsted', 2 times its steepest tangent"
-filled.poisson_source = "assumed: 0.4 (0.1 to 1), the rule of fabric.lab.card; KES measures none"
-filled.poisson = 0.4
+filled.poisson_source = "assumed: 0.4, the rule of fabric.lab.card; KES measures none"
+filled.poisson, filled.poisson_range = 0.4, { 0.1, 1 }
 
 return filled

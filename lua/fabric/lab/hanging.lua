@@ -19,19 +19,20 @@ local function of_cantilevers(B)
 end
 
 -- t: name, source, mass (kg/m^2); thickness (m) if measured; cantilevers (three rigidities, nN.m), or bending as in fabric.woven with
--- bending_origin, its origin.
+-- bending_origin, its origin, and twist_origin where the twist has another.
 return function(t)
   local bending, origin = t.bending, t.bending_origin
   if t.cantilevers then bending, origin = of_cantilevers(scaled(t.cantilevers, 1e-9)) end
   local thickness = t.thickness or t.mass / density
-  local provenance = { bending = origin, thickness = t.thickness and "measured" or "assumed: the measured areal mass over 400 kg/m3",
+  local provenance = { bending = origin, ["bending.twist"] = t.twist_origin, thickness = t.thickness and "measured" or "assumed: the measured areal mass over 400 kg/m3",
     density = t.thickness and "measured: areal mass over the thickness" or "assumed: 400 kg/m3" }
-  local parts, tested = {}, {}
+  local parts, tested, ranges = {}, {}, {}
   for _, name in ipairs { "warp", "weft", "shear" } do
     parts[name], tested[name] = filled.part(name, thickness)
     provenance[name .. ".loading"], provenance[name .. ".unloading"] = words, words
+    ranges[name .. ".loading"] = select(2, filled.source(name))
     if parts[name].poisson then provenance[name .. ".poisson"] = words end
   end
   return fabric.woven { name = t.name, source = t.source, density = t.mass / thickness, thickness = thickness, warp = parts.warp, weft = parts.weft,
-    shear = parts.shear, tested = tested, bending = bending, provenance = provenance }
+    shear = parts.shear, tested = tested, bending = bending, provenance = provenance, ranges = ranges }
 end

@@ -342,33 +342,37 @@ end
 -- --- what is not measured ---
 
 -- Of two yarns the one that was pulled stands for the other; without pulls both are as the library's.
-local function fill_yarn(fields, provenance, name, given, poisson)
+local function fill_yarn(fields, provenance, ranges, name, given, poisson)
   local other = name == "warp" and "weft" or "warp"
   if given[other] then
     fields[name], fields.tested[name] = { loading = fields[other].loading, unloading = fields[other].unloading }, fields.tested[other]
-    provenance[name .. ".loading"] = filled.source_as_other(other)
+    provenance[name .. ".loading"], ranges[name .. ".loading"] = filled.source_as_other(other)
     provenance[name .. ".unloading"] = "assumed: as the " .. other .. "'s"
   else
     fields[name], fields.tested[name] = filled.part(name, fields.thickness)
-    provenance[name .. ".loading"], provenance[name .. ".unloading"] = filled.source(name), filled.unloading_source
+    provenance[name .. ".loading"], ranges[name .. ".loading"] = filled.source(name)
+    provenance[name .. ".unloading"] = filled.unloading_source
   end
   fields[name].poisson = poisson
 end
 
 -- Adds the parts for which the sheet has no numbers, and says of each number where it comes from.
 local function fill(t, fields)
-  local provenance, missing = {}, {}
+  local provenance, ranges, missing = {}, {}, {}
   for _, name in ipairs { "warp", "weft" } do
     if not t[name] then
       missing[#missing + 1] = name
-      fill_yarn(fields, provenance, name, t, t.poisson and t.poisson[name] or filled.poisson)
+      fill_yarn(fields, provenance, ranges, name, t, t.poisson and t.poisson[name] or filled.poisson)
     end
-    if not t.poisson then provenance[name .. ".poisson"] = filled.poisson_source end
+    if not t.poisson then
+      provenance[name .. ".poisson"], ranges[name .. ".poisson"] = filled.poisson_source, filled.poisson_range
+    end
   end
   if not t.shear then
     missing[#missing + 1] = "shear"
     fields.shear, fields.tested.shear = filled.part("shear", fields.thickness)
-    provenance["shear.loading"], provenance["shear.unloading"] = filled.source "shear", filled.unloading_source
+    provenance["shear.loading"], ranges["shear.loading"] = filled.source "shear"
+    provenance["shear.unloading"] = filled.unloading_source
   end
   if #missing == 0 and t.poisson then return "" end
   for _, name in ipairs { "warp", "weft", "shear" } do
@@ -377,9 +381,10 @@ local function fill(t, fields)
   end
   if t.bending then
     local loops = t.bending.warp["2HB"] and t.bending.weft["2HB"]
-    provenance.bending = (loops and "measured: B, 2HB" or "measured: B") .. (t.bending.twist and "" or "; assumed: twist half of the mean")
+    provenance.bending = loops and "measured: B, 2HB" or "measured: B"
+    if not t.bending.twist then provenance["bending.twist"] = "assumed: half of the mean" end
   end
-  fields.provenance = provenance
+  fields.provenance, fields.ranges = provenance, ranges
   return #missing == 0 and "" or ("; %s assumed: not on the sheet"):format(table.concat(missing, ", "))
 end
 

@@ -38,7 +38,8 @@ local function card_of(cloth)
   local friction = { moment = cloth.HB / 2, curvature = 10 }
   local card = hanging { name = cloth.name, mass = cloth.mass, thickness = cloth.thickness, source = "[matsudaira2015], table 1",
     bending = { warp = cloth.B, weft = cloth.B, twist = twist * cloth.B, friction_warp = friction, friction_weft = friction },
-    bending_origin = "measured: B, 2HB, one number for both directions; assumed: twist a quarter of B, friction builds up over 10 1/m" }
+    bending_origin = "measured: B, 2HB, one number for both directions; friction builds up over 10 1/m",
+    twist_origin = "assumed: a quarter of B" }
   local shear, loading = card.shear, {}
   for i, v in ipairs(shear.loading) do loading[i] = sheared * v end
   return card:with { shear = { loading = loading, unloading = sheared * shear.unloading, measure = shear.measure } }

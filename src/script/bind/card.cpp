@@ -117,8 +117,10 @@ law::Provenance origins_after(const Card& before, const Card& after) {
     only.bending = card.bending;
     return card::lua_text(only);
   };
-  changed("bending", bending(before) == bending(after));
-  dropped("bending", before.bending.has_value(), after.bending.has_value());
+  for (const char* field : {"bending", "bending.twist"}) {
+    changed(field, bending(before) == bending(after));
+    dropped(field, before.bending.has_value(), after.bending.has_value());
+  }
   changed("density", before.density == after.density);
   changed("thickness", before.thickness == after.thickness);
   if (a == nullptr || b == nullptr) return out;
@@ -177,10 +179,18 @@ int with(Call& call) {
   call.push("changes");
   const bool states_origin = lua_getfield(L, -1, "provenance") != LUA_TNIL;
   lua_pop(L, 1);
+  const bool states_ranges = lua_getfield(L, -1, "ranges") != LUA_TNIL;
+  lua_pop(L, 1);
+  if (!states_ranges) {  // of what stays assumed they are kept
+    lua_pushnil(L);
+    lua_setfield(L, merged, "ranges");
+  }
   merge(L, merged, lua_gettop(L), card_rows(card::kind(*card)));
   lua_pop(L, 1);
   Card changed = read_card(L, merged, card::kind(*card));
   if (!states_origin) changed.provenance = origins_after(*card, changed);
+  if (!states_ranges) changed.ranges = card->ranges;
+  law::drop_ranges(changed);
   warn_old_friction(call, card->bending, changed.bending);
   return push_new_card(L, std::move(changed));
 }
@@ -211,7 +221,7 @@ std::vector<std::string> shipped() {
 // The card with its estimated bending, or with integration through the thickness on purpose.
 Card bent(Card card, const std::string& how) {
   auto& origins = card.provenance;
-  std::erase_if(origins, [](const auto& origin) { return origin.first == "bending"; });
+  std::erase_if(origins, [](const auto& origin) { return origin.first.starts_with("bending"); });
   if (how == "thickness") {
     if (card.bending) throw Error(card::at_field(card, "bending") + "it has a rigidity of its own");
     card.through_thickness = true;
@@ -221,6 +231,7 @@ Card bent(Card card, const std::string& how) {
     origins.emplace_back("bending", "assumed: estimated, " + card.estimate->source);
     std::sort(origins.begin(), origins.end());
   }
+  law::drop_ranges(card);
   return card;
 }
 

@@ -58,7 +58,7 @@ class Print {
     if (!card.source.empty()) lines_.at("source") = card.source;
     for (const auto& [field, words] : card.provenance) {
       std::string& line = lines_.at(field);  // after the field's own text
-      line += (line.empty() ? "" : "; ") + words;
+      line += (line.empty() ? "" : "; ") + words + law::range_text(card, field);
     }
   }
 

@@ -225,6 +225,34 @@ law::Provenance read_provenance(const Fields& f) {
   return out;
 }
 
+card::Ranges read_ranges(const Fields& f, const Card& card) {
+  card::Ranges out;
+  lua_State* L = f.L();
+  f.push("ranges");
+  for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) {
+    const auto& known = law::provenance_fields();
+    const std::string name = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : describe(L, -2);
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      f.refuse("ranges", unknown("field", name, known));
+    std::array<double, 2> range{std::nan(""), std::nan("")};
+    for (int i = 0; lua_type(L, -1) == LUA_TTABLE && i < 2; ++i) {
+      if (lua_rawgeti(L, -1, i + 1) == LUA_TNUMBER) range[static_cast<std::size_t>(i)] = lua_tonumber(L, -1);
+      lua_pop(L, 1);
+    }
+    if (!(range[0] >= 0) || !(range[1] > range[0]) || !std::isfinite(range[1]))
+      f.refuse("ranges", "expected {lowest, highest} from 0 on, ascending, for '" + name + "', got " +
+                             (std::isnan(range[0]) || std::isnan(range[1])
+                                  ? describe(L, -1)
+                                  : "{" + exact_number(range[0]) + ", " + exact_number(range[1]) + "}"));
+    if (!law::is_assumed(card, name))
+      f.refuse("ranges", "expected fields whose provenance begins with assumed, got '" + name + "'");
+    out.emplace_back(name, range);
+  }
+  lua_pop(L, 1);
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
 // The rows of a card's fields, and its origins.
 std::vector<Argument> rows_of(const std::string& kind) {
   std::vector<Argument> rows = arguments_of(card::fields(kind));
@@ -237,6 +265,13 @@ std::vector<Argument> rows_of(const std::string& kind) {
           "where values come from: {['warp.loading']='fitted to 4 specimens', ['shear.unloading']='assumed: "
           "...'}; words begin with fitted, measured, copied, typed or assumed")
           .optional());
+  const auto origins =
+      std::find_if(rows.begin(), rows.end(), [](const Argument& row) { return row.name == "provenance"; });
+  rows.insert(origins + 1,
+              value_("ranges", table,
+                     "where assumed numbers may lie, for fabric.budget: {['warp.poisson']={0.1, 0.6}, "
+                     "['warp.loading']={0.5, 2}}; Poisson's ratios as they are, others as factors")
+                  .optional());
   return rows;
 }
 
@@ -254,6 +289,7 @@ Card card_from(const Fields& fields, const std::string& kind) {
   read_fields(fields, card::fields(kind), "", card);
   if (const auto found = card::clash(card)) fields.refuse(found->field, found->words);
   if (fields.has("provenance")) card.provenance = read_provenance(fields);
+  if (fields.has("ranges")) card.ranges = read_ranges(fields, card);
   if (kind == "woven" && fields.has("bands")) check_bands(fields, card);
   if (const auto* svk = std::get_if<card::Svk>(&card.law)) check_svk(fields, *svk);
   return card;

@@ -96,6 +96,28 @@ void set_origins(lua_State* L, const Card& card) {
   lua_newtable(L);
   for (const auto& [field, words] : provenance) set_text(L, field.c_str(), words);
   lua_setfield(L, -2, "provenance");
+  if (card.ranges.empty()) return;
+  lua_newtable(L);
+  for (const auto& [field, range] : card.ranges) {
+    lua_createtable(L, 2, 0);
+    for (int i = 0; i < 2; ++i) {
+      lua_pushnumber(L, range[static_cast<std::size_t>(i)]);
+      lua_rawseti(L, -2, i + 1);
+    }
+    lua_setfield(L, -2, field.c_str());
+  }
+  lua_setfield(L, -2, "ranges");
+}
+
+// Makes the tables in the one on top of the stack metatables.
+void show_tables_in(lua_State* L, const char* name) {
+  luaL_checkstack(L, 12, "card");
+  for (lua_pushnil(L); lua_next(L, -2) != 0;) {
+    if (lua_istable(L, -1)) make_metatable(L, name);
+    lua_pushvalue(L, -2);
+    lua_insert(L, -2);
+    lua_rawset(L, -4);
+  }
 }
 
 // Pushes the hidden table of the card at 1: its fields, and marks for fields that are known but not set.
@@ -103,12 +125,15 @@ void push_card(lua_State* L, const Card& card) {
   const FieldTable& table = card::fields(card);
   push_shown(L, table, card, "");
   set_origins(L, card);
-  if (lua_getfield(L, -1, "provenance") == LUA_TTABLE) {
-    make_metatable(L, "provenance");
-    lua_pushvalue(L, -1);
-    lua_setfield(L, -3, "provenance");
+  for (const char* name : {"provenance", "ranges"}) {
+    if (lua_getfield(L, -1, name) == LUA_TTABLE) {
+      show_tables_in(L, name);
+      make_metatable(L, name);
+      lua_pushvalue(L, -1);
+      lua_setfield(L, -3, name);
+    }
+    lua_pop(L, 1);
   }
-  lua_pop(L, 1);
   const auto mark = [L](const char* name) {
     if (lua_getfield(L, -1, name) == LUA_TNIL) {
       push_absent(L);
@@ -117,6 +142,7 @@ void push_card(lua_State* L, const Card& card) {
     lua_pop(L, 1);
   };
   mark("provenance");
+  mark("ranges");
   for (const Field& field : table) mark(field.name.c_str());
   // The metatables by name, needed when a part is forgotten.
   lua_newtable(L);

@@ -150,6 +150,16 @@ for _, kind in ipairs { "woven", "svk", "linear" } do
 end
 wrong("card:with", "card:with{ provenance={ ['warp.loadign']='typed' } }",
   "deck.lua:1: with: field 'provenance': unknown field 'warp.loadign', did you mean 'warp.loading'?")
+for _, kind in ipairs { "woven", "svk", "linear" } do
+  wrong("fabric." .. kind, "fabric." .. kind .. "{ density=500, thickness=4e-4, ranges=3 }", "deck.lua:1: " .. kind .. ": field 'ranges': expected a table, got 3")
+end
+wrong("card:with", "card:with{ ranges={ ['warp.poison']={0, 1} } }", "deck.lua:1: with: field 'ranges': unknown field 'warp.poison', did you mean 'warp.poisson'?")
+wrong("card:with", "card:with{ provenance={ ['warp.poisson']='assumed: 0.3' }, ranges={ ['warp.poisson']={0.4, 0.1} } }",
+  "deck.lua:1: with: field 'ranges': expected {lowest, highest} from 0 on, ascending, for 'warp.poisson', got {0.4, 0.1}")
+wrong("card:with", "card:with{ provenance={ ['warp.poisson']='assumed: 0.3' }, ranges={ ['warp.poisson']='0.1 to 0.4' } }",
+  "deck.lua:1: with: field 'ranges': expected {lowest, highest} from 0 on, ascending, for 'warp.poisson', got '0.1 to 0.4'")
+wrong("card:with", "card:with{ ranges={ ['warp.poisson']={0.1, 0.4} } }",
+  "deck.lua:1: with: field 'ranges': expected fields whose provenance begins with assumed, got 'warp.poisson'")
 wrong("card:with", "card:with{ provenance={ ['warp.loading']='guessed' } }",
   "deck.lua:1: with: field 'provenance': expected words that begin with fitted, measured, copied, typed or assumed for 'warp.loading', got 'guessed'")
 wrong("fabric.woven", "fabric.woven{ density=500, thickness=0.01, through_thickness='yes' }",
