@@ -153,6 +153,14 @@ class AbaqusReader {
         source_.fail("*" + word.name +
                      " makes or moves nodes or elements, which is not read: expected *NODE and *ELEMENT with "
                      "all of them");
+    if (!is_frame(word.name)) mesh_.pass_over("*" + word.name, place_);
+  }
+
+  // Statements that hold others together, or words for the reader.
+  static bool is_frame(const std::string& word) {
+    constexpr const char* frames[] = {"HEADING", "PREPRINT", "PART", "ASSEMBLY", "INSTANCE"};
+    return word.starts_with("END") ||
+           std::any_of(std::begin(frames), std::end(frames), [&](const char* f) { return word == f; });
   }
 
   // Blanks do not count in a keyword: *ENDSTEP ends a step.

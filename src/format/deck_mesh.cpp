@@ -98,6 +98,17 @@ void DeckMesh::add_sets() {
   }
 }
 
+void DeckMesh::pass_over(const std::string& statement, std::size_t place) {
+  const auto known = std::find_if(passed_over_.begin(), passed_over_.end(),
+                                  [&](const auto& p) { return p.statement == statement; });
+  if (known != passed_over_.end()) {
+    ++known->count;
+    return;
+  }
+  const auto before = source_.bytes(0, place);
+  passed_over_.push_back({statement, std::count(before.begin(), before.end(), '\n') + 1, 1});
+}
+
 mesh::Mesh DeckMesh::finish() {
   for (const auto& [number, place] : order_) {
     const DeckElement& e = elements_.at(number);
@@ -111,7 +122,9 @@ mesh::Mesh DeckMesh::finish() {
   }
   for (const Members& members : members_) collect(members);
   add_sets();
-  return builder_.finish();
+  mesh::Mesh mesh = builder_.finish();
+  mesh.passed_over = std::move(passed_over_);
+  return mesh;
 }
 
 std::string upper(std::string_view text) {

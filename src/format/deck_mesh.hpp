@@ -44,6 +44,9 @@ class DeckMesh {
   void add(Members members) { members_.push_back(std::move(members)); }
   void add(const std::string& set, Of of, std::size_t place, std::int64_t number);
 
+  // A statement of the deck, at `place`, that has nothing of a mesh.
+  void pass_over(const std::string& statement, std::size_t place);
+
   mesh::Mesh finish();
 
  private:
@@ -68,6 +71,7 @@ class DeckMesh {
   std::vector<std::pair<std::int64_t, std::size_t>> order_;  // numbers of elements, and where they are
   std::unordered_map<std::int64_t, DeckElement> elements_;
   std::vector<Members> members_;
+  std::vector<mesh::Mesh::PassedOver> passed_over_;
   std::map<std::string, Set> node_sets_, element_sets_;
 };
 

@@ -92,6 +92,7 @@ class DynaReader {
       open_set(word, Of::elements, word.substr(9));
     } else {
       refuse(word);
+      if (word != "TITLE" && word != "END") mesh_.pass_over("*" + word, place_);
     }
   }
 

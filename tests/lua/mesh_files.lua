@@ -71,3 +71,33 @@ if has then
 else
   print "SKIPPED: meshio is not installed (apt install python3-meshio), so that it does not read our .msh"
 end
+
+-- What a deck holds beside its mesh is data of the mesh, by statement, with the first line and how often.
+do
+  local stem = os.tmpname()
+  local function read(ending, text)
+    local name = stem .. ending
+    local file <close> = assert(io.open(name, "w"))
+    file:write(text)
+    file:close()
+    local read = fabric.mesh.read(name)
+    os.remove(name)
+    return read
+  end
+  local function listed(mesh)
+    local all = {}
+    for _, p in ipairs(mesh:check().passed_over) do all[#all + 1] = ("%s %d %d"):format(p.statement, p.line, p.count) end
+    return table.concat(all, ", ")
+  end
+  local inp = "*HEADING\na patch\n*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n3, 1, 1, 0\n4, 0, 1, 0\n*ELEMENT, TYPE=S4\n1, 1, 2, 3, 4\n*MATERIAL, NAME=A\n*ELASTIC\n1, 0.3\n"
+    .. "*Material, name=B\n*STEP\n*STATIC\n*CLOAD\n1, 1, 2\n*END STEP\n"
+  local k = "*KEYWORD\n*TITLE\na patch\n*NODE\n1,0,0,0\n2,1,0,0\n3,1,1,0\n*ELEMENT_SHELL\n1,1,1,2,3,3\n*MAT_FABRIC\n1,7\n*CONTROL_TERMINATION\n1\n*MAT_FABRIC\n2,7\n*END\n"
+  assert(listed(read(".inp", inp)) == "*MATERIAL 10 2, *ELASTIC 11 1, *STEP 14 1, *STATIC 15 1, *CLOAD 16 1", listed(read(".inp", inp)))
+  assert(listed(read(".k", k)) == "*MAT_FABRIC 10 2, *CONTROL_TERMINATION 12 1", listed(read(".k", k)))
+  local own = fabric.mesh.disk { radius = 0.1, cells = 2 }
+  for _, ending in ipairs { ".inp", ".k", ".msh" } do
+    own:write(stem .. ending)
+    assert(listed(fabric.mesh.read(stem .. ending)) == "", "a mesh of one's own has nothing else")
+    os.remove(stem .. ending)
+  end
+end

@@ -114,6 +114,18 @@ void set_outlook(lua_State* L, const model::Outlook& o) {
   lua_setfield(L, -2, "folds");
 }
 
+// Pushes { {statement=, line=, count=}, ... }.
+void push_passed_over(lua_State* L, const std::vector<Mesh::PassedOver>& all) {
+  lua_newtable(L);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    lua_newtable(L);
+    set_text(L, "statement", all[i].statement);
+    set_number(L, "line", static_cast<double>(all[i].line));
+    set_number(L, "count", static_cast<double>(all[i].count));
+    lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
+  }
+}
+
 int check_file(Call& call) {
   lua_State* L = call.L();
   const mesh::Report report = mesh::check(*call.self<Mesh>());
@@ -135,6 +147,8 @@ int check_file(Call& call) {
     lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
   }
   lua_setfield(L, -2, "items");
+  push_passed_over(L, call.self<Mesh>()->passed_over);
+  lua_setfield(L, -2, "passed_over");
   set_text_of(L, "fabricsh.mesh_check", report_text);
   return 1;
 }
@@ -276,12 +290,25 @@ Entry orient_row() {
       orient};
 }
 
+// "*MATERIAL (3), *STEP": the first of them.
+std::string list_of(const std::vector<Mesh::PassedOver>& all) {
+  constexpr std::size_t most = 12;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(all.size(), most); ++i)
+    text += (i > 0 ? ", " : "") + all[i].statement +
+            (all[i].count > 1 ? " (" + std::to_string(all[i].count) + ")" : "");
+  return all.size() > most ? text + " and " + std::to_string(all.size() - most) + " more" : text;
+}
+
 }  // namespace
 
 Mesh read_mesh_file(const Call& call, const std::string& path) {
   format::Remarks remarks;
   Mesh mesh = format::read_mesh(path, &remarks);
   for (const std::string& remark : remarks) call.session().warn("mesh", remark);
+  if (!mesh.passed_over.empty())
+    call.session().notices().remark(path + ": only its mesh is read, not " + list_of(mesh.passed_over) +
+                                    "; mesh:check().passed_over lists them with their lines");
   return mesh;
 }
 
