@@ -336,6 +336,13 @@ std::vector<Table> tables_with_either_sign(const Source& source, TableForm form,
   return read_as(source, readings[0], asked, bad);
 }
 
+bool is_doubtful(const std::vector<Table>& tables) {
+  return std::any_of(tables.begin(), tables.end(), [](const Table& table) {
+    return std::any_of(table.columns.begin(), table.columns.end(),
+                       [](const TableColumn& column) { return !column.doubt.empty(); });
+  });
+}
+
 std::vector<Table> tables_in(const std::string& name, std::string_view bytes, TableForm form) {
   const Source source(name, bytes);
   if ((form.thousands == '.' || form.thousands == ',') && form.decimal == 0)
@@ -359,6 +366,12 @@ std::vector<Table> tables_in(const std::string& name, std::string_view bytes, Ta
       tables = std::move(comma);
       bad = other;
     }
+  }
+  // or those of single columns, as 5.512,5 below 1.120 and 2.250
+  if (bad > 0 && is_open(form) && tables[0].form.separator != ',') {
+    std::size_t other = 0;
+    auto either = tables_with_either_sign(source, form, other);
+    if (!either.empty() && other == 0 && !is_doubtful(either)) tables = std::move(either);
   }
   return tables;
 }

@@ -44,6 +44,12 @@ local function code(result, want)
 end
 
 -- --- signs between thousands and of decimals ---
+-- the decimal sign that a row below the first ones shows: integers, or points between thousands, before it
+close(read("Weg [mm];Kraft [N]\n0;0\n1;110\n2;230\n3;370\n4;490\n5;505,75\n").force[6], 505.75)
+close(read("Weg [mm];Kraft [N]\n0;0\n1;1.110\n2;2.230\n3;3.370\n4;4.490\n5;5.505,75\n").force[6], 5505.75)
+close(read("Weg [mm];Kraft [N]\n0;0\n1;1.110\n2;2.230\n3;3.370\n4;4.490\n5;5.505,75\n").force[3], 2230)
+close(read("Extension [mm]\tLoad [N]\n0\t0\n1\t1,110\n2\t2,230\n3\t3,370\n4\t4,490\n5\t5,505.75\n").force[4], 3370)
+fails(":7: column 'Kraft': expected a finite number, got '5x5'", read, "Weg [mm];Kraft [N]\n0;0\n1;1.110\n2;2.230\n3;3.370\n4;4.490\n5;5x5\n")
 -- decimal commas in one column, points between thousands in the other, where 0 or 640 stands without any
 local r = read "Weg [mm]\tKraft [cN]\n0,0\t0\n1,5\t640\n3,0\t1.310\n4,5\t12.020\n"
 close(r.force[3], 13.10)
