@@ -163,16 +163,17 @@ local function band(curve, first, last, middle)
 end
 
 local apart = 0.25 -- of the energy of breaking: joints that have opened with so much less or more spent are no steady tear
-local idle = 0.05  -- of the work: more in motion and damping is said
+local idle = 0.01  -- of the work: more in motion and damping is said
 
 local function doubt(balance, energy)
   if math.abs(balance.fracture / energy - 1) > apart then
     fabric.warn(("tear: breaking took %.3g J per metre of tear where the card has %.3g J/m: joints opened whose yarns still hold, and what came out is no steady tear; "
       .. "try other elements, or a smaller speed"):format(balance.fracture, energy))
   end
-  local share = (balance.damping + balance.kinetic) / balance.work
-  if share > idle then
-    fabric.warn(("tear: motion and damping take %.2g of the work, expected at most %g: the mean force holds as much; give a smaller speed, or less damping"):format(share, idle))
+  local damping, motion = balance.damping / balance.work, balance.kinetic / balance.work
+  if damping + motion > idle then
+    fabric.warn(("tear: damping takes %.2g %% and motion %.2g %% of the work, expected at most %g %% together: the mean force is as much above that of the tear, and `expected` "
+      .. "has it; legs that carry compression snap at the tip, which less damping does not cure: joints then open that would hold"):format(100 * damping, 100 * motion, 100 * idle))
   end
 end
 
