@@ -2,6 +2,7 @@
 -- warns: nine measured cloths in ten have 1 to 70 uN.m
 -- warns: no tested strain is stated
 -- warns: relaxation has taken
+-- warns: what its cloth carries without folding
 -- warns: the steps are long: in two halves they end
 local write = arg[1]
 arg[0] = arg[0]:gsub("long/drape_", "lab/drape_")
