@@ -392,7 +392,11 @@ void Dynamic::check() {
   const EnergyAccount e = energy();
   weigh_inertia(e.kinetic, e.scaled);
   watch_flat(e);
-  if (end) watch_guard(e);
+  if (end) {
+    watch_guard(e);
+    watch_pressed(e);
+    watch_inertia();
+  }
   const double scale = ledger_scale(e);
   const bool swings = options_.hht.value_or(0) != 0 || options_.beta || options_.spectral_radius ||
                       now_.damping == Damping::hht;
@@ -461,6 +465,16 @@ void Dynamic::weigh_inertia(double kinetic, double scaled) {
        "dynamic: " + number(100 * scaled / now_.kinetic) +
            " % of the kinetic energy is in rotary inertia that is scaled up for the step, at time " +
            number(time()) + " s: inertia=\"true\" takes the thickness' own, with smaller steps");
+}
+
+// What is too little to be said at once, but shows in the answer.
+void Dynamic::watch_inertia() {
+  constexpr double shows = 0.01;
+  if (!now_.reported_scaled && now_.scaled > shows)
+    warn("inertia",
+         "dynamic: up to " + number(100 * now_.scaled, 2) +
+             " % of the kinetic energy was in rotary inertia that is scaled up for the step, and motions are "
+             "slower by half as much: inertia=\"true\" takes the thickness' own, with smaller steps");
 }
 
 std::shared_ptr<Dynamic> make_dynamic(std::shared_ptr<model::Model> model, const DynamicOptions& options,

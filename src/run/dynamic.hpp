@@ -126,8 +126,9 @@ class Dynamic : public Run {
     double kinetic = 0, scaled = 0;  // J, the largest so far; its part in scaled rotary inertia
     mesh::Index began = -1;          // element in which energy was created at the first warning
     std::int64_t touched = -1;       // committed steps when a moved body first touched; -1: not yet
-    int short_steps = 0;             // steps that contact has made much shorter
-    int flat_looks = 0;              // how often it was asked whether a flat sheet is stable
+    double forgiven = 0;  // the ledger's error over its scale when steps were shortened for a turning
+    int short_steps = 0;  // steps that contact has made much shorter
+    int flat_looks = 0;   // how often it was asked whether a flat sheet is stable
     void keep_reported(const DynamicState& then) {
       reported_error |= then.reported_error, reported_split |= then.reported_split;
       reported_jump |= then.reported_jump, reported_scaled |= then.reported_scaled;
@@ -136,13 +137,14 @@ class Dynamic : public Run {
     void keep(Archive& archive) {
       archive(step, loss, driven_kinetic_at_0, next_check, steps, looked, reported_error, reported_split,
               reported_jump, reported_scaled, was_over, damping, settling, settles, surplus, base, kinetic,
-              scaled, began, touched, short_steps, flat_looks);
+              scaled, began, touched, forgiven, short_steps, flat_looks);
     }
   } now_;
 
  private:
   mesh::Index suspect() const;
   void watch_flat(const EnergyAccount& energies);
+  void watch_inertia();
   void weigh_inertia(double kinetic, double scaled);  // records the part of scaled rotary inertia, J
   bool is_end(double time) const;
   double next_look(double after) const;  // s, when the ledger is looked at next

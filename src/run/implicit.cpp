@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "base/error.hpp"
 #include "base/number.hpp"
+#include "geometry/node_view.hpp"
 #include "mechanics/terms/contact.hpp"
 
 namespace fabricsh::run {
@@ -29,6 +31,11 @@ constexpr double kTooMuch = 0.2;  // share of the ledger's limit from which on h
 // times.
 constexpr double kErrorOfStep = 0.1;
 constexpr int kMostHalvings = 3;
+// Strong damping takes energy of a turning, too, in each turn four times pi squared over the steps in it.
+// Where the cloth turns by more than this in a step, 400 steps a turn, shorter steps go first; then by
+// halves, down to a part of it.
+constexpr double kTurn = 2 * std::numbers::pi / 400, kFurther = 4;
+constexpr double kTurning = 0.9;  // of the kinetic energy about the centre of mass
 // Yarns of a cloth at rest switch between branches within any step. A residual that still is within so many
 // tolerances when the iterations are over is of such, and shorter steps would not change it.
 constexpr double kStanding = 100;
@@ -241,9 +248,51 @@ const mechanics::NodalRates& Implicit::rates() const { return newmark_.velocitie
 // that no step resolves, until they carry more than the motion [hughes1978].
 std::string Implicit::begin_to_damp(double error) {
   if (!chooses_scheme() || now_.damping == Damping::strong) return {};
-  if (now_.damping == Damping::hht && error <= kTooMuch * options_.ledger_limit) return {};
+  if (now_.damping == Damping::hht) {
+    if (error - now_.forgiven <= kTooMuch * options_.ledger_limit) return {};
+    if (std::string text = shorten_for_turning(); !text.empty()) {
+      now_.forgiven = error;
+      return text;
+    }
+  }
   damp(now_.damping == Damping::none ? Damping::hht : Damping::strong);
   return damping_text();
+}
+
+double Implicit::turn_per_step() const {
+  const auto x = std::as_const(*assembly_).state().x();
+  const auto& v = newmark_.velocities().x;
+  const auto& mass = inertia_->mass();
+  double whole = 0, kinetic = 0;
+  Vec3 centre = Vec3::Zero(), momentum = Vec3::Zero(), angular = Vec3::Zero();
+  for (std::size_t n = 0; n < mass.size(); ++n) {
+    whole += mass[n];
+    centre += mass[n] * at(x, n);
+    momentum += mass[n] * at(v, n);
+  }
+  if (!(whole > 0)) return 0;
+  centre /= whole;
+  Eigen::Matrix3d about = Eigen::Matrix3d::Zero();
+  for (std::size_t n = 0; n < mass.size(); ++n) {
+    const Vec3 r = at(x, n) - centre, u = at(v, n) - momentum / whole;
+    angular += mass[n] * r.cross(u);
+    about += mass[n] * (r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose());
+    kinetic += mass[n] * u.squaredNorm() / 2;
+  }
+  const Vec3 rate = about.ldlt().solve(angular);
+  if (!rate.allFinite() || !(rate.dot(angular) / 2 > kTurning * kinetic)) return 0;
+  return rate.norm() * control_.current();
+}
+
+std::string Implicit::shorten_for_turning() {
+  const double turn = turn_per_step(), step = control_.current();
+  if (!(turn > 1.01 * kTurn / kFurther)) return {};
+  control_.limit(step * std::min(kTurn / turn, 0.5));
+  if (!(control_.current() < step)) return {};
+  now_.step = control_.current();
+  return "from here on steps are at most " + number(control_.largest()) + " s, since the cloth turns by " +
+         number(turn * 180 / std::numbers::pi, 2) + " degrees in one of " + number(step) +
+         " s and damping would take energy of the turning; ";
 }
 
 void Implicit::damp(Damping damping) {
@@ -275,8 +324,15 @@ bool Implicit::takes_back() {
   if (which == Try::first) {
     const bool may_damp = chooses_scheme() && now_.damping != Damping::strong;
     if (!(made > options_.ledger_limit && may_damp)) return shortens(made, kMostHalvings);
+    return_to_start(Try::first);
+    if (const std::string text = shorten_for_turning(); !text.empty()) {
+      warn("ledger", "dynamic: a step after time " + number(committed_time()) + " s would have made " +
+                         number(100 * made) + " % of the energy there: " + text +
+                         "repeat with a smaller step to see whether the step is the cause");
+      return true;
+    }
     repeatable_.made = made;
-    return_to_start(Try::damped);
+    repeatable_.which = Try::damped;
     damp(Damping::strong);
     return true;
   }
@@ -301,9 +357,15 @@ bool Implicit::loss_falls() {
 // Returns whether the step that gave it back is repeated.
 bool Implicit::leave_hht(bool repeat) {
   if (repeat) return_to_start(Repeatable::Try::first);
-  damp(Damping::strong);
-  warn("ledger", "dynamic: at time " + number(committed_time()) + " s the loss of the scheme falls: " +
-                     damping_text() + "repeat with a smaller step to see whether the step is the cause");
+  std::string text = shorten_for_turning();
+  if (text.empty()) {
+    damp(Damping::strong);
+    text = damping_text();
+  } else {
+    now_.base = now_.loss;
+  }
+  warn("ledger", "dynamic: at time " + number(committed_time()) + " s the loss of the scheme falls: " + text +
+                     "repeat with a smaller step to see whether the step is the cause");
   return repeat;
 }
 

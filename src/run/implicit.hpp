@@ -44,6 +44,8 @@ class Implicit final : public Dynamic {
   }
   std::string begin_to_damp(double error) override;
   void damp(Damping damping);
+  double turn_per_step() const;       // rad, of a motion that is a turning for the most part, else 0
+  std::string shorten_for_turning();  // empty: the motion turns little in a step
   std::string damping_text() const;
   bool takes_back() override;
   bool tries_again(bool failed) override;

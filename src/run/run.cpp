@@ -340,6 +340,21 @@ void Run::watch_guard(const EnergyAccount& e) {
            "elements");
 }
 
+// The potential energy at equilibrium changes with the logarithm of a stiffness by the energy that it stores.
+void Run::watch_pressed(const EnergyAccount& e) {
+  constexpr double shows = 0.01;
+  const auto* const contact = std::as_const(*assembly_).terms().find<mechanics::Contacts>();
+  if (contact == nullptr || !contact->assumes_stiffness() || !(e.contact > shows * e.stored) ||
+      warned("pressed"))
+    return;
+  warn(
+      "pressed",
+      std::string(kind()) + ": at time " + number(time()) + " s contact has " +
+          number(100 * e.contact / e.stored, 3) +
+          " % of the stored energy, and its stiffness was assumed: forces and ways of what is pressed depend "
+          "on it as much; give stiffness=, or the card compression=, as measured");
+}
+
 void Run::watch_shape() {
   watch_folds();
   if (!moves()) watch_compression();

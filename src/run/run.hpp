@@ -237,6 +237,8 @@ class Run {
   void watch_accounts(const EnergyAccount& energies, double scale, double of_scheme = 0);
   // Reports once, at the end of a run, that the guard of the directors stores more than 1 % of the energy.
   void watch_guard(const EnergyAccount& energies);
+  // Likewise that contact does, whose stiffness was assumed.
+  void watch_pressed(const EnergyAccount& energies);
   // Reports once an element that is turned inside out in the committed state, and a fold that the mesh is too
   // coarse for.
   void watch_shape();

@@ -714,6 +714,7 @@ void Static::check() {
   if (end) {
     watch_path();
     watch_guard(energy());
+    watch_pressed(energy());
   }
   if (end && work_.largest() == 0 && energy().internal() == 0 && loads_nothing(*model_, *assembly_) &&
       !warned("idle"))

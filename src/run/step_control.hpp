@@ -2,6 +2,7 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/archive.hpp"
 
@@ -30,9 +31,14 @@ class StepControl {
         current_(largest),
         iterations_(iterations) {}
 
-  void keep(Archive& archive) { archive(current_); }
+  void keep(Archive& archive) { archive(current_, cap_); }
   double current() const { return current_; }
-  double largest() const { return largest_; }
+  double largest() const { return std::min(largest_, cap_); }
+  // From here on steps are at most so long, s; none that a cut could not make.
+  void limit(double longest) {
+    cap_ = std::max(longest, smallest_);
+    current_ = std::min(current_, cap_);
+  }
   void set(double step) { current_ = step; }
   double end(double now, double landing) const { return end_of_step(now, landing, current_); }
   // To be called when a step of that size has failed. False: half of it would be too small.
@@ -51,11 +57,11 @@ class StepControl {
       current_ = std::max({0.5 * current_, std::min(current_, smallest_),
                            current_ * std::sqrt(iterations_.wanted / n), std::min(current_, held_)});
     else if (!was_cut)
-      current_ = std::min(largest_, current_ * std::clamp(2 * iterations_.wanted / n, 1.0, 2.0));
+      current_ = std::min(largest(), current_ * std::clamp(2 * iterations_.wanted / n, 1.0, 2.0));
   }
 
  private:
-  double largest_, smallest_, current_, held_ = 0;
+  double largest_, smallest_, current_, held_ = 0, cap_ = std::numeric_limits<double>::infinity();
   StepIterations iterations_;
 };
 

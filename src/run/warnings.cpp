@@ -23,6 +23,7 @@ constexpr WarningKind kinds[] = {
     {"step", "the explicit step is near the stable one, or is split because stretch has shortened that"},
     {"inertia", "much of the kinetic energy is in rotary inertia that is scaled up for the step"},
     {"guard", "contact is pressed so far that a barrier keeps the surfaces apart"},
+    {"pressed", "contact of an assumed stiffness has a noticeable part of the stored energy"},
     {"fold", "cloth turns sharply between two elements where contact presses on it"},
     {"seam", "edges that are sewn had not met when their time was over"},
     {"held",

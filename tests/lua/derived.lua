@@ -64,6 +64,34 @@ fabric.expect { { "radius, mm", radius, 1e3 * aspect * per / 1.3, relative = 1e-
 assert(not said((tape { nx = 30, ny = 6 }), "splay") and not said((tape { nx = 30, ny = 1, triangles = true }), "splay"))
 assert(not said((tape { nx = 30, ny = 1, warp = 90 }), "splay"), "long along the fibres")
 
+-- A sheet pressed on a plane stores all its energy in contact, whose stiffness somebody has to give; where cloth hangs over a body, hardly any.
+local function pressed(o)
+  local card = fabric.card("denim", { bending = "estimated" })
+  if o.compression then card = card:with { compression = { { 1.2 * card.thickness, 50 }, { card.thickness, 600 }, { 0.8 * card.thickness, 15000 } } } end
+  local mesh = fabric.mesh.rectangle { width = 50 * mm, height = 40 * mm, nx = 3, ny = 2, origin = { 0, 0, 0.48 * card.thickness }, triangles = o.triangles }
+  local m = fabric.model { mesh = mesh, card = card, warp = 0 }
+  m:fix("all", "x y"):contact { between = { fabric.rigid.plane { point = { 0, 0, 0 }, normal = { 0, 0, 1 } }, "all" }, stiffness = o.stiffness }
+  m:pressure(fabric.ramp(-1500, 1))
+  local a = o.scheme and fabric.dynamic { model = m, duration = 1, scheme = "implicit", step = 0.1 } or fabric.static { model = m, duration = 1, step = 0.25 }
+  return a:solve(), mesh
+end
+for _, triangles in ipairs { false, true } do
+  local a = pressed { triangles = triangles }
+  local e, share = a.energy, said(a, "pressed")
+  assert(share and share:find(("contact has %.3g %% of the stored energy"):format(100 * e.contact / e.stored), 1, true), share)
+  assert(said(pressed { triangles = triangles, scheme = "implicit" }, "pressed"))
+  assert(not said(pressed { triangles = triangles, stiffness = 2e8 }, "pressed") and not said(pressed { triangles = triangles, compression = true }, "pressed"))
+end
+do
+  local card = fabric.card("muslin", { bending = "estimated" })
+  local mesh = fabric.mesh.rectangle { width = 160 * mm, height = 60 * mm, nx = 12, ny = 4, origin = { -80 * mm, -30 * mm, 0 } }
+  local m = fabric.model { mesh = mesh, card = card, warp = 0 }
+  local rod = fabric.rigid.cylinder { radius = 20 * mm, from = { 0, -50 * mm, -20.2 * mm }, to = { 0, 50 * mm, -20.2 * mm } }
+  m:gravity { 0, 0, fabric.ramp(-9.81, 0.05) }:contact { between = { rod, "all" }, friction = 0.4 }
+  local a = fabric.dynamic { model = m, duration = 0.2, damping = { mass = 30 } }:solve()
+  assert(a.energy.contact > 0 and a.energy.contact < 0.01 * a.energy.stored and not said(a, "pressed"))
+end
+
 -- What turns freely, and nothing turns, is no obstacle: the rim of a blown disc is free in its plane, and the disc about its axis.
 local disc = fabric.mesh.disk { radius = 90 * mm, cells = 6 }
 local film = fabric.svk { young = 60e6, poisson = 0.3, density = 900, thickness = 0.1 * mm, bending = { warp = 2e-6, weft = 2e-6, twist = 1e-6 } }

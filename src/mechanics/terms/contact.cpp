@@ -321,6 +321,11 @@ std::vector<std::string> Contacts::describe() const {
   return lines;
 }
 
+bool Contacts::assumes_stiffness() const {
+  return std::any_of(meetings_.begin(), meetings_.end(),
+                     [](const Meeting& m) { return !m.bodies && !m.given && m.data.curve.empty(); });
+}
+
 // Limits every stiffness that was not given to what an explicit step of the cloth carries. Contact then does
 // not shorten an explicit step, and in implicit motion it does not oscillate faster than the mesh.
 void Contacts::soften(bool measured) {

@@ -105,6 +105,8 @@ class Contacts final : public Term, public StepLimiter, public OwnUnknowns, publ
     bool given;  // the stiffness of that contact, which is then not that of smaller elements
   };
   Stopped speed_stopped() const;
+  // Whether the stiffness of a contact that cloth takes part in was neither given nor measured.
+  bool assumes_stiffness() const;
   double fastest_body() const { return bodies_.fastest_free(); }  // m/s, of the free ones
   bool blocked() const { return blocked_; }  // the state of the last forces is impossible
 
