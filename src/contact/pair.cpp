@@ -47,6 +47,10 @@ struct Slid {
   Vec3 trial;  // m, elastic slip of a spring that never gives way
   double damping = 0, damping_slope = 0;  // Pa, by which an approach is resisted; Pa/m, by the opening
   double spring = 0, most = 0;            // N/m; N, mu times the normal force
+  double mu = 0;                          // in the direction of the trial slip
+  Vec3 mu_by_trial = Vec3::Zero();        // 1/m, its derivative
+  // N/m, of the film for the step's sliding, and its derivative by the gap, N/m2.
+  double drag = 0, drag_slope = 0;
   double holds = 0;      // N, what sticks holds: of static friction, unless it slides already
   bool goes_on = false;  // slides, and in this step on in the same direction
   bool sticks() const { return spring * trial.norm() <= holds; }
@@ -65,6 +69,30 @@ void damp(const ContactLaw& law, const Pair& pair, const PressedPlace& at, const
   out.damping = out.damping_slope * opened;
 }
 
+// mu of an ellipse whose half axes are along and across the warp.
+void direct(const Touch& touch, const Slip& slip, Slid& out) {
+  out.mu = slip.friction;
+  const Vec3 along = slip.along - touch.normal.dot(slip.along) * touch.normal;
+  const double length = out.trial.norm(), yarn = along.norm();
+  if (slip.across < 0 || !(yarn > 0) || !(length > 0)) return;
+  const Vec3 unit = along / yarn, towards = out.trial / length;
+  const double c = unit.dot(towards), a = 1 / (slip.friction * slip.friction),
+               b = 1 / (slip.across * slip.across);
+  out.mu = 1 / std::sqrt(c * c * a + (1 - c * c) * b);
+  out.mu_by_trial = -out.mu * out.mu * out.mu * c * (a - b) / length * (unit - c * towards);
+}
+
+// A film wets the surfaces over the first thousandth of the way from gap to floor, without a kink.
+void wet(const ContactLaw& law, const Pair& pair, const PressedPlace& at, const Slip& slip, Slid& out) {
+  if (slip.viscous == 0 || slip.dt == 0) return;
+  constexpr double of_range = 1e-3;
+  const double way = of_range * (law.gap() - law.floor()) * pair.scale,
+               depth = (law.gap() * pair.scale - at.place.touch.distance + pair.offset) / way,
+               d = std::min(depth, 1.0), whole = slip.viscous * at.count / slip.dt;
+  out.drag = whole * d * d * (3 - 2 * d);
+  out.drag_slope = -whole * 6 * d * (1 - d) / way;
+}
+
 Slid slide(const ContactLaw& law, const Pair& pair, const PressedPlace& at, const Slip& slip) {
   const Touch& touch = at.place.touch;
   Slid out;
@@ -74,11 +102,13 @@ Slid slide(const ContactLaw& law, const Pair& pair, const PressedPlace& at, cons
   out.slid = out.moved - touch.normal.dot(out.moved) * touch.normal;
   out.trial = out.slid + slip.held - touch.normal.dot(slip.held) * touch.normal;
   damp(law, pair, at, slip, out);
+  direct(touch, slip, out);
+  wet(law, pair, at, slip, out);
   out.spring = slip.stiffness * std::fabs(at.count);
   const double normal = std::fabs(at.count) * (at.answer.pressure + out.damping);
-  out.most = slip.friction * normal;
+  out.most = out.mu * normal;
   out.goes_on = slip.slides && out.slid.dot(slip.held) > 0;
-  out.holds = out.goes_on ? out.most : std::max(slip.sticking, slip.friction) * normal;
+  out.holds = out.goes_on ? out.most : std::max(slip.across < 0 ? slip.sticking : 0, out.mu) * normal;
   return out;
 }
 
@@ -106,7 +136,7 @@ class Friction {
   void add(const PressedPlace& at) {
     const Slid s = slide(law_, pair_, at, slip_);
     damp(at, s);
-    if (slip_.friction > 0 || slip_.sticking > 0) rub(at, s);
+    if (slip_.sticking > 0 || slip_.viscous > 0) rub(at, s);
     first_ = false;
   }
 
@@ -114,10 +144,13 @@ class Friction {
   void rub(const PressedPlace& at, const Slid& s) {
     const Touch& touch = at.place.touch;
     const double times = at.count / pair_.area;
-    Vec3 pull = s.spring * s.trial + resistance(touch, slip_, times, force_.resists) * s.slid;
+    Vec3 pull = Vec3::Zero();
+    if (slip_.sticking > 0)
+      pull = s.spring * s.trial + resistance(touch, slip_, times, force_.resists) * s.slid;
     const double size = pull.norm(), kept = s.kept();
     if (size > s.bound()) pull *= s.bound() / size;
     if (at.count < 0) pull = -pull;
+    pull += s.drag * s.slid;
     for (std::size_t i = 0; i < 4; ++i) force_.on[i] -= touch.weight[i] * pull;
     force_.torque += s.lever.cross(pull);
     force_.pull += pull;
@@ -125,6 +158,7 @@ class Friction {
     const double before = slip_.step == 0 ? 0 : 0.5;
     force_.work += (1 - before) * pull.dot(s.slid);
     if (first_) force_.work += before * slip_.pull.dot(s.slid);
+    if (slip_.sticking == 0) return;
     const double weight = pair_.kind == PairKind::wrap ? s.bound() : first_ ? 1 : 0;
     share_ += weight;
     force_.slides = force_.slides || (weight > 0 && (s.goes_on || !s.sticks()));
@@ -252,7 +286,7 @@ struct Place3 {
 };
 
 Place3 sliding_by_corner(const Touch& touch, const Corners& x, const Slip& slip, const Slid& s, double radius,
-                         const Slides& slide, std::size_t j) {
+                         const Slides& slide, const Vec3& held, std::size_t j) {
   const Mat3 one = Mat3::Identity();
   Mat3 r = touch.weight[j] * one, du = touch.weight[j] * one;
   Place3 out;
@@ -267,7 +301,7 @@ Place3 sliding_by_corner(const Touch& touch, const Corners& x, const Slip& slip,
   const Mat3 dn = across * r / touch.distance;
   out.lever = radius * dn;
   du -= cross_matrix(slip.turn) * out.lever;
-  const Vec3 trial = s.moved + slip.held;
+  const Vec3 trial = s.moved + held;
   out.sliding = across * du - n.dot(trial) * dn - n * (trial.transpose() * dn);
   out.opened = du.transpose() * n + dn.transpose() * s.moved;
   return out;
@@ -287,7 +321,7 @@ FrictionTangent friction_tangent(const ContactLaw& law, const Pair& pair, const 
     std::array<Place3, 4> by;
     Vector12 opened, press;  // derivatives of the opening, and of the normal force by all corners
     for (std::size_t j = 0; j < 4; ++j) {
-      by[j] = sliding_by_corner(touch, x, slip, s, pair.offset, slide, j);
+      by[j] = sliding_by_corner(touch, x, slip, s, pair.offset, slide, slip.held, j);
       opened.segment<3>(3 * int(j)) = by[j].opened;
     }
     press = at.count * s.damping_slope * opened;
@@ -295,7 +329,8 @@ FrictionTangent friction_tangent(const ContactLaw& law, const Pair& pair, const 
     if (s.damping != 0)
       out.jacobian +=
           distance_gradient(touch) * press.transpose() + at.count * s.damping * distance_hessian(x, touch);
-    if (slip.friction == 0 && slip.sticking == 0) return;
+    const bool rubs = slip.sticking > 0;
+    if (!rubs && slip.viscous == 0) return;
     press -= at.count * at.answer.stiffness * distance_gradient(touch);
     if (modulated) press += share * at.answer.pressure * m->gradient;
 
@@ -303,21 +338,28 @@ FrictionTangent friction_tangent(const ContactLaw& law, const Pair& pair, const 
     // unit vector.
     const bool sticks = s.sticks();
     const double length = s.trial.norm();
-    const double force = at.count * (sticks ? slip.stiffness : slip.friction * pressure);  // N/m or N
+    const double force = rubs ? at.count * (sticks ? slip.stiffness : s.mu * pressure) : 0;  // N/m or N
     Vector12 grows = Vector12::Zero();
-    if (!sticks) grows = slip.friction * press;
-    if (sticks && modulated) grows = share * slip.stiffness * m->gradient;
+    if (rubs && !sticks) grows = s.mu * press;
+    if (rubs && sticks && modulated) grows = share * slip.stiffness * m->gradient;
     const Vec3 direction = sticks ? s.trial : Vec3(s.trial / length);
     Mat3 turn = force * Mat3::Identity();
-    if (!sticks) turn = force / length * (Mat3::Identity() - direction * direction.transpose());
-    const Vec3 pull = force * direction;
+    if (!sticks)
+      turn = force / length * (Mat3::Identity() - direction * direction.transpose()) +
+             (rubs ? at.count * pressure : 0) * direction * s.mu_by_trial.transpose();
+    const Vec3 pull = force * direction + s.drag * s.slid;
+    Vector12 thickens = s.drag_slope * distance_gradient(touch);  // the derivative of the film's drag
+    if (modulated) thickens += s.drag / at.count * share * m->gradient;
     // The lever is along the normal, so lever x turn has no part along it.
-    const Mat3 levers = cross_matrix(s.lever), pull_by_turn = turn * levers;
+    const Mat3 levers = cross_matrix(s.lever), pull_by_turn = (turn + s.drag * Mat3::Identity()) * levers;
     for (int i = 0; i < 4; ++i)
       out.by_turn.block<3, 3>(3 * i, 0) -= touch.weight[std::size_t(i)] * pull_by_turn;
     out.torque_by_turn += levers * pull_by_turn;
     for (std::size_t j = 0; j < 4; ++j) {
-      const Mat3 dpull = turn * by[j].sliding + direction * grows.segment<3>(3 * int(j)).transpose();
+      Mat3 dpull = turn * by[j].sliding + direction * grows.segment<3>(3 * int(j)).transpose();
+      if (slip.viscous > 0)
+        dpull += s.drag * sliding_by_corner(touch, x, slip, s, pair.offset, slide, Vec3::Zero(), j).sliding +
+                 s.slid * thickens.segment<3>(3 * int(j)).transpose();
       out.torque_by_x.block<3, 3>(0, 3 * int(j)) += levers * dpull - cross_matrix(pull) * by[j].lever;
       for (std::size_t i = 0; i < 4; ++i) {
         Mat3 block = touch.weight[i] * dpull;

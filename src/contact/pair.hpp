@@ -55,6 +55,13 @@ struct Slip {
   double damped = 0;         // N, of the damping of approach at the beginning of the step
   double sticking = 0;       // the static coefficient; below mu: the same as mu
   bool slides = false;       // at the beginning of the step
+  // Friction by direction: mu holds along `along`, the warp of the cloth at the pair, and `across` across it;
+  // between them they are half axes of an ellipse. Below 0: mu holds in all directions.
+  double across = -1;
+  Vec3 along = Vec3::Zero();  // of any length, zero: unknown, then mu is that of the warp
+  // Pa s/m, of a film between the surfaces: its viscosity over its thickness. It resists sliding with this
+  // times the speed where they touch, beside Coulomb's friction.
+  double viscous = 0;
   // Explicit steps: a resistance of 0.2 m / dt to the sliding velocity below the bound of Coulomb, with the
   // effective mass m of the pair at the place and as often as the place counts, damps the vibration of what
   // sticks. It cannot reverse the sliding.

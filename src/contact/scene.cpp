@@ -405,4 +405,20 @@ void Scene::meet(int first, int second, const ContactLaw& law, double friction, 
   interactions_.push_back(std::move(it));
 }
 
+Vec3 Scene::warp_at(const Interaction& it, const std::array<std::int32_t, 4>& points,
+                    std::span<const Vec3> x) const {
+  const auto& own = surfaces_[std::size_t(it.first)].points;
+  for (const std::int32_t p : points) {
+    if (p < 0 || !std::binary_search(own.begin(), own.end(), p)) continue;
+    for (const std::int32_t t : triangles_at_point(p)) {
+      const auto& corner = triangles_[std::size_t(t)].nodes;
+      const auto& [a, b] = it.warp[std::size_t(t)];
+      const Vec3& from = x[std::size_t(corner[0])];
+      if (triangles_[std::size_t(t)].surface == it.first)
+        return a * (x[std::size_t(corner[1])] - from) + b * (x[std::size_t(corner[2])] - from);
+    }
+  }
+  return Vec3::Zero();
+}
+
 }  // namespace fabricsh::contact

@@ -67,7 +67,14 @@ struct Interaction {
   double sticking = 0;  // static friction, at least `friction`, which is that of what slides
   double loss = 0;      // sqrt(kg)/m: 2 zeta sqrt(areal mass), where zeta is the share of critical damping
   bool rigid = false;   // neither is cloth
-  bool rubs() const { return sticking > 0 || loss > 0; }
+  double viscous = 0;   // Pa s/m: viscosity of a film between them over its thickness
+  // Friction across the warp of the first surface, a cloth; `friction` is then that along it. Below 0: it is
+  // the same in all directions.
+  double across = -1;
+  // The warp of each triangle of the scene as a sum of its first two sides, those from its first corner: it
+  // follows them. Empty without friction by direction.
+  std::vector<std::array<double, 2>> warp = {};
+  bool rubs() const { return sticking > 0 || loss > 0 || viscous > 0; }
   // Opening of overlaps at the start: for each point the share, 0 to 1, of the law's lengths with which it
   // begins; two edges begin with the smallest share of their ends. Empty: nothing is opened.
   std::vector<double> opening = {};
@@ -97,6 +104,16 @@ class Scene {
             std::optional<double> sticking = {});
   // Whether rigid shapes meet each other: a ball anything but cloth, a rod a ball or a wall.
   static bool can_meet(Shape first, Shape second);
+
+  // A film between two surfaces that meet, Pa s/m; and friction across the warp of the first.
+  void set_film(std::size_t interaction, double viscous) { interactions_[interaction].viscous = viscous; }
+  void set_across(std::size_t interaction, double across, std::vector<std::array<double, 2>> warp) {
+    interactions_[interaction].across = across;
+    interactions_[interaction].warp = std::move(warp);
+  }
+  // The direction of the warp at a pair: that of the first triangle at the pair's first point on the cloth.
+  Vec3 warp_at(const Interaction& it, const std::array<std::int32_t, 4>& points,
+               std::span<const Vec3> x) const;
 
   // Another law of the same gap and floor.
   void replace_law(std::size_t interaction, const ContactLaw& law) { interactions_[interaction].law = law; }

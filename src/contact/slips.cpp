@@ -102,6 +102,11 @@ Slip Contact::slip_of(std::size_t i, std::span<const Vec3> x, const Way& way) {
   const Interaction& it = scene_->interactions()[std::size_t(c.interaction)];
   Slip slip{it.friction, tangential * it.law.stiffest()};
   slip.sticking = it.sticking;
+  slip.viscous = it.viscous;
+  if (it.across >= 0) {
+    slip.across = it.across;
+    slip.along = scene_->warp_at(it, c.point, x);
+  }
   slip.turn = of_body(c, way.turn);
   for (std::size_t k = 0; k < 4; ++k)
     if (const auto p = c.point[k]; p >= 0) slip.moved[k] = x[std::size_t(p)] - way.start[std::size_t(p)];

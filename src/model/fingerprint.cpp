@@ -227,6 +227,8 @@ std::string contact_name(const Interactions& all, const ContactGiven& contact) {
 std::string contact_text(const ContactGiven& c) {
   std::string text = "friction " + number(c.friction);
   if (c.sticking) text += ", static " + number(*c.sticking);
+  if (c.across) text += " along the warp, " + number(*c.across) + " across";
+  if (c.viscosity) text += ", film of " + number(*c.viscosity) + " Pa s, " + number(*c.film) + " m";
   if (c.thickness) text += ", thickness " + number(*c.thickness) + " m";
   if (c.stiffness) text += ", stiffness " + number(*c.stiffness) + " Pa/m";
   if (c.restitution != ContactGiven::usual_restitution) text += ", restitution " + number(c.restitution);
@@ -238,6 +240,8 @@ void add_contact(PartCollector& part, const ContactGiven& c, const Surfaces& sur
   part.add(place, c.friction, c.thickness.value_or(0), c.stiffness.value_or(0), c.settle.value_or(0),
            c.restitution);
   if (c.sticking) part.add(*c.sticking);
+  if (c.across) part.add(*c.across);
+  if (c.viscosity) part.add(*c.viscosity, *c.film);
   for (const SurfacePair& m : surfaces.meetings) {
     if (m.contact != place) continue;
     part.add(m.first, m.second);

@@ -74,6 +74,10 @@ void check_bodies(const ContactGiven& contact) {
             "contact: field 'friction': expected 0 between " + words + ", got " + number(contact.friction) +
             ": bodies meet each other without friction (give cloth that touches them a contact of its "
             "own)");
+      if (contact.across || contact.viscosity)
+        throw Error("contact: field '" + std::string(contact.across ? "friction" : "film") + "': " + words +
+                    " meet each other without friction and without a film (give cloth that touches them a "
+                    "contact of its own)");
       if (contact.settle)
         throw Error("contact: field 'settle': " + words + ": expected bodies that begin apart");
     }
@@ -101,6 +105,12 @@ void Interactions::add(ContactGiven contact, const mesh::Mesh& mesh) {
   if (contact.sticking && !(*contact.sticking >= contact.friction && std::isfinite(*contact.sticking)))
     throw Error("contact: field 'friction.static': expected at least the kinetic friction of " +
                 number(contact.friction) + ", got " + number(*contact.sticking));
+  check_positive("friction.weft", contact.across, "number");
+  if (contact.across) check_positive("friction.warp", contact.friction, "number");
+  check_positive("film.viscosity", contact.viscosity, "number in Pa s");
+  check_positive("film.thickness", contact.film, "length in m");
+  if (contact.viscosity.has_value() != contact.film.has_value())
+    throw Error("contact: field 'film': expected a viscosity and a thickness");
   if (!(contact.restitution >= 0.4 && contact.restitution <= 1))
     throw Error("contact: field 'restitution': expected a number from 0.4 to 1, got " +
                 number(contact.restitution));

@@ -29,6 +29,11 @@ struct ContactGiven {
   std::optional<double> settle = {};  // s, time in which an overlap at the start is opened; default: refused
   // Static friction, at least `friction`, which is that of what slides; default: the same.
   std::optional<double> sticking = {};
+  // Friction across the warp of the cloth that comes first in the model; `friction` is then that along it.
+  std::optional<double> across = {};
+  // A film between the surfaces, which resists sliding with viscosity times speed over thickness.
+  std::optional<double> viscosity = {}, film = {};                         // Pa s, m
+  double film_drag() const { return viscosity ? *viscosity / *film : 0; }  // Pa s/m
 };
 
 using Displacement = std::array<std::optional<history::History>, 3>;

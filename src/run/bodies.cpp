@@ -9,7 +9,7 @@ BodyState body_state(const Run& run, const model::Rigid& body) {
   const std::size_t i = run.body_number(body);
   const auto& bodies = run.contact().bodies();
   const auto state = bodies.state(i);
-  return {state.place, state.velocity, state.spin, -bodies.force(i)};
+  return {state.place, state.velocity, state.spin, -bodies.force(i), bodies.held(i)};
 }
 
 mechanics::Contacts::OnSkin on_skin(const Run& run, const model::Rigid& body) {

@@ -18,6 +18,7 @@ struct BodyShown {
 struct BodyState {
   Vec3 place, velocity, spin;  // of its centre, m, m/s; rad/s
   Vec3 force;                  // N, of the body on the cloth
+  Vec3 support;                // N, of m:fix on the body
 };
 // Error: the model has no contact, or the body is not part of it.
 BodyState body_state(const Run& run, const model::Rigid& body);

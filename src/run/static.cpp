@@ -165,6 +165,12 @@ bool Static::takes_unsymmetric() const { return !takes_symmetric(options_, *asse
 void Static::check_bodies() const {
   const mechanics::Contacts* contact = assembly_->terms().find<mechanics::Contacts>();
   if (contact == nullptr) return;
+  for (const auto& given : model().interactions().contacts())
+    if (given.viscosity)
+      throw Error(
+          "static: contact: field 'film': nothing slides with a speed in a static run, so that a film would "
+          "do "
+          "nothing: expected none, or fabric.dynamic");
   if (contact->bodies().any_free() &&
       (options_.control == Control::arc || options_.stabilise > 0 || options_.method == Method::relaxation))
     throw Error(

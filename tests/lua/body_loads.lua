@@ -92,6 +92,20 @@ do
   near("work of the force", a.energy.external, 20 ^ 2 / 4000 / 2, 1e-9)
   near("stored", a.energy.stored, 20 ^ 2 / 4000 / 2, 1e-9)
 end
+
+-- A support holds what else acts on the body in its directions: a force, a spring, gravity.
+for _, steps in ipairs { "explicit", "implicit", "static" } do
+  local body = disc(steps ~= "static" and 0.2 or nil, 0.5)
+  local m = far_from(body):force(body, { x = 7, y = fabric.ramp(-3, 0.004), z = fabric.ramp(-2, 0.004) }):fix(body, "x y rotation"):spring(body, { x = 500, z = 800 }, { to = { 0.51, 0, 0.5 } })
+  if steps ~= "static" then m:gravity { 9, 0, 0 } end
+  local a = steps == "static" and fabric.static { model = m, duration = 0.004, step = 0.001 }
+      or fabric.dynamic { model = m, duration = 0.004, scheme = steps, step = steps == "implicit" and 1e-4 or nil }
+  a:solve()
+  local x, y, z = a:reaction(body, { support = true })
+  local far = 500 * (0.51 - a:body(body))
+  near("held along x, " .. steps, x, -7 - far - (steps ~= "static" and 0.2 * 9 or 0), 1e-9)
+  assert(math.abs(y - 3 * math.min(1, a.time / 0.004)) < 1e-9 and z == 0, y .. " " .. z)
+end
 local function pressed(nx, triangles)
   local mesh = fabric.mesh.rectangle { width = 0.04, height = 0.04, nx = nx, ny = nx, triangles = triangles, origin = { -0.02, -0.02, 0 } }
   mesh:map(function(x, y) return x, y, 0.199e-3 end)

@@ -95,6 +95,7 @@ class Bodies {
   // External work on cloth and bodies in the step: that of driven bodies, and that of gravity on free ones.
   StepWork step_work() const;
   Vec3 force(std::size_t i) const;  // N, of the cloth on body i
+  Vec3 held(std::size_t i) const;   // N, with which m:fix holds body i: zero in the directions left free
   struct BodyKinematics {
     Vec3 place, velocity, spin;  // of its centre, m, m/s; rad/s
   };

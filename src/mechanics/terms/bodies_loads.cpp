@@ -140,6 +140,25 @@ void Bodies::apply_loads() {
   }
 }
 
+// The balance of all other forces on the body, which does not move where it is held.
+Vec3 Bodies::held(std::size_t i) const {
+  const model::BodySupport support = model_.interactions().held(*bodies_[i].given);
+  Vec3 others = force(i) + bodies_[i].given->mass().value_or(0) * gravity(now());
+  for (const Load& load : loads_)
+    if (load.body == i && !load.given->moment) others += total(load, now());
+  for (const Spring& spring : springs_) {
+    const bool far = spring.to == static_cast<int>(i);
+    if (spring.body != i && !far) continue;
+    const Vec3 pull = spring.damper ? (loaded_ ? spring.trial_force : spring.force)
+                                    : Vec3(spring.stiffness.cwiseProduct(stretch(spring, loaded_)));
+    others += far ? Vec3(-pull) : pull;
+  }
+  Vec3 out = Vec3::Zero();
+  for (int c = 0; c < 3; ++c)
+    if (support.moves[static_cast<std::size_t>(c)]) out[c] = -others[c];
+  return out;
+}
+
 // J, in the step. In implicit steps a damper's force is that of the whole step.
 double Bodies::lost_in(const Spring& spring) const {
   const Vec3 way = stretch(spring, true) - stretch(spring, false);
@@ -242,12 +261,17 @@ void Bodies::add_response(Eigen::MatrixXd& response) const {
   for (std::size_t f = 0; f < free_.size(); ++f) {
     const Free& free = free_[f];
     const Matrix6 moved = compliance(f);
-    const double force = std::max({kLeastForce, free.load.force.norm(), free.trial.force.norm()}) / reach_;
+    const double load = free.load.force.cwiseProduct(free.moves).norm();
+    const double force = std::max({kLeastForce, load, free.trial.force.norm()}) / reach_;
+    Vec3 springs = Vec3::Zero();  // a direction that they hold needs nothing else
+    for (const Spring& spring : springs_)
+      if (!spring.damper && bodies_[spring.body].free == static_cast<int>(f)) springs += spring.stiffness;
     for (int i = 0; i < 6; ++i) {
       const bool turns = i > 2;
       if ((turns ? free.turns[i - 3] : free.moves[i]) == 0) continue;
+      const bool sprung = !turns && springs[i] > 0;
       double& on = response(6 * static_cast<Eigen::Index>(f) + i, 6 * static_cast<Eigen::Index>(f) + i);
-      const double least = force * (turns ? free.size * free.size : 1) * moved(i, i);
+      const double least = sprung ? 0 : force * (turns ? free.size * free.size : 1) * moved(i, i);
       on = 1 + std::min(on, -least);
     }
   }

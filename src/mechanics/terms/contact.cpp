@@ -193,9 +193,11 @@ Contacts::Contacts(const model::Model& model, const Configuration& configuration
     const double loss = 2 * damping_of(given.restitution) * std::sqrt(moving_mass(m));
     scene_.meet(m.first, m.second, contact::ContactLaw(meetings_.back().data), given.friction, loss,
                 given.sticking);
-    friction_ = friction_ || given.friction > 0 || given.sticking.value_or(0) > 0;
+    scene_.set_film(meetings_.size() - 1, given.film_drag());
+    friction_ = friction_ || given.friction > 0 || given.sticking.value_or(0) > 0 || given.viscosity;
     rubs_ = rubs_ || friction_ || loss > 0;
   }
+  find_warps();
   sew_scene();
   moves_ = bodies_.any_free() || bodies_.any_driven();
   open_overlaps();
@@ -311,7 +313,9 @@ std::vector<std::string> Contacts::describe() const {
     lines.push_back(m.names + ": from a gap of " + number(it.law.gap()) + " m, floor " +
                     number(it.law.floor()) + " m, " + stiffness_words(m, it.law) + ", friction " +
                     number(it.friction) +
-                    (it.sticking > it.friction ? ", static " + number(it.sticking) : ""));
+                    (it.sticking > it.friction ? ", static " + number(it.sticking) : "") +
+                    (it.across < 0 ? "" : " along the warp, " + number(it.across) + " across") +
+                    (it.viscous > 0 ? ", film of " + number(it.viscous) + " Pa s/m" : ""));
     if (m.near > 0)
       lines.back() += "; " + std::to_string(m.near) + (m.near == 1 ? " point is" : " points are") +
                       " nearer than that at the start, the nearest by " + number(it.law.gap() - m.nearest) +
@@ -342,6 +346,7 @@ void Contacts::soften(bool measured) {
 void Contacts::go_explicit() {
   explicit_ = true;
   soften(true);
+  refuse_films();
   begin_pressed();
 }
 

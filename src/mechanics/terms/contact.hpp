@@ -182,6 +182,8 @@ class Contacts final : public Term, public StepLimiter, public OwnUnknowns, publ
   void find_masses();
   contact::Triangle corners_of(const contact::TriangleRow& row) const;
   std::vector<double> crack_faces() const;
+  void find_warps();
+  void refuse_films() const;
   void sew_scene();
   std::vector<double> parted_lips() const;
   void set_apart(std::vector<double> apart);

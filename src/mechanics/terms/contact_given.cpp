@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "base/error.hpp"
+#include "base/number.hpp"
 #include "contact/intersect.hpp"
 #include "geometry/node_view.hpp"
 #include "mechanics/terms/contact.hpp"
@@ -28,6 +29,43 @@ void Contacts::refuse_inside() const {
                       (it.rigid ? "it" : "the cloth") +
                       " outside of it (a hollow body has neither closed=true nor a mass)");
     }
+  }
+}
+
+// Friction by direction needs the warp of each triangle as a sum of its sides, which it follows.
+void Contacts::find_warps() {
+  const auto& all = model_.interactions().contacts();
+  if (std::none_of(all.begin(), all.end(), [](const auto& given) { return given.across.has_value(); }))
+    return;
+  std::vector<std::array<double, 2>> warp(scene_.triangles().size(), {0, 0});
+  for (std::size_t t = 0; t < warp.size(); ++t) {
+    const contact::TriangleRow& row = scene_.triangles()[t];
+    if (row.surface >= static_cast<int>(sheets_.size())) continue;
+    const auto corner = [&](std::size_t k) { return at(configuration_.x(), row.nodes[k]); };
+    const auto e = static_cast<std::size_t>(row.element);
+    const Index element = surfaces_.elements[static_cast<std::size_t>(row.surface)][e];
+    Eigen::Matrix<double, 3, 2> sides;
+    sides << corner(1) - corner(0), corner(2) - corner(0);
+    const Eigen::Vector2d by =
+        (sides.transpose() * sides).inverse() * sides.transpose() * cloth_.yarns(element).first;
+    warp[t] = {by[0], by[1]};
+  }
+  for (std::size_t i = 0; i < meetings_.size(); ++i)
+    if (const auto& across = all[surfaces_.meetings[i].contact].across) scene_.set_across(i, *across, warp);
+}
+
+// A film that an explicit step does not carry would have to be thinned, and would then not be what was given.
+void Contacts::refuse_films() const {
+  constexpr double carried = 0.1;  // of areal mass over step: facets and both faces of a ply add up to more
+  const double most = carried * least_areal_ / step_;
+  for (std::size_t i = 0; i < meetings_.size(); ++i) {
+    const double drag = scene_.interactions()[i].viscous;
+    if (drag > most)
+      throw Error(
+          "contact: field 'film': " + meetings_[i].names + ": explicit steps of " + number(step_) +
+          " s carry a viscosity over thickness of at most " + number(most) + " Pa s/m, got " + number(drag) +
+          ": a run that is faster than the process by a factor needs a viscosity that is smaller by it "
+          "(or scheme=\"implicit\")");
   }
 }
 

@@ -225,6 +225,16 @@ int mean_reaction(Call& call, const model::Rigid* body) {
 int reaction(Call& call) {
   const auto& run = *call.self<DeckRun>()->analysis;
   const auto body = call.object<const model::Rigid>("set");
+  if (call.has("options") && call.fields("options").flag("support")) {
+    if (body == nullptr)
+      call.refuse("options.support",
+                  "expected a rigid body, which m:fix holds, got the set '" + call.text("set") + "'");
+    if (call.fields("options").has("window"))
+      call.refuse("options.support", "expected without window: means are those of forces on the cloth");
+    const Vec3 r = run::body_state(run, *body).support;
+    for (int i = 0; i < 3; ++i) lua_pushnumber(call.L(), r[i]);
+    return 3;
+  }
   if (call.has("options") && call.fields("options").has("window")) return mean_reaction(call, body.get());
   const Vec3 r = body ? run::body_state(run, *body).force : run.reaction(call.text("set"));
   for (int i = 0; i < 3; ++i) lua_pushnumber(call.L(), r[i]);
@@ -545,8 +555,11 @@ std::vector<Entry> reading() {
             {number_("window", "s", positive,
                      "the mean over the last seconds, straight between the ends of the run's steps; to be "
                      "asked for once before the first step")
-                 .optional()},
-            "window = seconds for a mean")
+                 .optional(),
+             value_("support", boolean,
+                    "of a body: the force on it of m:fix, in the directions that are held")
+                 .or_else(false)},
+            "window = seconds for a mean, or support = true")
             .optional()},
        "Force that the supports, or a rigid body, exert on the cloth, summed over the set: three numbers x, "
        "y, z in N, global; "

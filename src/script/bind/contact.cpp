@@ -127,16 +127,31 @@ void read_friction(const Call& call, model::ContactGiven& given) {
     return;
   }
   const Fields both = call.fields("friction");
-  given.friction = both.number("kinetic");
-  given.sticking = both.number("static");
+  const auto two = [&](const char* first, const char* second) {
+    if (both.has(first) != both.has(second))
+      call.refuse("friction", std::string("expected ") + first + " and " + second + ", got only " +
+                                  (both.has(first) ? first : second));
+    return both.has(first);
+  };
+  const bool by_speed = two("static", "kinetic"), by_direction = two("warp", "weft");
+  if (by_speed == by_direction)
+    call.refuse("friction", std::string("expected either static and kinetic or warp and weft, got ") +
+                                (by_speed ? "both" : "neither"));
+  given.friction = both.number(by_speed ? "kinetic" : "warp");
+  (by_speed ? given.sticking : given.across) = both.number(by_speed ? "static" : "weft");
   lua_pop(call.L(), 1);
 }
 
 Argument friction_row() {
-  Argument row = fields_("friction",
-                         {number_("static", "", not_negative, "of what sticks, at least the kinetic one"),
-                          number_("kinetic", "", not_negative, "of what slides")},
-                         "friction coefficient, or that of what sticks and that of what slides");
+  Argument row = fields_(
+      "friction",
+      {number_("static", "", not_negative, "of what sticks, at least the kinetic one").optional(),
+       number_("kinetic", "", not_negative, "of what slides").optional(),
+       number_("warp", "", positive, "of sliding along the warp of the cloth that comes first in the model")
+           .optional(),
+       number_("weft", "", positive, "of sliding across it").optional()},
+      "friction coefficient; or {static, kinetic}, of what sticks and of what slides; or {warp, "
+      "weft}, by direction");
   row.kinds |= number;
   row.range = not_negative;
   return row.or_else(0.0);
@@ -162,6 +177,12 @@ int contact(Call& call) {
     if (count < 2) call.refuse("between", "expected two sides or more, got " + std::to_string(count));
   }
   read_friction(call, given);
+  if (call.has("film")) {
+    const Fields film = call.fields("film");
+    given.viscosity = film.number("viscosity");
+    given.film = film.number("thickness");
+    lua_pop(call.L(), 1);
+  }
   if (call.has("thickness")) given.thickness = call.number("thickness");
   if (call.has("stiffness")) given.stiffness = call.number("stiffness");
   given.restitution = call.number("restitution");
@@ -308,6 +329,12 @@ std::vector<Entry> contact_model_rows() {
        {value_("between", table, "{ body or set, ... }: every two of them touch (\"all\": the whole cloth)")
             .optional(),
         value_("self", text, "a set whose cloth touches itself").optional(), friction_row(),
+        fields_(
+            "film",
+            {number_("viscosity", "Pa s", positive, "of what is between the surfaces, such as a hot matrix"),
+             number_("thickness", "m", positive, "of it")},
+            "beside friction, viscosity times sliding speed over thickness, where the surfaces touch")
+            .optional(),
         number_("thickness", "m", positive,
                 "of the cloth in contact; default: the cloth's own, or that of its card's compression")
             .optional(),

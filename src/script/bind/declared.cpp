@@ -241,6 +241,9 @@ void add_contacts(const Model& m, std::vector<Declared>& all) {
   for (const auto& c : given.contacts()) {
     std::string sides, words = "friction " + brief_number(c.friction);
     if (c.sticking) add_word(words, "static " + brief_number(*c.sticking));
+    if (c.across) words += " along the warp, " + brief_number(*c.across) + " across";
+    if (c.viscosity)
+      add_word(words, "film of " + brief_number(*c.viscosity) + " Pa s, " + brief_number(*c.film) + " m");
     for (const auto& party : c.between)
       sides += (sides.empty() ? "" : " and ") + (party.body ? given.name_of(*party.body) : party.set);
     if (c.between.size() == 1) sides += " on itself";

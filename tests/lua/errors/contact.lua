@@ -127,7 +127,7 @@ wrong("fabric.rigid.motion", "fabric.rigid.motion{ times={0} }",
 
 -- model:contact
 wrong("model:contact", "model:contact{ wrong=1 }",
-  "deck.lua:1: contact: unknown field 'wrong' (known: between self friction thickness stiffness restitution settle)")
+  "deck.lua:1: contact: unknown field 'wrong' (known: between self friction film thickness stiffness restitution settle)")
 wrong("model:contact", "model:contact{  }",
   "deck.lua:1: contact: field 'between': expected either between={...} or self=, got neither")
 wrong("model:contact", "model:contact{ between=5 }",
@@ -143,13 +143,35 @@ wrong("model:contact", "model:contact{ self=5 }",
 wrong("model:contact", "model:contact{ self='top' }",
   "deck.lua:1: contact: set 'top' holds no whole element, and so no surface")
 wrong("model:contact", "model:contact{ self='all', friction='1' }",
-  "deck.lua:1: contact: field 'friction': expected a number of at least 0 or a table {static, kinetic}, got '1'")
+  "deck.lua:1: contact: field 'friction': expected a number of at least 0 or a table {static, kinetic, warp, weft}, got '1'")
 wrong("model:contact", "model:contact{ self='all', friction=-1 }",
-  "deck.lua:1: contact: field 'friction': expected a number of at least 0 or a table {static, kinetic}, got -1")
+  "deck.lua:1: contact: field 'friction': expected a number of at least 0 or a table {static, kinetic, warp, weft}, got -1")
 wrong("model:contact", "model:contact{ self='all', friction={ static=0.2, kinetic=0.3 } }",
   "deck.lua:1: contact: field 'friction.static': expected at least the kinetic friction of 0.3, got 0.2")
 wrong("model:contact", "model:contact{ self='all', friction={ static=0.2 } }",
-  "deck.lua:1: contact: field 'friction.kinetic': expected a number of at least 0, got nil (missing, or a misspelt variable)")
+  "deck.lua:1: contact: field 'friction': expected static and kinetic, got only static")
+wrong("model:contact", "model:contact{ self='all', friction={ weft=0.2 } }",
+  "deck.lua:1: contact: field 'friction': expected warp and weft, got only weft")
+wrong("model:contact", "model:contact{ self='all', friction={} }",
+  "deck.lua:1: contact: field 'friction': expected either static and kinetic or warp and weft, got neither")
+wrong("model:contact", "model:contact{ self='all', friction={ static=0.3, kinetic=0.2, warp=0.2, weft=0.3 } }",
+  "deck.lua:1: contact: field 'friction': expected either static and kinetic or warp and weft, got both")
+wrong("model:contact", "model:contact{ self='all', friction={ warp=0, weft=0.3 } }",
+  "deck.lua:1: contact: field 'friction.warp': expected a positive number, got 0")
+wrong("model:contact", "model:contact{ self='all', film=5 }",
+  "deck.lua:1: contact: field 'film': expected a table {viscosity, thickness}, got 5")
+wrong("model:contact", "model:contact{ self='all', film={ viscosity=1 } }",
+  "deck.lua:1: contact: field 'film.thickness': expected a positive number in m, got nil (missing, or a misspelt variable)")
+wrong("model:contact", "model:contact{ self='all', film={ viscosity=-1, thickness=1e-4 } }",
+  "deck.lua:1: contact: field 'film.viscosity': expected a positive number in Pa s, got -1")
+wrong("model:contact", "fabric.static{ model=held:contact{ self='all', film={ viscosity=1, thickness=1e-4 } }, duration=1 }",
+  "deck.lua:1: static: contact: field 'film': nothing slides with a speed in a static run, so that a film would do nothing: expected none, or fabric.dynamic")
+wrong("model:contact", "local ball = fabric.rigid.sphere{ radius=0.01, centre={0, 0, 0.02}, mass=0.1 } local plane = fabric.rigid.plane{ point={0, 0, -0.1}, normal={0, 0, 1} } "
+  .. "model:contact{ between={ball, plane}, film={ viscosity=1, thickness=1e-4 } }",
+  "deck.lua:1: contact: field 'film': the sphere and the plane meet each other without friction and without a film (give cloth that touches them a contact of its own)")
+wrong("model:contact", "fabric.dynamic{ model=held:contact{ self='all', film={ viscosity=100, thickness=1e-4 } }, duration=1e-3 }",
+  "deck.lua:1: dynamic: contact: field 'film': the cloth on itself: explicit steps of 1.12556e-05 s carry a viscosity over thickness of at most 1991.89 Pa s/m, got 1e+06: "
+  .. "a run that is faster than the process by a factor needs a viscosity that is smaller by it (or scheme=\"implicit\")")
 wrong("model:contact", "model:contact{ self='all', thickness='1' }",
   "deck.lua:1: contact: field 'thickness': expected a positive number in m, got '1'")
 wrong("model:contact", "model:contact{ self='all', thickness=0 }",

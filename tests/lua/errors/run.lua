@@ -82,7 +82,11 @@ wrong("analysis:reaction", "run:reaction()",
 wrong("analysis:reaction", "run:reaction(7)",
   "deck.lua:1: reaction: argument 'set': expected a string or a body, got 7")
 wrong("analysis:reaction", "run:reaction('top', 5)",
-  "deck.lua:1: reaction: argument 'options': expected a table {window}, got 5")
+  "deck.lua:1: reaction: argument 'options': expected a table {window, support}, got 5")
+wrong("analysis:reaction", "run:reaction('top', { support=5 })",
+  "deck.lua:1: reaction: field 'options.support': expected true or false, got 5")
+wrong("analysis:reaction", "run:reaction('top', { support=true })",
+  "deck.lua:1: reaction: argument 'options.support': expected a rigid body, which m:fix holds, got the set 'top'")
 wrong("analysis:reaction", "run:reaction('top', { window='x' })",
   "deck.lua:1: reaction: field 'options.window': expected a positive number in s, got 'x'")
 wrong("analysis:reaction", "run:reaction('top', { window=0 })",
