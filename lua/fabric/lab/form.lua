@@ -13,6 +13,7 @@ local define = require "fabric.define"
 local fabric = require "fabric"
 local sheet = require "fabric.lab.sheet"
 local tools = require "fabric.rigid.tools"
+local yarns = require "fabric.lab.form_yarns"
 local mm = fabric.units.mm
 
 local largest = 5         -- m: longer tools, blanks and strokes are in mm
@@ -164,6 +165,9 @@ local function prepare(t)
   end
   t.punch, t.die = copy(t.punch), copy(t.die or {})
   check_holder(t.holder)
+  if t.weft_friction and not (t.friction > 0 and (t.ply_friction or t.friction) > 0) then
+    fail("weft_friction", ("expected with friction and ply_friction above 0, got %.4g and %.4g"):format(t.friction, t.ply_friction or t.friction))
+  end
   check_length("stroke", t.stroke)
   if t.contact then check_length("contact", t.contact) end
   check_tool("punch", t.punch)
@@ -272,7 +276,8 @@ local function setup(t)
   local mass = width * height * share * t.card.density * t.card.thickness * #bodies
   local holder = add_holder(t, m, top, ramp, mass, share)
   local function touch(a, b, friction, settle)
-    m:contact { between = { a, b }, friction = friction, thickness = t.contact, settle = settle, stiffness = t.stiffness or 2 * bears / t.contact }
+    local by_direction = t.weft_friction and { warp = friction, weft = t.weft_friction }
+    m:contact { between = { a, b }, friction = by_direction or friction, film = t.film, thickness = t.contact, settle = settle, stiffness = t.stiffness or 2 * bears / t.contact }
   end
   touch(die, name_of(t, 1), t.friction)
   touch(punch, name_of(t, #bodies), t.friction)
@@ -301,9 +306,10 @@ end
 
 local function angles(s, a)
   local field, list, most = a:field "shear_angle", { max = 0 }, 0
+  local warp, weft = a:field "warp", a:field "weft"
   for k, o in ipairs(offsets(s)) do
     for i, nodes in ipairs(o.mesh.elements) do
-      local row = { ply = k, X = 0, Y = 0, x = 0, y = 0, z = 0, angle = field[o.element + i] }
+      local row = { ply = k, X = 0, Y = 0, x = 0, y = 0, z = 0, angle = field[o.element + i], warp = warp[o.element + i], weft = weft[o.element + i] }
       for _, n in ipairs(nodes) do
         local p, X = a:node(o.node + n), o.mesh.nodes[n]
         row.X, row.Y = row.X + X[1] / #nodes, row.Y + X[2] / #nodes
@@ -314,6 +320,22 @@ local function angles(s, a)
     end
   end
   return list
+end
+
+-- Writes each formed ply with its yarns for the next program.
+local function write_plies(t, s, a, list)
+  local files, first = {}, 0
+  for k, o in ipairs(offsets(s)) do
+    local places, rows = {}, {}
+    for i = 1, #o.mesh.nodes do
+      local p = a:node(o.node + i)
+      places[i] = { p.x, p.y, p.z }
+    end
+    table.move(list, first + 1, first + #o.mesh.elements, 1, rows)
+    first = first + #rows
+    for _, file in ipairs(yarns.write(t.out, "ply" .. k, o.mesh, places, rows)) do files[#files + 1] = file end
+  end
+  return files
 end
 
 local edges = { left = { 1, 1 }, right = { 1, -1 }, bottom = { 2, 1 }, top = { 2, -1 } }
@@ -407,6 +429,7 @@ local function run(t)
     fabric.warn(("form: the kinetic energy is up to %.2g of the work: inertia is part of the forces (speed=%.3g m/s; a slower punch has less of it)"):format(fastest, t.speed))
   end
   if t.out then
+    r.files = write_plies(t, s, a, r.angles)
     fabric.plot { file = t.out .. "/force.svg", rows = curve, x = "stroke", y = "force" }
   end
   return r
@@ -432,6 +455,11 @@ define {
       } },
     { name = "friction", kind = "number", low = 0, default = 0.2, sentence = "of tools and plies" },
     { name = "ply_friction", kind = "number", low = 0, optional = true, sentence = "of plies on each other; default that of the tools" },
+    { name = "weft_friction", kind = "number", above = 0, optional = true, sentence = "friction across the warp, that along it being friction and ply_friction; of two plies the warp is that of the lower one" },
+    { name = "film", kind = "fields", optional = true, rows = {
+      { name = "viscosity", kind = "number", unit = "Pa s", above = 0, sentence = "of what is between plies, and between them and the tools: a hot matrix" },
+      { name = "thickness", kind = "number", unit = "m", above = 0, high = 1, sentence = "of it" },
+    }, sentence = "resists sliding beside friction, as film of model:contact: give the viscosity times the real speed of the punch over that of the run" },
     { name = "stroke", kind = "number", unit = "m", above = 0, sentence = "way of the punch from first contact" },
     { name = "cells", kind = "integer", low = 4, high = 1000, default = 32, sentence = "elements along the longer side (of a quarter: of its own)" },
     { name = "triangles", kind = "boolean", default = false, sentence = "elements of three nodes" },
@@ -442,13 +470,13 @@ define {
     { name = "points", kind = "integer", low = 1, high = 9, default = 1, sentence = "through the thickness of a single ply" },
     { name = "damping", kind = "number", unit = "1/s", low = 0, optional = true, sentence = "of motion, as damping.mass of fabric.dynamic; default 3 over the duration" },
     { name = "rows", kind = "integer", low = 2, high = 10000, default = 50, sentence = "of the curve" },
-    { name = "out", kind = "text", optional = true, sentence = "folder for curve.csv, force.svg and the VTK series, whose fields warp and weft are the directions of the yarns" },
+    { name = "out", kind = "text", optional = true, sentence = "folder for curve.csv, force.svg, the VTK series, whose fields warp and weft are the directions of the yarns, and the formed plies with their yarns for Abaqus and CalculiX (ply1.inp) and OpenRadioss (ply1.rad)" },
     { name = "ledger_limit", kind = "number", above = 0, default = 0.05, sentence = "as for fabric.dynamic" },
     { name = "prepare", kind = "function", optional = true, sentence = "prepare(analysis), called before it runs" },
   },
   sentence = "Plies are pressed through the opening of a die by a punch, under a blank holder. Returns curve (a list of stroke, force of punch, holder and die, N, and energies), "
-    .. "angles (of each element ply, X, Y flat, x, y, z formed, and its shear angle, degrees; max and place), draw_in (of each node of the edges ply, edge, X, Y, draw_in, m; "
-    .. "max, mean, left, right, bottom, top), wrinkles (height above the flat of the die, m, x, y, ply), report (text), peak (N), stroke (m, reached), series (VTK), analysis, model, punch, die, holder, "
+    .. "angles (of each element ply, X, Y flat, x, y, z formed, its shear angle, degrees, and the unit vectors warp and weft; max and place), draw_in (of each node of the edges ply, edge, X, Y, draw_in, m; "
+    .. "max, mean, left, right, bottom, top), wrinkles (height above the flat of the die, m, x, y, ply), report (text), peak (N), stroke (m, reached), series (VTK) and files (of the formed plies) with out=, analysis, model, punch, die, holder, "
     .. "and trouble where the run stopped.",
   example = "local fabric = require 'fabric'\nlocal mm = fabric.units.mm\n"
     .. "local test = fabric.lab.form{ card=fabric.card('blend', { bending='estimated' }), blank=60*mm, punch={ radius=12*mm }, die={ radius=15*mm, edge=5*mm },\n"

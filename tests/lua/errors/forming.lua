@@ -80,3 +80,9 @@ wrong("fabric.rigid.dome", "fabric.rigid.dome{ radus=1 }", at .. "dome: unknown 
 wrong("fabric.rigid.dome", "fabric.rigid.dome{}", at .. "dome: field 'radius': expected a number above 0 to 1000 in m, got nil (missing, or a misspelt variable)")
 wrong("fabric.rigid.punch", "fabric.rigid.punch{ radius=0.1, name=5 }", at .. "punch: field 'name': expected a string, got 5")
 wrong("fabric.rigid.punch", "fabric.rigid.punch{ radius=0.1, around=8.5 }", at .. "punch: field 'around': expected an integer from 24 to 2000, got 8.5")
+wrong("fabric.lab.form", form .. "t.weft_friction = 0" .. run, at .. "form: field 'weft_friction': expected a positive number, got 0")
+wrong("fabric.lab.form", form .. "t.weft_friction = 0.2 t.friction = 0" .. run, at .. "form: field 'weft_friction': expected with friction and ply_friction above 0, got 0 and 0")
+wrong("fabric.lab.form", form .. "t.film = { viscosity=1 }" .. run, at .. "form: field 'film.thickness': expected a number above 0 to 1 in m, got nil (missing, or a misspelt variable)")
+wrong("fabric.lab.form", form .. "t.film = { viscosity=1e4, thickness=1e-4 }" .. run,
+  at .. "dynamic: contact: field 'film': die on the cloth: explicit steps of 1.10784e-05 s carry a viscosity over thickness of at most 2023.76 Pa s/m, got 1e+08: "
+    .. "a run that is faster than the process by a factor needs a viscosity that is smaller by it (or scheme=\"implicit\")")
