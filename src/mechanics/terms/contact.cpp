@@ -713,7 +713,7 @@ void Contacts::commit() {
   share_ = at_ = 0;
   if (committed_pairs_.size() != pairs_.size()) committed_pairs_ = pairs_;
   bodies_.commit();
-  if (scene_.parts()) follow_lips();
+  if (scene_.parts()) follow_faces();
 }
 
 void Contacts::rollback() {

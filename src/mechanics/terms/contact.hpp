@@ -185,9 +185,9 @@ class Contacts final : public Term, public StepLimiter, public OwnUnknowns, publ
   void find_warps();
   void refuse_films() const;
   void sew_scene();
-  std::vector<double> parted_lips() const;
+  std::vector<double> parted_faces() const;
   void set_apart(std::vector<double> apart);
-  void follow_lips();
+  void follow_faces();
   Meeting meeting_of(const model::SurfacePair& meeting) const;
   Meeting meeting_of_bodies(const model::SurfacePair& meeting) const;
   double moving_mass(const model::SurfacePair& m) const;

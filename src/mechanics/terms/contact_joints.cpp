@@ -84,7 +84,7 @@ void Contacts::sew_scene() {
 }
 
 // As crack_faces(), of seams that have parted.
-std::vector<double> Contacts::parted_lips() const {
+std::vector<double> Contacts::parted_faces() const {
   std::vector<double> apart(x_.size(), -1);
   const auto part = [&](Index n) { apart[n] = std::max(0.0, scene_.apart(static_cast<std::int32_t>(n))); };
   for (std::size_t i = 0; i < dofs_.stitches().size(); ++i) {
@@ -100,13 +100,13 @@ void Contacts::renumbered(Forces& forces) {
   if (!joints_.any()) {
     contact_->scene_changed();
     find_masses();
-    return set_apart(parted_lips());
+    return set_apart(parted_faces());
   }
   const std::vector<Vec3> before = force_;
   std::vector<double> area(nodes_);
   for (std::size_t n = 0; n < nodes_; ++n) area[n] = scene_.area(static_cast<std::int32_t>(n));
   std::vector<double> apart = crack_faces();
-  const std::vector<double> parted = parted_lips();
+  const std::vector<double> parted = parted_faces();
   for (std::size_t n = 0; n < apart.size(); ++n) apart[n] = std::max(apart[n], parted[n]);
   scene_ = scene_.with_corners([this](const contact::TriangleRow& row) { return corners_of(row); });
   for (std::size_t n = 0; n < nodes_; ++n) {
@@ -132,7 +132,7 @@ void Contacts::set_apart(std::vector<double> apart) {
 }
 
 // At a commit.
-void Contacts::follow_lips() {
+void Contacts::follow_faces() {
   const auto young = [](double apart) { return apart >= 0 && std::isfinite(apart); };
   if (std::none_of(scene_.apart().begin(), scene_.apart().end(), young)) return;
   positions(configuration_.committed_kinematics(), 0, x_);

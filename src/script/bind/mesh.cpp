@@ -363,8 +363,8 @@ std::vector<Entry> mesh_entries() {
        "inside the mesh, which is the tip. The left side keeps them, the new nodes follow all others and are "
        "in "
        "the same sets; boundary has the sides of the slit, too.",
-       with_mesh + "mesh:slit{ from={0.0254/3, 0}, to={0.0254/3, 0.0254}, right='lip' }\n"
-                   "assert(#mesh.nodes == 43 and #mesh:set 'lip' == 4)",
+       with_mesh + "mesh:slit{ from={0.0254/3, 0}, to={0.0254/3, 0.0254}, right='face' }\n"
+                   "assert(#mesh.nodes == 43 and #mesh:set 'face' == 4)",
        slit},
       {"mesh:hole",
        Style::positional,
