@@ -115,7 +115,7 @@ class Scene {
   Vec3 warp_at(const Interaction& it, const std::array<std::int32_t, 4>& points,
                std::span<const Vec3> x) const;
 
-  // Another law of the same gap and floor.
+  // Another law; of another gap only before a Contact searches the scene.
   void replace_law(std::size_t interaction, const ContactLaw& law) { interactions_[interaction].law = law; }
   // See Interaction::opening. Sheets of one surface that share no node then no longer count as neighbours.
   void open(std::size_t interaction, std::vector<double> opening) {

@@ -9,6 +9,7 @@
 #include "base/number.hpp"
 #include "mechanics/rate_bound.hpp"
 #include "mechanics/terms/contact.hpp"
+#include "mechanics/terms/seams.hpp"
 #include "mechanics/terms/tears.hpp"
 #include "run/step_control.hpp"
 
@@ -47,6 +48,7 @@ Explicit::Explicit(std::shared_ptr<model::Model> model, const DynamicOptions& op
   check_stable_step(undamped);
   choose_step();
   report_step_bound();
+  report_drawn_seams();
   farthest_ = {smallest_, std::numbers::pi / 2};
   list_unknowns();
   set_motion(initial_rates());  // to be read before the first step
@@ -109,6 +111,22 @@ void Explicit::report_step_bound() {
                    (2 * highest.added > highest.rate ? "the springs or loads at "
                                                      : "the shape or the shear stiffness of ") +
                    shape_text(highest.element));
+}
+
+// Each edge has half of the speed at which the gap closes. Time shortens it in proportion.
+void Explicit::report_drawn_seams() {
+  if (contact_ == nullptr || seams_ == nullptr) return;
+  for (const auto& through : contact_->drawn_through()) {
+    const double speed = seams_->closing_speed(through.stitch) / 2;
+    if (speed <= through.stopped) continue;
+    const model::Seam& seam = assembly_->dofs().seams()[assembly_->dofs().stitches()[through.stitch].seam];
+    warn("seam", "warning: dynamic: the straight way of the seam " + seam.name() + " passes through the " +
+                     through.body + ": its edges are drawn against it with up to " + number(speed, 3) +
+                     " m/s, and contact stops cloth that comes with " + number(through.stopped, 3) +
+                     " m/s anywhere on it: expected 'over' of at least " +
+                     number(*seam.over * speed / through.stopped, 2) +
+                     " s, or more 'thickness' of m:contact, got " + number(*seam.over) + " s");
+  }
 }
 
 void Explicit::check_stable_step(double undamped) const {

@@ -25,7 +25,9 @@ constexpr WarningKind kinds[] = {
     {"guard", "contact is pressed so far that a barrier keeps the surfaces apart"},
     {"pressed", "contact of an assumed stiffness has a noticeable part of the stored energy"},
     {"fold", "cloth turns sharply between two elements where contact presses on it"},
-    {"seam", "edges that are sewn had not met when their time was over"},
+    {"seam",
+     "edges that are sewn had not met when their time was over, or are drawn against a body faster than "
+     "contact stops them"},
     {"held",
      "the cloth pulls on yarns beyond their strength where a support holds them, and none breaks there"},
     {"dropped", "an initial velocity is dropped along supports"},

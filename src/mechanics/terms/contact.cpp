@@ -15,7 +15,6 @@ namespace fabricsh::mechanics {
 namespace {
 
 constexpr double kLeast = 0.75;        // largest floor, as a share of the thickness
-constexpr double kDense = 1e6;         // Pa, pressure that presses woven cloth down to its fibres
 constexpr double kNearest = 1e-3;      // smallest gap at the start that is opened, as a share of the whole
 constexpr double kOfBodies = 0.05;     // stiffness * step^2 / reduced mass of two bodies: 14 steps in contact
 constexpr double kPressed = 0.1;       // of the smaller radius: how deep bodies press each other at most
@@ -198,6 +197,7 @@ Contacts::Contacts(const model::Model& model, const Configuration& configuration
     rubs_ = rubs_ || friction_ || loss > 0;
   }
   find_warps();
+  follow_elements();
   sew_scene();
   moves_ = bodies_.any_free() || bodies_.any_driven();
   open_overlaps();
@@ -310,9 +310,10 @@ std::vector<std::string> Contacts::describe() const {
                       " N/m (default), no friction");
       continue;
     }
-    lines.push_back(m.names + ": from a gap of " + number(it.law.gap()) + " m, floor " +
-                    number(it.law.floor()) + " m, " + stiffness_words(m, it.law) + ", friction " +
-                    number(it.friction) +
+    lines.push_back(m.names + ": from a gap of " + number(it.law.gap()) + " m" +
+                    (m.follows ? " (default: a twentieth of the elements, or the room at the start)" : "") +
+                    ", floor " + number(it.law.floor()) + " m, " + stiffness_words(m, it.law) +
+                    ", friction " + number(it.friction) +
                     (it.sticking > it.friction ? ", static " + number(it.sticking) : "") +
                     (it.across < 0 ? "" : " along the warp, " + number(it.across) + " across") +
                     (it.viscous > 0 ? ", film of " + number(it.viscous) + " Pa s/m" : ""));

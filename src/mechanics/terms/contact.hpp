@@ -107,6 +107,14 @@ class Contacts final : public Term, public StepLimiter, public OwnUnknowns, publ
   Stopped speed_stopped() const;
   // Whether the stiffness of a contact that cloth takes part in was neither given nor measured.
   bool assumes_stiffness() const;
+  // Of each seam that is to be drawn together: the farthest of its stitches whose straight way passes through
+  // a body of facets that the cloth touches.
+  struct DrawnThrough {
+    std::size_t stitch;
+    std::string body;
+    double stopped;  // m/s: as `anywhere` of what the cloth meets there
+  };
+  std::vector<DrawnThrough> drawn_through() const;
   double fastest_body() const { return bodies_.fastest_free(); }  // m/s, of the free ones
   bool blocked() const { return blocked_; }  // the state of the last forces is impossible
 
@@ -139,8 +147,9 @@ class Contacts final : public Term, public StepLimiter, public OwnUnknowns, publ
   std::vector<std::string> describe() const;
 
  private:
-  struct Sheet {                                              // a surface of cloth
-    double thickness = 0, floor = 0, areal = 0;               // m, m, kg/m2
+  static constexpr double kDense = 1e6;          // Pa, pressure that presses woven cloth down to its fibres
+  struct Sheet {                                 // a surface of cloth
+    double thickness = 0, floor = 0, areal = 0;  // m, m, kg/m2
     std::vector<std::pair<double, double>> compression = {};  // thickness, m, and pressure, Pa; empty: none
     std::string name = {};  // of the bodies that it consists of; empty: it is a part of one
   };
@@ -152,6 +161,7 @@ class Contacts final : public Term, public StepLimiter, public OwnUnknowns, publ
     bool bodies = false;           // two rigid bodies meet
     bool given = false;            // the stiffness
     bool softened = false;         // to what is carried
+    bool follows = false;          // its gap follows the size of the elements
     std::optional<double> settle;  // s
     std::size_t near = 0;          // points that start too near
     double nearest = 0;            // m: the smallest share of it times the gap
@@ -194,6 +204,9 @@ class Contacts final : public Term, public StepLimiter, public OwnUnknowns, publ
   std::string name_of(int side) const;
   std::string stiffness_words(const Meeting& m, const contact::ContactLaw& law) const;
   double weakest_share(const contact::Interaction& it) const;
+  Stopped stopped_by(std::size_t meeting) const;
+  double side_of_elements(int sheet) const;
+  void follow_elements();
   double carried_by_bodies(double share, bool guarded) const;
   void soften(bool measured);
   void open_overlaps();

@@ -11,6 +11,58 @@
 
 namespace fabricsh::mechanics {
 
+namespace {
+
+constexpr double kOfElements = 0.1;  // thickness in contact with a solid of facets, over an element's side
+
+}  // namespace
+
+// m, in the mean.
+double Contacts::side_of_elements(int sheet) const {
+  const auto& mesh = model_.mesh();
+  double sum = 0, count = 0;
+  for (const Index e : surfaces_.elements[sheet]) {
+    const auto& element = mesh.elements[e];
+    const int n = element[3] < 0 ? 3 : 4;
+    for (int i = 0; i < n; ++i) sum += (mesh.nodes[element[i]] - mesh.nodes[element[(i + 1) % n]]).norm();
+    count += n;
+  }
+  return count > 0 ? sum / count : 0;
+}
+
+// Coarse cloth that comes against the corners of a body is stopped by its own thickness at a walk only: the
+// speed that contact stops grows with its gap. So cloth whose elements are long against its thickness is as
+// thick against solids of facets as a share of them, but never so that it is pressed from the start.
+void Contacts::follow_elements() {
+  const double none = std::numeric_limits<double>::infinity();
+  std::vector<double> wanted(meetings_.size(), 0), room(meetings_.size(), none);
+  double skin = 0;
+  for (std::size_t i = 0; i < meetings_.size(); ++i) {
+    const model::SurfacePair& m = surfaces_.meetings[i];
+    const auto& given = model_.interactions().contacts()[m.contact];
+    if (meetings_[i].bodies || given.thickness || given.stiffness || given.settle) continue;
+    const auto bodies = static_cast<int>(sheets_.size());
+    if (m.first >= bodies || m.second < bodies) continue;
+    const model::Rigid& body = bodies_.body(static_cast<std::size_t>(m.second - bodies));
+    if (body.facets() == nullptr || !body.facets()->closed || body.free()) continue;
+    wanted[i] = kOfElements / 2 * side_of_elements(m.first);
+    skin = std::max(skin, wanted[i] - scene_.interactions()[i].law.gap());
+  }
+  if (!(skin > 0)) return;
+  for (const contact::Candidate& c : contact::find_pairs(scene_, scene_.reference(), skin)) {
+    double& least = room[static_cast<std::size_t>(c.interaction)];
+    least = std::min(least, contact::gap_of(c, contact::corners_of(c, scene_.reference())));
+  }
+  for (std::size_t i = 0; i < meetings_.size(); ++i) {
+    Meeting& m = meetings_[i];
+    const double gap = std::min(wanted[i], room[i]);
+    if (gap <= scene_.interactions()[i].law.gap()) continue;
+    m.follows = true;
+    m.data = {gap, m.data.floor, kDense / (gap - m.data.floor)};  // the floor is below the gap that it had
+    scene_.replace_law(i, contact::ContactLaw(m.data));
+  }
+}
+
 // No edge of a sheet inside a solid need be near its surface, so that no pair tells.
 void Contacts::refuse_inside() const {
   for (const model::RigidPointer& given : model_.interactions().bodies()) {

@@ -4,6 +4,7 @@
 #include <limits>
 #include <numbers>
 
+#include "contact/intersect.hpp"
 #include "mechanics/terms/contact.hpp"
 
 namespace fabricsh::mechanics {
@@ -64,20 +65,66 @@ double Contacts::weakest_share(const contact::Interaction& it) const {
   return least / 2 / (3 * most);
 }
 
+// Two sheets that meet share the speed: half of the mass has all of it.
+Contacts::Stopped Contacts::stopped_by(std::size_t meeting) const {
+  const auto& it = scene_.interactions()[meeting];
+  const bool sheets = it.second < static_cast<std::int32_t>(sheets_.size());
+  const double range = it.law.gap() - it.law.guard_gap(), mass = sheets ? least_areal_ / 2 : least_areal_;
+  const double flat = range * std::sqrt(it.law.stiffest() / mass);
+  return {flat, flat * std::sqrt(weakest_share(it)), meetings_[meeting].given};
+}
+
 Contacts::Stopped Contacts::speed_stopped() const {
   Stopped least{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), false};
   for (std::size_t i = 0; i < meetings_.size(); ++i) {
-    const auto& it = scene_.interactions()[i];
-    if (it.rigid) continue;
-    // Two sheets that meet share the speed: half of the mass has all of it.
-    const bool sheets = it.second < static_cast<std::int32_t>(sheets_.size());
-    const double range = it.law.gap() - it.law.guard_gap(), mass = sheets ? least_areal_ / 2 : least_areal_;
-    const double flat = range * std::sqrt(it.law.stiffest() / mass);
-    if (flat < least.flat) least.given = meetings_[i].given;
-    least.flat = std::min(least.flat, flat);
-    least.anywhere = std::min(least.anywhere, flat * std::sqrt(weakest_share(it)));
+    if (scene_.interactions()[i].rigid) continue;
+    const Stopped here = stopped_by(i);
+    if (here.flat < least.flat) least.given = here.given;
+    least.flat = std::min(least.flat, here.flat);
+    least.anywhere = std::min(least.anywhere, here.anywhere);
   }
   return least;
+}
+
+std::vector<Contacts::DrawnThrough> Contacts::drawn_through() const {
+  const auto& stitches = dofs_.stitches();
+  std::vector<std::size_t> drawn;
+  std::vector<contact::Edge> ways;
+  for (std::size_t i = 0; i < stitches.size(); ++i) {
+    if (dofs_.sewn().closed[i] != 0 || !dofs_.seams()[stitches[i].seam].over) continue;
+    drawn.push_back(i);
+    ways.push_back({static_cast<std::int32_t>(stitches[i].node),
+                    static_cast<std::int32_t>(stitches[i].leads.front().node)});
+  }
+  if (drawn.empty()) return {};
+  std::vector<Vec3> x(x_.size());
+  positions(configuration_.x(), 0, x);
+  std::vector<contact::Triangle> facets;
+  std::vector<std::size_t> meeting;  // of each facet
+  for (std::size_t i = 0; i < meetings_.size(); ++i) {
+    const auto& it = scene_.interactions()[i];
+    if (it.rigid || scene_.surfaces()[it.second].shape != contact::Shape::solid) continue;
+    for (const contact::TriangleRow& t : scene_.triangles())
+      if (t.surface == it.second) facets.push_back(t.nodes);
+    meeting.resize(facets.size(), i);
+  }
+  const auto length = [&](std::size_t stitch) {
+    return Dofs::gap(stitches[stitch], configuration_.x()).norm();
+  };
+  std::vector<DrawnThrough> found;
+  for (const auto& [way, facet] : contact::intersections(x, ways, facets)) {
+    const std::size_t stitch = drawn[way];
+    const auto same = [&](const DrawnThrough& d) { return stitches[d.stitch].seam == stitches[stitch].seam; };
+    const auto at = std::find_if(found.begin(), found.end(), same);
+    if (at != found.end() && length(at->stitch) >= length(stitch)) continue;
+    const auto& it = scene_.interactions()[meeting[facet]];
+    DrawnThrough through{stitch, name_of(it.second), stopped_by(meeting[facet]).anywhere};
+    if (at == found.end())
+      found.push_back(std::move(through));
+    else
+      *at = std::move(through);
+  }
+  return found;
 }
 
 double Contacts::largest_contact_step() const {

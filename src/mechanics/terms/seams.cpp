@@ -133,6 +133,12 @@ Vec3 Seams::nominal(std::size_t i, double time) const {
   return over ? Vec3((1 - smooth(time / (kReady * *over))) * threads_[i].start) : Vec3(Vec3::Zero());
 }
 
+double Seams::closing_speed(std::size_t i) const {
+  constexpr double steepest = 15.0 / 8;  // of smooth(), in the middle
+  const auto& over = seam(i).over;
+  return over ? steepest * threads_[i].start.norm() / (kReady * *over) : 0;
+}
+
 // The target leads what is wanted by an integral of how far the thread is stretched, so that the edges meet
 // whatever they carry.
 void Seams::pull(const law::Step& step, const Trial& trial, std::size_t i) {

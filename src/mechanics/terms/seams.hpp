@@ -75,6 +75,8 @@ class Seams final : public Term {
   // iterate.
   Sewn let_go(double step);
   bool has_burst(std::size_t stitch) const;
+  // m/s, at which the gap of a stitch closes where its thread draws fastest; 0: it is not drawn.
+  double closing_speed(std::size_t stitch) const;
   // One line for each seam.
   std::vector<std::string> describe() const;
 
