@@ -35,10 +35,13 @@ struct Shell3Layout {
   int size() const { return point(shell3_points, 0); }
 };
 
-// Like shell4_geometry.
+// Like shell4_geometry and shell4_rest_geometry.
 void shell3_geometry(const section::Section& section, const std::array<Vec3, 3>& X,
-                     const std::array<Vec3, 3>& D, const WarpAt& warp, double* geometry, int lane, int stride,
-                     const Placed<3>* unbent = nullptr);
+                     const std::array<Vec3, 3>& D, const WarpAt& warp, double* geometry, int lane,
+                     int stride);
+void shell3_rest_geometry(const section::Section& section, const Placed<3>& reference,
+                          const Placed<3>& unbent, const WarpAt& warp, double* geometry, int lane,
+                          int stride);
 
 // Like shell4_sharing; the result is at most `through`.
 Sharing shell3_sharing(const section::Section& section, const double* geometry);

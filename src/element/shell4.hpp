@@ -83,13 +83,16 @@ struct Placed {
   std::array<Vec3, corners> X, D;
 };
 
-// Fills the geometry column of one lane. X, D: reference nodes (m) and unit directors. unbent: where the
-// element is free of moments and of transverse shear, if that is not there; only its curvature and shear
-// strain count.
+// Fills the geometry column of one lane. X, D: reference nodes (m) and unit directors.
 // Errors: DegenerateElement; those of `warp`.
 void shell4_geometry(const section::Section& section, const std::array<Vec3, 4>& X,
-                     const std::array<Vec3, 4>& D, const WarpAt& warp, double* geometry, int lane, int stride,
-                     const Placed<4>* unbent = nullptr);
+                     const std::array<Vec3, 4>& D, const WarpAt& warp, double* geometry, int lane,
+                     int stride);
+// The same for an element that is free of moments and transverse shear elsewhere; of `unbent` only the
+// curvature and the shear strain count.
+void shell4_rest_geometry(const section::Section& section, const Placed<4>& reference,
+                          const Placed<4>& unbent, const WarpAt& warp, double* geometry, int lane,
+                          int stride);
 
 // Current state of a batch of elements, structure of arrays: entry i of lane l at [i * lanes + l].
 struct ShellBatch {

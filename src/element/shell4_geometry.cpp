@@ -212,12 +212,17 @@ DegenerateElement::DegenerateElement(double jacobian)
             ", expected a positive number") {}
 
 void shell4_geometry(const section::Section& section, const std::array<Vec3, 4>& X,
-                     const std::array<Vec3, 4>& D, const WarpAt& warp, double* geometry, int lane, int stride,
-                     const Placed<4>* unbent) {
+                     const std::array<Vec3, 4>& D, const WarpAt& warp, double* geometry, int lane,
+                     int stride) {
+  shell4_rest_geometry(section, {X, D}, {X, D}, warp, geometry, lane, stride);
+}
+
+void shell4_rest_geometry(const section::Section& section, const Placed<4>& reference, const Placed<4>& free,
+                          const WarpAt& warp, double* geometry, int lane, int stride) {
+  const auto& [X, D] = reference;
   const Shell4Layout at(static_cast<int>(section.points.size()));
   const auto put = [&](int i, double v) { geometry[i * stride + lane] = v; };
   const Edges edges = edges_of(X, D);
-  const Placed<4>& free = unbent != nullptr ? *unbent : Placed<4>{X, D};
   const Edges free_edges = edges_of(free.X, free.D);
   for (int e = 0; e < 4; ++e)
     put(e, section.thickness / 4 * free_edges.chord[e].dot(free.D[kEdge[e][0]] + free.D[kEdge[e][1]]));
@@ -333,9 +338,14 @@ double shear_over_bending(const VirginStiffness& of, const section::Section& sec
 }  // namespace
 
 void shell3_geometry(const section::Section& section, const std::array<Vec3, 3>& X,
-                     const std::array<Vec3, 3>& D, const WarpAt& warp, double* geometry, int lane, int stride,
-                     const Placed<3>* unbent) {
-  const Placed<3>& free = unbent != nullptr ? *unbent : Placed<3>{X, D};
+                     const std::array<Vec3, 3>& D, const WarpAt& warp, double* geometry, int lane,
+                     int stride) {
+  shell3_rest_geometry(section, {X, D}, {X, D}, warp, geometry, lane, stride);
+}
+
+void shell3_rest_geometry(const section::Section& section, const Placed<3>& reference, const Placed<3>& free,
+                          const WarpAt& warp, double* geometry, int lane, int stride) {
+  const auto& [X, D] = reference;
   const Shell3Layout at(static_cast<int>(section.points.size()));
   auto put = [&](int i, double v) { geometry[i * stride + lane] = v; };
   static constexpr int edge[3][2] = {{0, 1}, {0, 2}, {1, 2}};

@@ -151,20 +151,17 @@ namespace {
 template <std::size_t corners>
 void put_geometry(const section::Section& section, const RestShape& rest, Index e,
                   const element::WarpAt& warp, double* geometry, int lane) {
-  std::array<Vec3, corners> x, d;
-  element::Placed<corners> unbent;
+  element::Placed<corners> reference, unbent;
   for (std::size_t a = 0; a < corners; ++a) {
-    x[a] = rest.X(e, static_cast<int>(a));
-    d[a] = rest.D(e, static_cast<int>(a));
-    if (rest.unbent(e) == nullptr) continue;
-    unbent.X[a] = rest.unbent(e)->X[a];
-    unbent.D[a] = rest.unbent(e)->D[a];
+    reference.X[a] = rest.X(e, static_cast<int>(a));
+    reference.D[a] = rest.D(e, static_cast<int>(a));
+    unbent.X[a] = rest.unbent(e) == nullptr ? reference.X[a] : rest.unbent(e)->X[a];
+    unbent.D[a] = rest.unbent(e) == nullptr ? reference.D[a] : rest.unbent(e)->D[a];
   }
-  const auto* const given = rest.unbent(e) == nullptr ? nullptr : &unbent;
   if constexpr (corners == 3)
-    element::shell3_geometry(section, x, d, warp, geometry, lane, lanes, given);
+    element::shell3_rest_geometry(section, reference, unbent, warp, geometry, lane, lanes);
   else
-    element::shell4_geometry(section, x, d, warp, geometry, lane, lanes, given);
+    element::shell4_rest_geometry(section, reference, unbent, warp, geometry, lane, lanes);
 }
 
 }  // namespace
