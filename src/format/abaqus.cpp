@@ -62,7 +62,7 @@ class AbaqusReader {
   AbaqusReader(const std::string& name, std::string_view bytes)
       : source_(name, bytes), mesh_(source_, bytes.size()) {}
 
-  mesh::Mesh read(Remarks* remarks) {
+  mesh::Mesh read(Remarks* remarks, bool at_rest) {
     std::string_view line;
     while (next(line)) {
       closed_ = false;
@@ -73,7 +73,7 @@ class AbaqusReader {
     }
     if (!waiting_.empty()) source_.fail("the file ends within an element");
     if (remarks != nullptr) add_remarks(*remarks);
-    return mesh_.finish();
+    return mesh_.finish(at_rest, remarks);
   }
 
  private:
@@ -137,6 +137,7 @@ class AbaqusReader {
     if (word.name == "ELEMENT") return open_elements(word);
     if (word.name == "NSET") return open_set(word, Of::nodes, "NSET");
     if (word.name == "ELSET") return open_set(word, Of::elements, "ELSET");
+    if (word.name == "INITIAL CONDITIONS") return open_conditions(word);
     if (word.name == "PART" && ++parts_ > 1)
       source_.fail("a second *PART: expected one part, with the numbers of nodes and elements of the whole");
     if (word.name == "INSTANCE") {
@@ -178,6 +179,31 @@ class AbaqusReader {
   static std::string value(const Keyword& word, const char* name) {
     const auto found = word.parameters.find(name);
     return found == word.parameters.end() ? "" : found->second;
+  }
+
+  // The places of an element's nodes where it is free of stress, two nodes to a line.
+  void open_conditions(const Keyword& word) {
+    if (!upper(value(word, "TYPE")).starts_with("REF COORDINATE") &&
+        !upper(value(word, "TYPE")).starts_with("REFERENCE COORDINATE"))
+      return;
+    rest_element_ = -1;
+    data_ = &AbaqusReader::rest;
+  }
+  void rest(std::string_view line) {
+    auto fields = comma_fields(line);
+    while (!fields.empty() && fields.back().empty()) fields.pop_back();
+    const bool begins = fields.size() % 3 == 1;
+    if (fields.size() > 7 || fields.empty() || (!begins && (fields.size() % 3 != 0 || rest_element_ < 0)))
+      source_.fail("expected an element and two places, or two more places, got " + in_quotes(line));
+    if (begins) rest_element_ = whole(fields[0], "the number of an element"), rest_corner_ = 0;
+    for (std::size_t i = begins ? 1 : 0; i + 2 < fields.size(); i += 3) {
+      Vec3 x;
+      for (std::size_t k = 0; k < 3; ++k)
+        if (!parse_fortran(fields[i + k], x[static_cast<Eigen::Index>(k)]))
+          source_.fail("element " + std::to_string(rest_element_) + ": expected a coordinate, got " +
+                       in_quotes(fields[i + k]));
+      mesh_.rest_corner("INITIAL CONDITIONS, TYPE=REF COORDINATE", place_, rest_element_, rest_corner_++, x);
+    }
   }
 
   void open_nodes(const Keyword& word) {
@@ -306,6 +332,8 @@ class AbaqusReader {
   std::string set_;                                         // key of the set that is read
   Of of_ = Of::nodes;
   bool instance_ = false;
+  std::int64_t rest_element_ = -1;  // whose places are read
+  std::size_t rest_corner_ = 0;
   int wanted_ = 0, parts_ = 0;         // nodes of an element; parts so far
   std::vector<std::int64_t> waiting_;  // of an element that goes on in the next line
 };
@@ -313,7 +341,10 @@ class AbaqusReader {
 }  // namespace
 
 mesh::Mesh read_abaqus(const std::string& name, std::string_view bytes, Remarks* remarks) {
-  return AbaqusReader(name, bytes).read(remarks);
+  return AbaqusReader(name, bytes).read(remarks, false);
+}
+mesh::Mesh read_abaqus_at_rest(const std::string& name, std::string_view bytes, Remarks* remarks) {
+  return AbaqusReader(name, bytes).read(remarks, true);
 }
 
 }  // namespace fabricsh::format

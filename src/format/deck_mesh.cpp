@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "base/error.hpp"
+#include "geometry/box.hpp"
+
 namespace fabricsh::format {
 
 void DeckMesh::fail_at(std::size_t place, const std::string& why) {
@@ -109,7 +112,59 @@ void DeckMesh::pass_over(const std::string& statement, std::size_t place) {
   passed_over_.push_back({statement, std::count(before.begin(), before.end(), '\n') + 1, 1});
 }
 
-mesh::Mesh DeckMesh::finish() {
+void DeckMesh::rest_node(const std::string& keyword, std::size_t place, std::int64_t number,
+                         const Vec3& position) {
+  if (rest_.empty()) rest_keyword_ = keyword, rest_place_ = place;
+  rest_.push_back({-1, number, position, place});
+}
+
+void DeckMesh::rest_corner(const std::string& keyword, std::size_t place, std::int64_t element,
+                           std::size_t corner, const Vec3& position) {
+  if (rest_.empty()) rest_keyword_ = keyword, rest_place_ = place;
+  rest_.push_back({element, static_cast<std::int64_t>(corner), position, place});
+}
+
+// Nodes that it does not name stay where they are. Where it is given element by element, elements have to
+// agree about the nodes that they share.
+void DeckMesh::take_rest() {
+  constexpr double same = 1e-6;  // of the size of the shape
+  std::vector<Vec3> all;
+  for (const RestCorner& one : rest_) all.push_back(one.position);
+  const double near = same * box_of(all).size().norm();
+  std::unordered_map<std::int64_t, Vec3> at;
+  for (const RestCorner& one : rest_) {
+    std::int64_t node = one.corner;
+    if (one.element >= 0) {
+      const auto found = elements_.find(one.element);
+      if (found == elements_.end())
+        fail_at(one.place, "element " + std::to_string(one.element) + " is not in the file");
+      if (one.corner >= found->second.size) continue;
+      node = found->second.corners[static_cast<std::size_t>(one.corner)];
+    }
+    if (!builder_.has_node(node)) fail_at(one.place, "node " + std::to_string(node) + " is not in the file");
+    const auto [place, is_new] = at.emplace(node, one.position);
+    if (!is_new && one.element >= 0 && (place->second - one.position).norm() > near)
+      fail_at(one.place, "*" + rest_keyword_ + ": element " + std::to_string(one.element) + " has node " +
+                             std::to_string(node) +
+                             " at another place than an element before: expected one shape of all elements");
+    builder_.move_node(node, one.position);
+  }
+}
+
+mesh::Mesh DeckMesh::finish(bool at_rest, std::vector<std::string>* remarks) {
+  if (at_rest && rest_.empty())
+    throw Error(source_.name() +
+                ": field 'reference': the file has no stress-free shape that is read "
+                "(*AIRBAG_REFERENCE_GEOMETRY, *INITIAL_FOAM_REFERENCE_GEOMETRY; *INITIAL CONDITIONS, "
+                "TYPE=REF COORDINATE)");
+  if (at_rest) take_rest();
+  if (!at_rest && !rest_.empty() && remarks != nullptr) {
+    source_.move_to(rest_place_);
+    remarks->push_back(source_.at_place("*" + rest_keyword_ +
+                                        " gives a stress-free shape, which this mesh leaves out: "
+                                        "fabric.mesh.read{ file=..., reference=true } reads it, for "
+                                        "reference= of a model"));
+  }
   for (const auto& [number, place] : order_) {
     const DeckElement& e = elements_.at(number);
     source_.move_to(place);

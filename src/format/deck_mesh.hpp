@@ -37,6 +37,11 @@ class DeckMesh {
 
   void add_node(std::int64_t number, const Vec3& position) { builder_.add_node(number, position); }
   bool has_node(std::int64_t number) const { return builder_.has_node(number); }
+  // The place of a node in the stress-free shape that the deck gives with a keyword; by its number, or as a
+  // corner of an element, from 0.
+  void rest_node(const std::string& keyword, std::size_t place, std::int64_t number, const Vec3& position);
+  void rest_corner(const std::string& keyword, std::size_t place, std::int64_t element, std::size_t corner,
+                   const Vec3& position);
   // 1 to 4 nodes, which are looked up when all of the deck is read; fewer than 3 count for sets alone.
   void add_element(std::int64_t number, std::size_t place, const std::vector<std::int64_t>& corners);
   // The set as it will be called; the first spelling of a key stays.
@@ -47,7 +52,8 @@ class DeckMesh {
   // A statement of the deck, at `place`, that has nothing of a mesh.
   void pass_over(const std::string& statement, std::size_t place);
 
-  mesh::Mesh finish();
+  // at_rest: in the stress-free shape of the deck; Error: it has none. Otherwise a remark names one.
+  mesh::Mesh finish(bool at_rest, std::vector<std::string>* remarks);
 
  private:
   struct DeckElement {
@@ -59,6 +65,13 @@ class DeckMesh {
     std::string name;
     Numbers numbers = {};
   };
+  struct RestCorner {
+    std::int64_t element;  // -1: the number of a node
+    std::int64_t corner;
+    Vec3 position;
+    std::size_t place;
+  };
+  void take_rest();
   [[noreturn]] void fail_at(std::size_t place, const std::string& why);
   Numbers of_range(const Members& members, const NumberRange& range);
   void collect(const Members& members);
@@ -72,6 +85,9 @@ class DeckMesh {
   std::unordered_map<std::int64_t, DeckElement> elements_;
   std::vector<Members> members_;
   std::vector<mesh::Mesh::PassedOver> passed_over_;
+  std::string rest_keyword_;
+  std::size_t rest_place_ = 0;  // of its first line
+  std::vector<RestCorner> rest_;
   std::map<std::string, Set> node_sets_, element_sets_;
 };
 

@@ -15,7 +15,8 @@ class DynaReader {
   DynaReader(const std::string& name, std::string_view bytes)
       : source_(name, bytes), mesh_(source_, bytes.size()) {}
 
-  mesh::Mesh read(Remarks* remarks) {
+  mesh::Mesh read(Remarks* remarks, bool at_rest) {
+    remarks_ = remarks;
     std::string_view line;
     bool complete = false;
     while (!complete && next(line)) {
@@ -32,7 +33,7 @@ class DynaReader {
           source_.at_place("the file ends without *END; if it was cut short, part of the mesh is missing"));
     if (parts_.size() > 1)
       for (const auto& [part, members] : parts_) add_part(part, members);
-    return mesh_.finish();
+    return mesh_.finish(at_rest, remarks);
   }
 
  private:
@@ -90,13 +91,48 @@ class DynaReader {
       open_set(word, Of::nodes, word.substr(8));
     } else if (begins(word, "SET_SHELL")) {
       open_set(word, Of::elements, word.substr(9));
+    } else if (begins(word, "AIRBAG_REFERENCE_GEOMETRY") || begins(word, "INITIAL_FOAM_REFERENCE_GEOMETRY")) {
+      open_rest(word);
     } else {
       refuse(word);
       if (word != "TITLE" && word != "END") mesh_.pass_over("*" + word, place_);
     }
   }
 
+  // Cards with the birth time or a curve come first, and one with scales.
+  void open_rest(const std::string& word) {
+    rest_ = word;
+    scaled_ = word.find("_ID") != word.npos;
+    skip_ = word.find("_BIRTH") != word.npos || word.find("_RAMP") != word.npos ? 1 : 0;
+    card_ = &DynaReader::rest;
+  }
+  void rest(std::string_view card) {
+    if (scaled_) return rest_scales(card);
+    if (skip_ > 0) {
+      --skip_;
+      return;
+    }
+    const auto f = fields(card, {8, 16, 16, 16});
+    mesh_.rest_node(rest_, place_, whole(f[0], "the number of a node"), coordinates(f));
+  }
+  void rest_scales(std::string_view card) {
+    scaled_ = false;
+    const auto f = fields(card, {10, 10, 10, 10, 10});
+    for (std::size_t i = 1; i < std::min<std::size_t>(f.size(), 4); ++i) {
+      double scale = 1;
+      if (f[i].empty() || (parse_fortran(f[i], scale) && (scale == 1 || scale == 0))) continue;
+      leave_out(rest_, "is scaled");
+      card_ = nullptr;
+      return;
+    }
+  }
+  void leave_out(const std::string& word, const char* why) const {
+    if (remarks_ != nullptr)
+      remarks_->push_back(source_.at_place("*" + word + " " + why + ", which is not read: it is left out"));
+  }
+
   void refuse(const std::string& word) const {
+    if (begins(word, "AIRBAG_SHELL_REFERENCE_GEOMETRY")) leave_out(word, "gives elements other nodes");
     if (begins(word, "INCLUDE"))
       source_.fail(
           "*" + word +
@@ -128,13 +164,17 @@ class DynaReader {
 
   void node(std::string_view card) {
     const auto f = fields(card, {8, 16, 16, 16, 8, 8});
-    const std::int64_t number = whole(f[0], "the number of a node");
+    mesh_.add_node(whole(f[0], "the number of a node"), coordinates(f));
+  }
+
+  // Behind the number of a node.
+  Vec3 coordinates(const std::vector<std::string_view>& f) const {
     Vec3 x = Vec3::Zero();
     for (std::size_t i = 1; i < std::min<std::size_t>(f.size(), 4); ++i)
       if (!f[i].empty() && !parse_fortran(f[i], x[static_cast<Eigen::Index>(i) - 1]))
-        source_.fail("node " + std::to_string(number) + ": expected a coordinate, got " + in_quotes(f[i]) +
+        source_.fail("node " + std::string(f[0]) + ": expected a coordinate, got " + in_quotes(f[i]) +
                      where(i));
-    mesh_.add_node(number, x);
+    return x;
   }
 
   std::string where(std::size_t i) const {
@@ -242,7 +282,9 @@ class DynaReader {
   std::size_t place_ = 0;                    // of the line
   bool all_long_ = false, long_ = false, titled_ = false;
   int more_ = 0, skip_ = 0;  // cards behind that of an element, which hold nothing of the mesh
-  std::string set_, title_;
+  std::string set_, title_, rest_;
+  bool scaled_ = false;  // the next card has the scales of a stress-free shape
+  Remarks* remarks_ = nullptr;
   Of of_ = Of::nodes;
   std::map<std::int64_t, std::vector<std::int64_t>> parts_;  // elements of each
   std::map<std::int64_t, std::string> titles_;
@@ -251,7 +293,10 @@ class DynaReader {
 }  // namespace
 
 mesh::Mesh read_dyna(const std::string& name, std::string_view bytes, Remarks* remarks) {
-  return DynaReader(name, bytes).read(remarks);
+  return DynaReader(name, bytes).read(remarks, false);
+}
+mesh::Mesh read_dyna_at_rest(const std::string& name, std::string_view bytes, Remarks* remarks) {
+  return DynaReader(name, bytes).read(remarks, true);
 }
 
 }  // namespace fabricsh::format

@@ -20,6 +20,11 @@ void MeshBuilder::add_node(std::int64_t number, const Vec3& position) {
   mesh_.nodes.push_back(position);
 }
 
+void MeshBuilder::move_node(std::int64_t number, const Vec3& position) {
+  if (!position.allFinite()) source_.fail("node " + std::to_string(number) + ": a coordinate is not finite");
+  mesh_.nodes[static_cast<std::size_t>(places_.at(number))] = position;
+}
+
 Index MeshBuilder::place(std::int64_t number, const std::string& who) const {
   const auto found = places_.find(number);
   if (found == places_.end())

@@ -20,6 +20,8 @@ class MeshBuilder {
 
   // Error: a number that is already used, or a coordinate that is not finite.
   void add_node(std::int64_t number, const Vec3& position);
+  // To another place. The node must exist. Error: a coordinate that is not finite.
+  void move_node(std::int64_t number, const Vec3& position);
   bool has_node(std::int64_t number) const { return places_.contains(number); }
   std::size_t nodes() const { return mesh_.nodes.size(); }
   std::size_t elements() const { return mesh_.elements.size(); }

@@ -58,6 +58,7 @@ struct MeshFormat {
   const char* ending;
   mesh::Mesh (*read)(const std::string& name, std::string_view bytes, Remarks* remarks);  // null: not read
   void (*write)(const std::string& path, const mesh::Mesh& mesh) = nullptr;               // null: not written
+  mesh::Mesh (*read_at_rest)(const std::string& name, std::string_view bytes, Remarks* remarks) = nullptr;
 };
 
 constexpr MeshFormat forms[] = {
@@ -67,9 +68,9 @@ constexpr MeshFormat forms[] = {
     {".obj", read_obj, write_text<obj_text>},
     {".stl", read_stl, write_text<stl_text>},
     {".ply", read_ply, write_text<ply_text>},
-    {".inp", read_abaqus, write_text<abaqus_text>},
-    {".k", read_dyna, write_text<dyna_text>},
-    {".key", read_dyna},
+    {".inp", read_abaqus, write_text<abaqus_text>, read_abaqus_at_rest},
+    {".k", read_dyna, write_text<dyna_text>, read_dyna_at_rest},
+    {".key", read_dyna, nullptr, read_dyna_at_rest},
     {".rad", nullptr, write_text<radioss_text>},
 };
 
@@ -108,13 +109,25 @@ void ask_about_size(const std::string& path, const mesh::Mesh& mesh, Remarks& re
 std::string read_endings() { return endings(&MeshFormat::read); }
 std::string written_endings() { return endings(&MeshFormat::write); }
 
-mesh::Mesh read_mesh(const std::string& path, Remarks* remarks) {
-  const auto read = function_of(path, &MeshFormat::read, "read");
+namespace {
+
+template <class Read>
+mesh::Mesh read_by(Read read, const std::string& path, Remarks* remarks) {
   const std::string bytes = read_file(path);
   if (bytes.empty()) throw Error(path + ": the file is empty");
   mesh::Mesh mesh = read(path, bytes, remarks);
   if (remarks != nullptr) ask_about_size(path, mesh, *remarks);
   return mesh;
+}
+
+}  // namespace
+
+mesh::Mesh read_mesh(const std::string& path, Remarks* remarks) {
+  return read_by(function_of(path, &MeshFormat::read, "read"), path, remarks);
+}
+
+mesh::Mesh read_mesh_at_rest(const std::string& path, Remarks* remarks) {
+  return read_by(function_of(path, &MeshFormat::read_at_rest, "read a stress-free shape of"), path, remarks);
 }
 
 void write_mesh(const std::string& path, const mesh::Mesh& mesh) {

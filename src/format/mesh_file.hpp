@@ -23,6 +23,9 @@ using Remarks = std::vector<std::string>;
 inline constexpr const char* no_line_end =
     "the last line has no end; if the file was cut short, part of the mesh is missing";
 mesh::Mesh read_mesh(const std::string& path, Remarks* remarks = nullptr);
+// The same mesh in the stress-free shape that an .inp or a .k has beside it; read_mesh names such a shape in
+// a remark. Error: there is none.
+mesh::Mesh read_mesh_at_rest(const std::string& path, Remarks* remarks = nullptr);
 // With sets of nodes: .vtu (point arrays of 0 and 1), .msh (Gmsh 4.1 text: physical points), .inp, .k, .rad;
 // the surface alone: .obj, .ply, .stl.
 void write_mesh(const std::string& path, const mesh::Mesh& mesh);
@@ -37,6 +40,8 @@ mesh::Mesh read_vtu(const std::string& name, std::string_view bytes);
 mesh::Mesh read_legacy_vtk(const std::string& name, std::string_view bytes);
 mesh::Mesh read_abaqus(const std::string& name, std::string_view bytes, Remarks* remarks = nullptr);
 mesh::Mesh read_dyna(const std::string& name, std::string_view bytes, Remarks* remarks = nullptr);
+mesh::Mesh read_abaqus_at_rest(const std::string& name, std::string_view bytes, Remarks* remarks = nullptr);
+mesh::Mesh read_dyna_at_rest(const std::string& name, std::string_view bytes, Remarks* remarks = nullptr);
 mesh::Mesh read_stl(const std::string& name, std::string_view bytes, Remarks* remarks = nullptr);
 mesh::Mesh read_ply(const std::string& name, std::string_view bytes, Remarks* remarks = nullptr);
 std::string gmsh_text(const mesh::Mesh& mesh);

@@ -8,6 +8,6 @@ namespace fabricsh::script {
 std::vector<Entry> mesh_generator_rows();
 std::vector<Entry> mesh_file_rows();
 // The mesh in a file; warns where the file may have been cut short.
-mesh::Mesh read_mesh_file(const Call& call, const std::string& path);
+mesh::Mesh read_mesh_file(const Call& call, const std::string& path, bool at_rest = false);
 
 }  // namespace fabricsh::script

@@ -32,7 +32,8 @@ std::string file_of(const std::string& path) {
 constexpr double one_place = 1e-6;
 
 int read(Call& call) {
-  auto mesh = std::make_shared<Mesh>(read_mesh_file(call, file_of(call.text("file"))));
+  auto mesh =
+      std::make_shared<Mesh>(read_mesh_file(call, file_of(call.text("file")), call.flag("reference")));
   if (call.has("join") && call.flag("join"))
     mesh::join_nodes(*mesh, one_place * box_of(mesh->nodes).size().norm());
   push_object(call.L(), std::move(mesh));
@@ -187,6 +188,11 @@ Entry read_row() {
       {value_("file", text,
               "ends in " + format::read_endings() + "; a bare name may be a mesh shipped with the program"),
        value_("join", boolean, "make one node of those at one place (within 1e-6 of the mesh's size)")
+           .or_else(false),
+       value_(
+           "reference", boolean,
+           "the same mesh in the stress-free shape that an .inp or a .k has beside it, for reference= of a "
+           "model")
            .or_else(false)},
       "Reads a mesh of triangles and quadrilaterals, lengths in m: Gmsh 2 and 4.1, VTK's .vtu and legacy "
       ".vtk, Wavefront .obj, .stl and .ply (text and binary; equal vertices of an .stl are joined), .inp of "
@@ -302,9 +308,9 @@ std::string list_of(const std::vector<Mesh::PassedOver>& all) {
 
 }  // namespace
 
-Mesh read_mesh_file(const Call& call, const std::string& path) {
+Mesh read_mesh_file(const Call& call, const std::string& path, bool at_rest) {
   format::Remarks remarks;
-  Mesh mesh = format::read_mesh(path, &remarks);
+  Mesh mesh = at_rest ? format::read_mesh_at_rest(path, &remarks) : format::read_mesh(path, &remarks);
   for (const std::string& remark : remarks) call.session().warn("mesh", remark);
   if (!mesh.passed_over.empty())
     call.session().notices().remark(path + ": only its mesh is read, not " + list_of(mesh.passed_over) +

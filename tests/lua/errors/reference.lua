@@ -91,3 +91,9 @@ wrong("fabric.lab.form_finding", "fabric.lab.form_finding{ mesh=mesh, prestress=
   "deck.lua:1: form_finding: field 'rounds': expected an integer of at least 1, got 0")
 wrong("fabric.lab.form_finding", "fabric.lab.form_finding{ mesh=mesh, prestress={ warp=5, weft=5 }, hold=print, rounds=1.5 }",
   "deck.lua:1: form_finding: field 'rounds': expected an integer of at least 1, got 1.5")
+
+-- fabric.mesh.read
+wrong("fabric.mesh.read", "fabric.mesh.read('disc.msh', false, 3)",
+  "deck.lua:1: read: argument 'reference': expected true or false, got 3")
+wrong("fabric.mesh.read", "fabric.mesh.read{ file='none.msh', reference=true }",
+  "deck.lua:1: read: cannot read a stress-free shape of 'none.msh': expected a name that ends in .inp, .k or .key")
