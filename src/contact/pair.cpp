@@ -136,7 +136,7 @@ class Friction {
   void add(const PressedPlace& at) {
     const Slid s = slide(law_, pair_, at, slip_);
     damp(at, s);
-    if (slip_.sticking > 0 || slip_.viscous > 0) rub(at, s);
+    if (slip_.rubs() || slip_.viscous > 0) rub(at, s);
     first_ = false;
   }
 
@@ -145,8 +145,7 @@ class Friction {
     const Touch& touch = at.place.touch;
     const double times = at.count / pair_.area;
     Vec3 pull = Vec3::Zero();
-    if (slip_.sticking > 0)
-      pull = s.spring * s.trial + resistance(touch, slip_, times, force_.resists) * s.slid;
+    if (slip_.rubs()) pull = s.spring * s.trial + resistance(touch, slip_, times, force_.resists) * s.slid;
     const double size = pull.norm(), kept = s.kept();
     if (size > s.bound()) pull *= s.bound() / size;
     if (at.count < 0) pull = -pull;
@@ -158,7 +157,7 @@ class Friction {
     const double before = slip_.step == 0 ? 0 : 0.5;
     force_.work += (1 - before) * pull.dot(s.slid);
     if (first_) force_.work += before * slip_.pull.dot(s.slid);
-    if (slip_.sticking == 0) return;
+    if (!slip_.rubs()) return;
     const double weight = pair_.kind == PairKind::wrap ? s.bound() : first_ ? 1 : 0;
     share_ += weight;
     force_.slides = force_.slides || (weight > 0 && (s.goes_on || !s.sticks()));
@@ -329,7 +328,7 @@ FrictionTangent friction_tangent(const ContactLaw& law, const Pair& pair, const 
     if (s.damping != 0)
       out.jacobian +=
           distance_gradient(touch) * press.transpose() + at.count * s.damping * distance_hessian(x, touch);
-    const bool rubs = slip.sticking > 0;
+    const bool rubs = slip.rubs();
     if (!rubs && slip.viscous == 0) return;
     press -= at.count * at.answer.stiffness * distance_gradient(touch);
     if (modulated) press += share * at.answer.pressure * m->gradient;

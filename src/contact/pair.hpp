@@ -62,6 +62,7 @@ struct Slip {
   // Pa s/m, of a film between the surfaces: its viscosity over its thickness. It resists sliding with this
   // times the speed where they touch, beside Coulomb's friction.
   double viscous = 0;
+  bool rubs() const { return friction > 0 || sticking > 0; }  // by Coulomb's law
   // Explicit steps: a resistance of 0.2 m / dt to the sliding velocity below the bound of Coulomb, with the
   // effective mass m of the pair at the place and as often as the place counts, damps the vibration of what
   // sticks. It cannot reverse the sliding.
