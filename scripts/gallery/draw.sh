@@ -21,6 +21,7 @@ gallery() {
         "$program" --quiet "$deck" "$work" 28 36
         python3 scripts/gallery/movie.py "$out/gallery/fall.png" 70 "$work"/fall_0*.png
         ;;
+      */dome.lua) "$program" --quiet "$deck" "$out/gallery" 20 ;;
       */balloon.lua) "$program" --quiet "$deck" "$out/gallery" 16 ;;
       *) "$program" --quiet "$deck" "$out/gallery" ;;
     esac
