@@ -1,6 +1,7 @@
 -- A trouser test: the legs of a cut specimen are pulled apart, and it tears on between them. Legs that hardly stretch tear at half of the energy
 -- that breaking the yarns costs per metre.
 -- warns: the strength is lowered
+-- warns: of the work, expected at most 1 % together
 local fabric, out = require "fabric", arg[1] or "out/gallery"
 local mm = fabric.units.mm
 local energy = 20 -- J/m; a typical value, not measured on a cloth
