@@ -9,6 +9,7 @@
 ---@field thickness number m: of the sheet
 ---@field bending fabric_woven_fields.bending own bending rigidity instead of integration through the thickness
 ---@field provenance table where values come from: {['warp.loading']='fitted to 4 specimens', ['shear.unloading']='assumed: ...'}; words begin with fitted, measured, copied, typed or assumed
+---@field ranges table where assumed numbers may lie, for fabric.budget: {['warp.poisson']={0.1, 0.6}, ['warp.loading']={0.5, 2}}; Poisson's ratios as they are, others as factors
 ---@field through_thickness boolean bending by integration through the thickness is intended where the card has no bending of its own: no warning, even if that is far stiffer than cloth (default false)
 ---@field estimate fabric_woven_fields.estimate estimates of what was not measured, used by fabric.card(name, { bending='estimated' })
 ---@field compression table one sheet pressed between two plates, {{gap, pressure}, ...}: gap, m, is its thickness then, which is also how far apart the middles of two such sheets are, pressure in Pa; what contact presses with
@@ -59,7 +60,7 @@ local history = {}
 ---@field steps table[] Of each committed step: time, step, iterations, cuts, residuals, negative_pivots (none on a stable path), stable: true, false, or "unchecked" in motion and where loads have no potential.
 ---@field stopped string|false The reason it was stopped for, or false.
 ---@field time number Where the run is, s.
----@field warnings any What the run has said about how far its results can be trusted, in order: a list of {code, text, time (s), element (nil: no particular one), serious}. Also in run.json. Under --strict the serious ones raise a numerical failure. The codes: ledger (energy appears or is lost beyond what the steps explain), inverted (an element is turned inside out), director (a director has turned over to the other side of the sheet), beyond (the strain is beyond what the card was tested to; serious with limit="stop"), path (steps of a static run are long for laws that remember their path), unstable (a step of a static run has ended in a shape that is not stable), compressed (elements carry compression under which the cloth within them would fold), pivots (a static run has passed a limit or bifurcation point, or left an unstable shape), relaxed (relaxation took a noticeable part of a static run's work, or its first step), stabilise (stabilisation has taken a noticeable part of the work), jump (a load or motion is at full value at once, not ramped), step (the explicit step is near the stable one, or is split because stretch has shortened that), inertia (much of the kinetic energy is in rotary inertia that is scaled up for the step), guard (contact is pressed so far that a barrier keeps the surfaces apart), fold (cloth turns sharply between two elements where contact presses on it), seam (edges that are sewn had not met when their time was over), held (the cloth pulls on yarns beyond their strength where a support holds them, and none breaks there), dropped (an initial velocity is dropped along supports), oblique (yarns cross elements so obliquely, and are so stiff, that these lock), shear (transverse shear that is derived from other numbers of the card shows in bending), lean (the guard of the directors has a noticeable part of the stored energy), splay (elements are so long across stiff fibres that they lose stability where cloth does not), idle (supports take up the whole of a load, or nothing loads or moves the cloth at all), bending (the bending rigidity of the card is far from that of cloth), card (the check of the card has a warning), units (a value of the deck is far outside the usual), mesh (the file of a mesh was cut short or holds what is left out), restart (the run was continued from the checkpoint of another deck), lost (an output of the restarted run is gone), retired (an argument of an earlier release has no effect any more), deck (the deck or a virtual test has said it with fabric.warn).
+---@field warnings any What the run has said about how far its results can be trusted, in order: a list of {code, text, time (s), element (nil: no particular one), serious}. Also in run.json. Under --strict the serious ones raise a numerical failure. The codes: ledger (energy appears or is lost beyond what the steps explain), inverted (an element is turned inside out), director (a director has turned over to the other side of the sheet), beyond (the strain is beyond what the card was tested to; serious with limit="stop"), path (steps of a static run are long for laws that remember their path), unstable (a step of a static run has ended in a shape that is not stable), compressed (elements carry compression under which the cloth within them would fold), pivots (a static run has passed a limit or bifurcation point, or left an unstable shape), relaxed (relaxation took a noticeable part of a static run's work, or its first step), stabilise (stabilisation has taken a noticeable part of the work), jump (a load or motion is at full value at once, not ramped), step (the explicit step is near the stable one, or is split because stretch has shortened that), inertia (much of the kinetic energy is in rotary inertia that is scaled up for the step), guard (contact is pressed so far that a barrier keeps the surfaces apart), pressed (contact of an assumed stiffness has a noticeable part of the stored energy), fold (cloth turns sharply between two elements where contact presses on it), seam (edges that are sewn had not met when their time was over, or are drawn against a body faster than contact stops them), held (the cloth pulls on yarns beyond their strength where a support holds them, and none breaks there), dropped (an initial velocity is dropped along supports), oblique (yarns cross elements so obliquely, and are so stiff, that these lock), shear (transverse shear that is derived from other numbers of the card shows in bending), lean (the guard of the directors has a noticeable part of the stored energy), splay (elements are so long across stiff fibres that they lose stability where cloth does not), idle (supports take up the whole of a load, or nothing loads or moves the cloth at all), bending (the bending rigidity of the card is far from that of cloth), card (the check of the card has a warning), units (a value of the deck is far outside the usual), mesh (the file of a mesh was cut short or holds what is left out), restart (the run was continued from the checkpoint of another deck), lost (an output of the restarted run is gone), retired (an argument of an earlier release has no effect any more), deck (the deck or a virtual test has said it with fabric.warn).
 local analysis = {}
 
 ---The whole state of a run.
@@ -201,10 +202,11 @@ function analysis:reach(value, target, set, tolerance) end
 
 ---@class analysis_reaction_fields.options
 ---@field window? number s: the mean over the last seconds, straight between the ends of the run's steps; to be asked for once before the first step
+---@field support? boolean of a body: the force on it of m:fix, in the directions that are held (default false)
 
 ---Force that the supports, or a rigid body, exert on the cloth, summed over the set: three numbers x, y, z in N, global; zero before the first step.
 ---@param set string|body name of a node set, or a rigid body
----@param options? analysis_reaction_fields.options window = seconds for a mean
+---@param options? analysis_reaction_fields.options window = seconds for a mean, or support = true
 ---@return number x, number y, number z
 function analysis:reaction(set, options) end
 
@@ -318,6 +320,7 @@ function fabric.asked_case() end
 
 ---@class fabric_buckling_fields
 ---@field from analysis a state under the loads, well below the critical ones or near them
+---@field load? model the loads and motions that are multiplied, beyond those of the state, which stay as they are: model:copy() with more of them, as they are at the time of the state; without it all of the state's
 ---@field count? integer how many, from the lowest on (default 1)
 
 ---Factors of the loads of a state at which cloth buckles, ascending: a list of { factor=, shape= }.
@@ -326,7 +329,7 @@ function fabric.asked_case() end
 function fabric.buckling(fields) end
 
 ---@class fabric_budget_fields
----@field run function run(p) returns numbers by name; p.card, p.mesh, p.step, p.specimen (a seed) and p.assumed.NAME are those of this run
+---@field run function run(p) returns numbers by name; p.card, p.mesh, p.step, p.specimen (a seed) and p.assumed.NAME are those of this run; where it puts its run into p.analysis, mesh_errors is the error of the stresses on each mesh: with one mesh its part, with more the least where these do not converge
 ---@field card? card its measured bands and what it assumes are varied
 ---@field mesh? table for p.mesh, rising, e.g. {4, 8, 16} elements along a side
 ---@field steps? table for p.step, falling
@@ -338,7 +341,7 @@ function fabric.buckling(fields) end
 ---@field print? boolean the table (default true)
 ---@field figure? string a file for a picture of the shares
 
----The uncertainty of what a deck computes, after the GUM: the errors of the mesh (Richardson's extrapolation, whose limit is the value) and of the steps, the card's measured bands, what it assumes, and the specimen. Returns by the name of each number value, band {low, high} (95 %) and contributions { {source, deviation, share, first, total, first_band, total_band, range, why}, ... }, the largest first; text, runs, failed, warnings, sample_warnings (what the samples warned of, once each: code, text, runs), not_varied, untold (lines on numbers of which the meshes or steps do not tell where they go).
+---The uncertainty of what a deck computes, after the GUM: the errors of the mesh (Richardson's extrapolation, whose limit is the value) and of the steps, the card's measured bands, what it assumes, and the specimen. Returns by the name of each number value, band {low, high} (95 %) and contributions { {source, deviation, share, first, total, first_band, total_band, range, why}, ... }, the largest first; text, runs, failed, warnings, sample_warnings (what the samples warned of, once each: code, text, runs), not_varied, untold (lines on numbers of which the meshes or steps do not tell where they go), contradictions (lines on parts of the card whose records contradict the model).
 ---@param fields fabric_budget_fields
 ---@return any
 function fabric.budget(fields) end
@@ -770,6 +773,19 @@ function fabric.lab.capstan(fields) end
 ---@return card
 function fabric.lab.card(fields) end
 
+---@class fabric_lab_chain_fields
+---@field model model the cloth with what holds it in all steps, without loads
+---@field steps table { {name=, duration=, scheme=?, loads=?, release=?, options=?}, ... }: duration and release in s; scheme 'static', 'explicit' or 'implicit'; loads=function(model, begins, before) adds to a copy of the model what holds, moves and loads it in this step, which begins at the time `begins` from the analysis `before`; options are further fields of fabric.static or fabric.dynamic
+---@field cycles? integer how often the list of steps is gone through (default 1)
+---@field columns? table { name=function(analysis) ... end, ... }: numbers that are read at the end of each step
+---@field watch? function function(analysis, name, cycle) before a step is solved: its outputs and hooks
+---@field checkpoint? string file of checkpoints, eight in each step, from which --restart goes on with the step under way
+
+---Steps of a test that follow each other, such as loading, relaxation, unloading, and cycles of them: each begins from the state of the one before. Returns rows (one a step: cycle, name, time (s), stored, dissipated, work (J), and the columns), the last analysis, and its model.
+---@param fields fabric_lab_chain_fields
+---@return table<string, any>
+function fabric.lab.chain(fields) end
+
 ---@class fabric_lab_compare_fields.options
 ---@field x? string column of both; default E, else displacement
 ---@field y? string column of both; default S, else force
@@ -978,30 +994,37 @@ function fabric.lab.fit(fields) end
 ---@field around? integer facets around (default 64)
 
 ---@class fabric_lab_form_fields.die
----@field shape? "hemisphere"|"box"|"double dome" of the punch or of the opening: hemisphere (round), box, double dome (default "hemisphere")
+---@field shape? "hemisphere"|"box"|"double dome" of the opening; default that of the punch
 ---@field radius? number m: of a hemisphere, a dome or a round opening
 ---@field size? number[] m: {along x, along y} of a box
 ---@field corner? number m: radius of a box's corners, seen from above
 ---@field length? number m: from centre to centre of a double dome, along x
 ---@field waist? number m: radius of the arcs that join both domes
----@field edge? number m: radius of the rounded edge; default a sixth of a round punch
+---@field edge? number m: radius of the rounded edge of the opening; default the larger of a sixth of the punch's radius (of a box: a sixth of the shorter side) and ten times the thickness of a ply; where contact= is given, at least five times that
+---@field outer? number m: radius of the round outside of die and holder; default 0.75 times the diagonal of the blank
 ---@field around? integer facets around (default 64)
 
 ---@class fabric_lab_form_fields.holder
----@field force? number N: by which it presses
----@field springs? number N/m: that press it from where it lies
----@field gap? number m: that it leaves
+---@field force? number N: that presses it on the plies
+---@field springs? number N/m: stiffness of all springs that hold it down
+---@field gap? number m: from die to holder, which stands
 ---@field mass? number kg: of the plate; default four times that of the plies
+
+---@class fabric_lab_form_fields.film
+---@field viscosity number Pa s: of what is between plies, and between them and the tools: a hot matrix
+---@field thickness number m: of it
 
 ---@class fabric_lab_form_fields
 ---@field card card the fabric of all plies
 ---@field stack? number[] degrees: {lowest, ..., upmost}: warp of each ply from x, default {0}
 ---@field blank number|number[] m: side of a square, or {along x, along y}
----@field punch fabric_lab_form_fields.punch as of fabric.rigid.punch
----@field die? fabric_lab_form_fields.die the opening, as of fabric.rigid.die; default of a round punch: wider by a twenty-fifth of its radius or by one and a half plies
----@field holder? fabric_lab_form_fields.holder one of force, springs and gap; without it none
+---@field punch fabric_lab_form_fields.punch the arguments of fabric.rigid.punch: { radius= }, { shape='box', size=, corner=, edge= }, { shape='double dome', radius=, length=, waist= }
+---@field die? fabric_lab_form_fields.die of fabric.rigid.die: { radius=, edge= }, ...; lengths of the opening that are left out: those of a punch of the same shape, wider on each side by 1.1 times the thickness of the stack in contact, at least a twenty-fifth of the punch's radius
+---@field holder? fabric_lab_form_fields.holder { force=N }, { springs=N/m } or { gap=m }; without it none
 ---@field friction? number of tools and plies (default 0.2)
 ---@field ply_friction? number of plies on each other; default that of the tools
+---@field weft_friction? number friction across the warp, that along it being friction and ply_friction; of two plies the warp is that of the lower one
+---@field film? fabric_lab_form_fields.film resists sliding beside friction, as film of model:contact: give the viscosity times the real speed of the punch over that of the run
 ---@field stroke number m: way of the punch from first contact
 ---@field cells? integer elements along the longer side (of a quarter: of its own) (default 32)
 ---@field triangles? boolean elements of three nodes (default false)
@@ -1012,14 +1035,27 @@ function fabric.lab.fit(fields) end
 ---@field points? integer through the thickness of a single ply (default 1)
 ---@field damping? number 1/s: of motion, as damping.mass of fabric.dynamic; default 3 over the duration
 ---@field rows? integer of the curve (default 50)
----@field out? string folder for curve.csv, force.svg and the VTK series, whose fields warp and weft are the directions of the yarns
+---@field out? string folder for curve.csv, force.svg, the VTK series, whose fields warp and weft are the directions of the yarns, and the formed plies with their yarns for Abaqus and CalculiX (ply1.inp) and OpenRadioss (ply1.rad)
 ---@field ledger_limit? number as for fabric.dynamic (default 0.05)
 ---@field prepare? function prepare(analysis), called before it runs
 
----Plies are pressed through the opening of a die by a punch, under a blank holder. Returns curve (a list of stroke, force of punch, holder and die, N, and energies), angles (of each element ply, X, Y flat, x, y, z formed, and its shear angle, degrees; max and place), draw_in (of each node of the edges ply, edge, X, Y, draw_in, m; max, mean, left, right, bottom, top), wrinkles (height above the flat of the die, m, x, y, ply), report (text), peak (N), stroke (m, reached), series (VTK), analysis, model, punch, die, holder, and trouble where the run stopped.
+---Plies are pressed through the opening of a die by a punch, under a blank holder. Returns curve (a list of stroke, force of punch, holder and die, N, and energies), angles (of each element ply, X, Y flat, x, y, z formed, its shear angle, degrees, and the unit vectors warp and weft; max and place), draw_in (of each node of the edges ply, edge, X, Y, draw_in, m; max, mean, left, right, bottom, top), wrinkles (height above the flat of the die, m, x, y, ply), report (text), peak (N), stroke (m, reached), series (VTK) and files (of the formed plies) with out=, analysis, model, punch, die, holder, and trouble where the run stopped.
 ---@param fields fabric_lab_form_fields
 ---@return table<string, any>
 function fabric.lab.form(fields) end
+
+---@class fabric_lab_form_finding_fields
+---@field mesh mesh a shape to begin with; what is held is at its place
+---@field prestress table { warp=N/m, weft=N/m }: the tensions of the shape that is sought; equal ones are those of a soap film
+---@field hold function function(model), which declares the supports, as by model:fix('boundary', 'x y z')
+---@field warp? any as for fabric.model, on each shape; default 0
+---@field tolerance? number how far nodes may still move in the last round, over the size of the mesh (default 1e-05)
+---@field rounds? integer at most (default 100)
+
+---The shape in which a sheet with given tensions is in balance, by rounds of statics with an updated reference [bletzinger1999]. Returns mesh (the shape, with the sets of the mesh), rounds, moves (m, the longest way of a node in each round), analysis and model of the last round. A model of this mesh with a card and the same prestress begins in balance.
+---@param fields fabric_lab_form_finding_fields
+---@return table<string, any>
+function fabric.lab.form_finding(fields) end
 
 ---@class fabric_lab_grab_fields
 ---@field card card the fabric, with rupture
@@ -1555,7 +1591,7 @@ function fabric.lab.speckles(fields) end
 ---@field level? number of confidence (default 0.95)
 ---@field points? integer bins of strain, equally wide (default 50)
 
----How specimens differ in virgin loading: E, S (mean), deviation (of one specimen), low and high (band of the mean), next_low and next_high (band in which the next specimen lies), left_out (of each specimen the part of its points in the band of the others), coverage (their mean), unlike (specimens that the others do not explain: specimen, ratio to them, their deviation), reach, text.
+---How specimens differ in virgin loading: E, S (mean), deviation (of one specimen), low and high (band of the mean), next_low and next_high (band in which the next specimen lies), left_out (of each specimen the part of its points in the band of the others), least_like (that with the smallest part: specimen, E, S, low and high of the others' band), coverage (their mean), unlike (specimens that the others do not explain: specimen, ratio to them, their deviation), reach, text.
 ---@param fields fabric_lab_spread_fields
 ---@return table<string, any>
 function fabric.lab.spread(fields) end
@@ -1789,7 +1825,7 @@ function fabric.lab.viscous(fields) end
 ---@field state? table an empty table to gather in, for `keep` of a:checkpoint, so that a restart goes on with it
 ---@field out? string folder for pressure.csv, worn.pvd (cloth and body, with the pressure on it) and worn.txt
 
----What worn cloth does to the body and its wearer: runs through the times and returns regions (of each name, and of all: mean, Pa, the largest of its mean pressures over time, usual, their mean over time, peak, the largest over a disc of skin, peak_at, m, its middle on the body at time 0, touched, the largest share of its area), map (mean and largest of each vertex, Pa), rows (the mean pressures over time), cycles (of each: work, J, that moves the body, supports and loads did, and what became of it: cloth, what the law of the cloth dissipated, friction, damping, impact, fracture, stored, kinetic), slip (m, on the skin: largest and its node, mean, nodes), tension (warp, weft: value, N/m, element, time), beyond (strain over the tested strain of the card), compressed (how much shorter yarns get: value, element, time; from 1 % on, where a finer mesh would fold, a warning says so), gives_way (whether the yarns of the card carry next to nothing then), gap, ledger, and text, all of this in words.
+---What worn cloth does to the body and its wearer: runs through the times and returns regions (of each name, and of all: mean, Pa, the largest of its mean pressures over time, usual, their mean over time, peak, the largest over a disc of skin, peak_at, m, its middle on the body at time 0, touched, the largest share of its area), map (mean and largest of each vertex, Pa), rows (the mean pressures over time), cycles (of each: work, J, that moves the body, supports and loads did, and what became of it: cloth, what the law of the cloth dissipated, friction, damping, impact, fracture, stored, kinetic), slip (m, on the skin: largest and its node, mean, nodes), tension (warp, weft: value, N/m, element, time), beyond (strain over the tested strain of the card), compressed (how much shorter yarns get: value, element, time, folded: the part that folds within the element took; from 1 % on, where a finer mesh would fold, a warning says so), gives_way (whether the yarns of the card carry next to nothing then, or folds within elements took it), gap, ledger, and text, all of this in words.
 ---@param fields fabric_lab_wear_fields
 ---@return table<string, any>
 function fabric.lab.wear(fields) end
@@ -1872,6 +1908,7 @@ function fabric.latin_hypercube(inputs) end
 ---@field thickness number m: of the sheet
 ---@field bending? fabric_linear_fields.bending own bending rigidity instead of integration through the thickness
 ---@field provenance? table where values come from: {['warp.loading']='fitted to 4 specimens', ['shear.unloading']='assumed: ...'}; words begin with fitted, measured, copied, typed or assumed
+---@field ranges? table where assumed numbers may lie, for fabric.budget: {['warp.poisson']={0.1, 0.6}, ['warp.loading']={0.5, 2}}; Poisson's ratios as they are, others as factors
 ---@field through_thickness? boolean bending by integration through the thickness is intended where the card has no bending of its own: no warning, even if that is far stiffer than cloth (default false)
 ---@field estimate? fabric_linear_fields.estimate estimates of what was not measured, used by fabric.card(name, { bending='estimated' })
 ---@field compression? table one sheet pressed between two plates, {{gap, pressure}, ...}: gap, m, is its thickness then, which is also how far apart the middles of two such sheets are, pressure in Pa; what contact presses with
@@ -1974,8 +2011,9 @@ function fabric.mesh.panel(fields) end
 ---Reads a mesh of triangles and quadrilaterals, lengths in m: Gmsh 2 and 4.1, VTK's .vtu and legacy .vtk, Wavefront .obj, .stl and .ply (text and binary; equal vertices of an .stl are joined), .inp of Abaqus and CalculiX, .k of LS-DYNA. Physical groups and groups become node sets, sets of elements those of their nodes; so do integer arrays: those of 0 and 1 by their name, others as name_value; parts and solids where there are several. Nodes in no element are left out; the sets all and boundary are added. Also with named fields: fabric.mesh.read{ file=, join=true }.
 ---@param file string ends in .msh, .vtu, .vtk, .obj, .stl, .ply, .inp, .k or .key; a bare name may be a mesh shipped with the program
 ---@param join? boolean make one node of those at one place (within 1e-6 of the mesh's size) (default false)
+---@param reference? boolean the same mesh in the stress-free shape that an .inp or a .k has beside it, for reference= of a model (default false)
 ---@return mesh
-function fabric.mesh.read(file, join) end
+function fabric.mesh.read(file, join, reference) end
 
 ---@class fabric_mesh_rectangle_fields.grading
 ---@field x? number[] m: of the lines of nodes across x, from 0 to the width, ascending
@@ -1995,6 +2033,10 @@ function fabric.mesh.read(file, join) end
 ---@return mesh
 function fabric.mesh.rectangle(fields) end
 
+---@class fabric_model_fields.prestress
+---@field warp? number N/m: along the warp (default 0)
+---@field weft? number N/m: along the weft (default 0)
+
 ---@class fabric_model_fields
 ---@field mesh? mesh the surface
 ---@field card? card the fabric
@@ -2003,6 +2045,9 @@ function fabric.mesh.rectangle(fields) end
 ---@field warp? number|function|number[] degrees: warp direction: angle counter-clockwise about the normal from global +x, {x, y, z}, or function(x, y, z) returning either; default: along the grain of a panel, 0 on another flat generated mesh
 ---@field points? integer integration points through the thickness (default 3)
 ---@field offset? number reference surface: -1 lower face, 0 middle, 1 upper face (default 0)
+---@field reference? mesh the stress-free shape: the same elements with other nodes. Strains, yarns and masses are those of this shape; the mesh is where the run starts
+---@field rest? "own"|"flat"|"as placed" where it is free of moments: own, with the curvature of the stress-free shape; flat; or as placed, with that of the mesh (default "own")
+---@field prestress? fabric_model_fields.prestress tension at the start, per width of the mesh, by a strain of the law that is printed
 ---@field regions? table { set = {card=, thickness=, warp=, ...}, ... }: sets of elements with a card or section of their own
 ---@field bodies? table { {name=, mesh=, card=, regions=, ...}, ... }: several meshes in place of one; their sets are then name.left
 ---@field membrane? boolean cloth without bending and transverse shear, whose directors are held: for sheets that are taut, or fold more sharply than an element can show (default false)
@@ -2038,6 +2083,7 @@ function fabric.modes(fields) end
 ---@field yunit? string likewise
 ---@field xrange? number[] {low, high} shown, in SI; default: all
 ---@field yrange? number[] {low, high} shown, in SI; default: all
+---@field ynames? table a list of names: what stands at y = 1, 2, ..., in the place of numbers
 ---@field log? ""|"x"|"y"|"xy" logarithmic axes
 ---@field key? "best"|"none"|"top left"|"top right"|"bottom left"|"bottom right"|"below"|"right" where the labels of the curves stand; best: the first corner free of curves, else below
 ---@field file? string ends in .svg, .pdf, .eps or .png; none: drawn in letters
@@ -2385,6 +2431,7 @@ function fabric.study(fields) end
 ---@field thickness number m: of the sheet
 ---@field bending? fabric_svk_fields.bending own bending rigidity instead of integration through the thickness
 ---@field provenance? table where values come from: {['warp.loading']='fitted to 4 specimens', ['shear.unloading']='assumed: ...'}; words begin with fitted, measured, copied, typed or assumed
+---@field ranges? table where assumed numbers may lie, for fabric.budget: {['warp.poisson']={0.1, 0.6}, ['warp.loading']={0.5, 2}}; Poisson's ratios as they are, others as factors
 ---@field through_thickness? boolean bending by integration through the thickness is intended where the card has no bending of its own: no warning, even if that is far stiffer than cloth (default false)
 ---@field estimate? fabric_svk_fields.estimate estimates of what was not measured, used by fabric.card(name, { bending='estimated' })
 ---@field compression? table one sheet pressed between two plates, {{gap, pressure}, ...}: gap, m, is its thickness then, which is also how far apart the middles of two such sheets are, pressure in Pa; what contact presses with
@@ -2588,6 +2635,7 @@ function fabric.why() end
 ---@field thickness number m: of the sheet
 ---@field bending? fabric_woven_fields.bending own bending rigidity instead of integration through the thickness
 ---@field provenance? table where values come from: {['warp.loading']='fitted to 4 specimens', ['shear.unloading']='assumed: ...'}; words begin with fitted, measured, copied, typed or assumed
+---@field ranges? table where assumed numbers may lie, for fabric.budget: {['warp.poisson']={0.1, 0.6}, ['warp.loading']={0.5, 2}}; Poisson's ratios as they are, others as factors
 ---@field through_thickness? boolean bending by integration through the thickness is intended where the card has no bending of its own: no warning, even if that is far stiffer than cloth (default false)
 ---@field estimate? fabric_woven_fields.estimate estimates of what was not measured, used by fabric.card(name, { bending='estimated' })
 ---@field compression? table one sheet pressed between two plates, {{gap, pressure}, ...}: gap, m, is its thickness then, which is also how far apart the middles of two such sheets are, pressure in Pa; what contact presses with
@@ -2664,6 +2712,10 @@ function mesh:orient(direction) end
 ---@return any
 function mesh:pair() end
 
+---Cuts every element from its middle to the middles of its sides into quadrilaterals, four of a quadrilateral and three of a triangle, so that no triangle is left, which stiff yarns would lock. New nodes lie on the sides: make a mesh of a curved outline fine enough before. Sets take them.
+---@return any
+function mesh:refine() end
+
 ---Makes or replaces a named set of nodes; with the name alone gives its node numbers.
 ---@param name string of the set
 ---@param nodes? function|number[] node numbers, or function(x, y, z) that says whether a node is inside
@@ -2728,13 +2780,20 @@ function model:band(fields) end
 function model:check() end
 
 ---@class model_contact_fields.friction
----@field static number of what sticks, at least the kinetic one
----@field kinetic number of what slides
+---@field static? number of what sticks, at least the kinetic one
+---@field kinetic? number of what slides
+---@field warp? number of sliding along the warp of the cloth that comes first in the model
+---@field weft? number of sliding across it
+
+---@class model_contact_fields.film
+---@field viscosity number Pa s: of what is between the surfaces, such as a hot matrix
+---@field thickness number m: of it
 
 ---@class model_contact_fields
 ---@field between? table { body or set, ... }: every two of them touch ("all": the whole cloth)
 ---@field self? string a set whose cloth touches itself
----@field friction? number|model_contact_fields.friction friction coefficient, or that of what sticks and that of what slides (default 0)
+---@field friction? number|model_contact_fields.friction friction coefficient; or {static, kinetic}, of what sticks and of what slides; or {warp, weft}, by direction (default 0)
+---@field film? model_contact_fields.film beside friction, viscosity times sliding speed over thickness, where the surfaces touch
 ---@field thickness? number m: of the cloth in contact; default: the cloth's own, or that of its card's compression
 ---@field stiffness? number Pa/m: pressure per closed gap; default: the compression curve of the card, or else 1 MPa down to the floor; in explicit runs no more than the cloth's own stable step carries
 ---@field restitution? number speed after over speed before of a sheet that meets something flat; 1: nothing is lost (default 0.5)
@@ -2752,6 +2811,16 @@ function model:contact(fields) end
 ---@param changes? model_copy_fields.changes what differs; supports and loads are added by its calls
 ---@return model
 function model:copy(changes) end
+
+---@class model_crease_fields
+---@field line? table { {x, y, z}, ... }: through points of the stress-free shape, in m, along edges of its mesh
+---@field set? string the nodes of a line of edges, in place of the line
+---@field angle number degrees: between the normals of both sides where the crease is at rest; positive where they lean towards each other, as in a valley seen from the side of the normals
+
+---Makes a crease: a line along which the sheet is at rest at an angle. The elements beside it are as stiff as elsewhere.
+---@param fields model_crease_fields
+---@return model
+function model:crease(fields) end
 
 ---@class model_damper_fields.rate
 ---@field x? number N s/m: along x
