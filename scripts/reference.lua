@@ -8,6 +8,7 @@
 -- warns: the card was tested to
 -- warns: the end of the run, the ball is still in the cloth
 -- warns: inertia is part of the forces
+-- warns: tear: damping takes
 local fabric = require "fabric"
 local registry = require "fabric.define".registry
 local rows = registry.rows()
