@@ -6,6 +6,7 @@
 -- Elements of 6 mm are coarse for the folds beside the fourchettes, where a director turns over as the finger straightens.
 -- warns: is turned over
 -- warns: a finer mesh folds
+-- warns: locks where yarns are pulled
 -- warns: carries without folding within it
 local fabric = require "fabric"
 local mm = fabric.units.mm

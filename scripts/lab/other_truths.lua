@@ -39,8 +39,8 @@ local function soft_toe(D, at, over)
 end
 local cloths = {
   { name = "exponential", warp = function(E) return 0.5e6 * (math.exp(24 * E) - 1) end, weft = function(E) return 0.9e6 * (math.exp(15 * E) - 1) end,
-    shear = function(E) return 2.5e4 * math.sinh(6 * E) end },
-  { name = "crimp", warp = crimped(0.2, 9, 8e-3), weft = crimped(0.26, 3, 12e-3), shear = function(E) return 1.2e4 * math.tanh(E / 0.06) + 6e4 * E end },
+    shear = function(E) return 2.5e4 * (math.exp(6 * E) - math.exp(-6 * E)) / 2 end },
+  { name = "crimp", warp = crimped(0.2, 9, 8e-3), weft = crimped(0.26, 3, 12e-3), shear = function(E) return 1.2e4 * (1 - 2 / (math.exp(2 * E / 0.06) + 1)) + 6e4 * E end },
   { name = "toe and lock", warp = soft_toe(150e6, 0.03, 0.01), weft = soft_toe(60e6, 0.02, 0.015), shear = function(E) return 5e4 * E + 8e5 * E ^ 3 end },
 }
 

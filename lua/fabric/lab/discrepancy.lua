@@ -168,16 +168,15 @@ function discrepancy.of(all_residuals, counts, all_derivatives, all_covariance, 
   local most = 4 * math.max(1, squares / math.max(1, m - n))
   local v, none = best_noise(0, u, g, rest, count, most)
   -- s2, averaged
-  local s2, top, sum = 0, none, 1
+  local s2, top = 0, none
   if #u > 0 and count > 2 then
-    local whole, values, highest = 0, {}, none
+    local whole, sum, values, highest = 0, 0, {}, none
     for k = -20, 30 do
       local size = 10 ^ (k / 10)
       local noise, value = best_noise(size * size, u, g, rest, count, most)
       if value > top then v, top = noise, value end
       values[#values + 1], highest = { size = size, value = value }, math.max(highest, value)
     end
-    sum = 0
     for _, at in ipairs(values) do -- likelihoods by the highest, so that none overflows however long the records
       local weight = math.exp(at.value - highest) * at.size / (1 + (at.size / 0.5) ^ 2)
       sum, whole = sum + weight, whole + weight * at.size ^ 2
@@ -194,11 +193,11 @@ function discrepancy.of(all_residuals, counts, all_derivatives, all_covariance, 
     out.freedom[i] = math.max(1, m - n)
   end
   for a, i in ipairs(list) do
-    for b, l in ipairs(list) do
+    for e, l in ipairs(list) do
       local smooth = 0
-      for q = 1, #phi do smooth = smooth + explained[q][a] * explained[q][b] end
+      for q = 1, #phi do smooth = smooth + explained[q][a] * explained[q][e] end
       out.covariance[i][l] = v * all_covariance[i][l] + s2 * smooth
-      if a == b then
+      if a == e then
         local own, c = v * all_covariance[i][i], s2 * smooth
         out.freedom[i] = own + c > 0 and (own + c) ^ 2 / (own * own / math.max(1, m - n) + c * c / math.max(1, effective)) or 1
       end
