@@ -336,11 +336,34 @@ std::vector<Table> tables_with_either_sign(const Source& source, TableForm form,
   return read_as(source, readings[0], asked, bad);
 }
 
-bool is_doubtful(const std::vector<Table>& tables) {
-  return std::any_of(tables.begin(), tables.end(), [](const Table& table) {
-    return std::any_of(table.columns.begin(), table.columns.end(),
-                       [](const TableColumn& column) { return !column.doubt.empty(); });
-  });
+// Whether a number has both signs, as 5.512,5: a sign, three digits, the decimal sign, a digit.
+bool shows_thousands(std::string_view text, char thousands, char decimal) {
+  const auto digits = [](std::string_view part) {
+    return std::all_of(part.begin(), part.end(), [](char c) { return c >= '0' && c <= '9'; });
+  };
+  for (auto i = text.find(thousands, 1); i != text.npos && i + 5 < text.size();
+       i = text.find(thousands, i + 1))
+    if (text[i + 4] == decimal && digits(text.substr(i - 1, 1)) && digits(text.substr(i + 1, 3)) &&
+        digits(text.substr(i + 5, 1)))
+      return true;
+  return false;
+}
+
+// The file with a sign between thousands and the other one for decimals, where a number shows both; none if
+// not every cell can be read so.
+std::vector<Table> tables_with_thousands(const Source& source, std::string_view text, TableForm form) {
+  for (const char thousands : {'.', ','}) {
+    form.thousands = thousands;
+    form.decimal = thousands == '.' ? ',' : '.';
+    if (!shows_thousands(text, form.thousands, form.decimal)) continue;
+    auto readings = readings_of(source, form);
+    if (readings.empty()) continue;
+    widen(source, readings[0]);
+    std::size_t bad = 0;
+    auto tables = read_as(source, readings[0], form, bad);
+    if (bad == 0) return tables;
+  }
+  return {};
 }
 
 std::vector<Table> tables_in(const std::string& name, std::string_view bytes, TableForm form) {
@@ -367,11 +390,10 @@ std::vector<Table> tables_in(const std::string& name, std::string_view bytes, Ta
       bad = other;
     }
   }
-  // or those of single columns, as 5.512,5 below 1.120 and 2.250
-  if (bad > 0 && is_open(form) && tables[0].form.separator != ',') {
-    std::size_t other = 0;
-    auto either = tables_with_either_sign(source, form, other);
-    if (!either.empty() && other == 0 && !is_doubtful(either)) tables = std::move(either);
+  // or show that a sign before them stands between thousands, as 5.512,5 below 1.120 and 2.250
+  if (bad > 0 && form.decimal == 0 && form.thousands == 0 && tables[0].form.separator != ',') {
+    auto grouped = tables_with_thousands(source, bytes, form);
+    if (!grouped.empty()) tables = std::move(grouped);
   }
   return tables;
 }
