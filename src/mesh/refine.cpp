@@ -9,32 +9,32 @@ namespace fabricsh::mesh {
 
 namespace {
 
-std::size_t place_of(Index i) { return static_cast<std::size_t>(i); }
-std::size_t corners(const std::array<Index, 4>& element) { return element[3] < 0 ? 3 : 4; }
+std::size_t slot(Index i) { return static_cast<std::size_t>(i); }
+std::size_t corner_count(const std::array<Index, 4>& element) { return element[3] < 0 ? 3 : 4; }
 
 // A side, its middle and whether the border of the mesh runs along it.
-struct Side {
+struct CutSide {
   Index first, second, middle;
   bool border;
 };
 
 // Ascending by the ends, which find() needs.
-std::vector<Side> cut_sides(Mesh& mesh) {
-  std::vector<Side> sides;
+std::vector<CutSide> cut_sides(Mesh& mesh) {
+  std::vector<CutSide> sides;
   for_each_edge(edges(mesh), [&](const Edge* begin, const Edge* end) {
     sides.push_back({begin->first, begin->second, 0, end - begin == 1});
   });
-  for (Side& side : sides) {
+  for (CutSide& side : sides) {
     side.middle = static_cast<Index>(mesh.nodes.size());
-    mesh.nodes.emplace_back((mesh.nodes[place_of(side.first)] + mesh.nodes[place_of(side.second)]) / 2);
+    mesh.nodes.emplace_back((mesh.nodes[slot(side.first)] + mesh.nodes[slot(side.second)]) / 2);
   }
   return sides;
 }
 
-Index middle_of(const std::vector<Side>& sides, Index a, Index b) {
+Index middle_of(const std::vector<CutSide>& sides, Index a, Index b) {
   const std::pair ends(std::min(a, b), std::max(a, b));
   return std::lower_bound(sides.begin(), sides.end(), ends,
-                          [](const Side& side, const std::pair<Index, Index>& of) {
+                          [](const CutSide& side, const std::pair<Index, Index>& of) {
                             return std::pair(side.first, side.second) < of;
                           })
       ->middle;
@@ -42,20 +42,20 @@ Index middle_of(const std::vector<Side>& sides, Index a, Index b) {
 
 // A set of the border alone, such as an edge of a panel, must not take the inner side that joins two of its
 // nodes across a corner.
-void extend(NodeSet& ids, const std::vector<Side>& sides, const std::vector<std::array<Index, 4>>& elements,
-            Index first_middle, std::size_t nodes) {
+void extend(NodeSet& ids, const std::vector<CutSide>& sides,
+            const std::vector<std::array<Index, 4>>& elements, Index first_middle, std::size_t nodes) {
   std::vector<char> member(nodes, 0), border(nodes, 0);
-  for (const Index id : ids) member[place_of(id)] = 1;
-  for (const Side& side : sides)
-    if (side.border) border[place_of(side.first)] = border[place_of(side.second)] = 1;
-  const bool inner = std::any_of(ids.begin(), ids.end(), [&](Index id) { return border[place_of(id)] == 0; });
-  for (const Side& side : sides)
-    if (member[place_of(side.first)] != 0 && member[place_of(side.second)] != 0 && (side.border || inner))
+  for (const Index id : ids) member[slot(id)] = 1;
+  for (const CutSide& side : sides)
+    if (side.border) border[slot(side.first)] = border[slot(side.second)] = 1;
+  const bool inner = std::any_of(ids.begin(), ids.end(), [&](Index id) { return border[slot(id)] == 0; });
+  for (const CutSide& side : sides)
+    if (member[slot(side.first)] != 0 && member[slot(side.second)] != 0 && (side.border || inner))
       ids.push_back(side.middle);
   for (std::size_t e = 0; inner && e < elements.size(); ++e) {
     const auto begin = elements[e].begin();
-    if (std::all_of(begin, begin + static_cast<std::ptrdiff_t>(corners(elements[e])),
-                    [&](Index id) { return member[place_of(id)] != 0; }))
+    if (std::all_of(begin, begin + static_cast<std::ptrdiff_t>(corner_count(elements[e])),
+                    [&](Index id) { return member[slot(id)] != 0; }))
       ids.push_back(first_middle + static_cast<Index>(e));
   }
 }
@@ -67,17 +67,17 @@ void refine(Mesh& mesh) {
   if (!mesh.parts.empty()) throw Error("refine: expected a mesh of one part");
   const std::vector<std::array<Index, 4>> before = mesh.elements;
   const std::vector<Vec3> warp = mesh.warp;
-  const std::vector<Side> sides = cut_sides(mesh);
+  const std::vector<CutSide> sides = cut_sides(mesh);
   const auto first_middle = static_cast<Index>(mesh.nodes.size());
   mesh.elements.clear();
   mesh.warp.clear();
   for (std::size_t e = 0; e < before.size(); ++e) {
     const auto& ids = before[e];
-    const std::size_t n = corners(ids);
+    const std::size_t n = corner_count(ids);
     const auto middle = static_cast<Index>(mesh.nodes.size());
     Vec3 sum = Vec3::Zero();
     for (std::size_t i = 0; i < n; ++i) {
-      sum += mesh.nodes[place_of(ids[i])];
+      sum += mesh.nodes[slot(ids[i])];
       mesh.elements.push_back({ids[i], middle_of(sides, ids[i], ids[(i + 1) % n]), middle,
                                middle_of(sides, ids[(i + n - 1) % n], ids[i])});
       if (!warp.empty()) mesh.warp.push_back(warp[e]);
