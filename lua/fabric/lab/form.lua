@@ -9,8 +9,10 @@
 --
 -- Tools given by their lengths are set off so that the surface of real cloth follows the shape asked for, although contact begins at a
 -- distance of its own, which is longer: on a rounded edge it carries the pressure of tight yarns without shortening the steps.
+-- An L and a Z profile have a wall in place of the opening; form_profile has what is their own.
 local define = require "fabric.define"
 local fabric = require "fabric"
+local profile = require "fabric.lab.form_profile"
 local sheet = require "fabric.lab.sheet"
 local tools = require "fabric.rigid.tools"
 local yarns = require "fabric.lab.form_yarns"
@@ -39,7 +41,7 @@ end
 
 local function check_tool(field, given)
   for name, value in pairs(given) do
-    if type(value) == "number" and name ~= "around" and name ~= "mass" then check_length(field .. "." .. name, value) end
+    if type(value) == "number" and name ~= "around" and name ~= "angle" then check_length(field .. "." .. name, value) end
     if name == "size" then for _, v in ipairs(value) do check_length(field .. ".size", v) end end
   end
 end
@@ -130,7 +132,10 @@ local function check_holder(holder)
   if holder.gap then check_length("holder.gap", holder.gap) end
 end
 
-local function lengths_of(shape) return shape == "box" and { "size", "corner" } or shape == "double dome" and { "radius", "length", "waist" } or { "radius" } end
+local function lengths_of(shape)
+  if tools.is_profile(shape) then return shape == "Z" and { "size", "height" } or { "size" } end
+  return shape == "box" and { "size", "corner" } or shape == "double dome" and { "radius", "length", "waist" } or { "radius" }
+end
 
 local function want(field, given, names)
   for _, name in ipairs(names) do
@@ -144,9 +149,16 @@ end
 -- What a die does not tell: the edge first, on which the distance of contact depends, and then the opening, which depends on that.
 local function complete(t, thick)
   local punch, die = t.punch, t.die
+  local function contact_of_edge() t.contact = t.contact or math.max(thick, edge_share * die.edge) end
+  if tools.is_profile(punch.shape) then
+    die.edge = die.edge or math.max(punch.edge, rim_plies * thick, (t.contact or 0) / edge_share)
+    contact_of_edge()
+    profile.complete(t, wider * (thick + (#t.stack - 1) * t.contact))
+    return
+  end
   local radius = punch.shape == "box" and math.min(punch.size[1], punch.size[2]) / 2 or punch.radius
   die.edge = die.edge or math.max(rim_share[punch.shape] * radius, rim_plies * thick, (t.contact or 0) / edge_share)
-  t.contact = t.contact or math.max(thick, edge_share * die.edge)
+  contact_of_edge()
   if die.shape ~= punch.shape then return end
   local facets = punch.shape == "box" and 0 or radius * (1 - math.cos(math.pi / die.around)) -- the punch is round between them
   local nip = math.max(wider * (thick + (#t.stack - 1) * t.contact), nip_share * radius)
@@ -176,11 +188,14 @@ local function prepare(t)
   t.die.shape = t.die.shape or t.punch.shape
   t.punch.around, t.die.around = t.punch.around or 64, t.die.around or 64
   local names = lengths_of(t.punch.shape)
-  if t.punch.shape == "box" then names[#names + 1] = "edge" end
+  if t.punch.shape == "box" or tools.is_profile(t.punch.shape) then names[#names + 1] = "edge" end
   want("punch", t.punch, names)
+  if tools.is_profile(t.punch.shape) or tools.is_profile(t.die.shape) then profile.check_pair(t) end
   local thick = t.card:free_thickness()
   complete(t, thick)
   want("die", t.die, lengths_of(t.die.shape))
+  tools.check_fields(in_punch, t.punch, "punch")
+  tools.check_fields(in_die, t.die, "die")
   if t.contact < thick then
     fail("contact", ("the plies would start inside each other: expected at least their thickness, %.4g m, got %.4g"):format(thick, t.contact))
   end
@@ -188,15 +203,20 @@ local function prepare(t)
   if t.punch.radius and t.punch.radius <= off then
     fail("punch.radius", ("expected more than %.4g m, by which contact is thicker than the plies, got %.4g"):format(off, t.punch.radius))
   end
-  check_gap(t, #t.stack * thick)
-  check_cover(t, width, height)
-  local deepest = t.punch.shape == "box" and (t.punch.height or math.min(t.punch.size[1], t.punch.size[2])) or t.punch.shape == "double dome" and t.punch.radius
+  if tools.is_profile(t.punch.shape) then
+    profile.check(t, #t.stack * thick, width, height)
+  else
+    check_gap(t, #t.stack * thick)
+    check_cover(t, width, height)
+  end
+  local deepest = tools.is_profile(t.punch.shape) and t.punch.height or t.punch.shape == "box" and (t.punch.height or math.min(t.punch.size[1], t.punch.size[2])) or t.punch.shape == "double dome" and t.punch.radius
       or t.punch.radius + (t.punch.height or t.punch.radius)
   if t.stroke > deepest then fail("stroke", ("expected at most the height of the punch, %.4g m, got %.4g"):format(deepest, t.stroke)) end
   if t.holder and t.holder.gap and t.holder.gap < #t.stack * thick / 2 then
     fail("holder.gap", ("the plies, %.4g m thick, would be pressed to less than half: expected more than %.4g m, got %.4g"):format(#t.stack * thick, #t.stack * thick / 2, t.holder.gap))
   end
   if t.quarter then
+    if tools.is_profile(t.punch.shape) then fail("quarter", ("an %s profile is not symmetric about x = 0: expected the whole"):format(t.punch.shape)) end
     for _, angle in ipairs(t.stack) do
       if angle % 90 ~= 0 then fail("quarter", ("a quarter stands for the whole where yarns run along x and y: expected angles of 0 and 90 degrees, got %.4g"):format(angle)) end
     end
@@ -233,7 +253,7 @@ local function add_holder(t, m, top, ramp, mass, share)
   given.facing, given.name = "down", "holder"
   local thick = t.card:free_thickness()
   local z = top + t.contact / 2 + (h.gap and h.gap - #t.stack * thick or 0)
-  given.at = { 0, 0, z }
+  given.at = { tools.is_profile(t.punch.shape) and profile.holder_place(t) or 0, 0, z }
   if not h.gap then given.mass = (h.mass or heavy * mass / share) * share end
   local body = tools.die(given, in_die)
   if h.gap then return body end
@@ -270,6 +290,10 @@ local function setup(t)
   punch.name, die.name, die.facing = "punch", "die", "up"
   punch.at, die.at = { 0, 0, top + t.contact / 2 }, { 0, 0, -t.contact / 2 }
   die.outer = die.outer or 0.75 * math.sqrt(width ^ 2 + height ^ 2)
+  if tools.is_profile(t.punch.shape) then
+    die.at[1] = profile.die_place(t, off)
+    punch.at[1] = die.at[1] + profile.punch_place(t, off, top)
+  end
   t.die_body = die
   punch, die = tools.punch(punch, in_punch), tools.die(die, in_die)
   m:move(punch, { z = function(time) return -way(time) end })
@@ -368,18 +392,23 @@ local function draw_in(t, s, a)
   return list
 end
 
--- How far plies rise from the die where it is flat.
-local function wrinkles(t, s, a)
+local function beyond_opening(t)
   local reach = 0
   for _, p in ipairs(tools.outline(in_die, t.die, t.die.edge)) do
     reach = math.max(reach, math.sqrt((p[1] + t.die.edge * p[3]) ^ 2 + (p[2] + t.die.edge * p[4]) ^ 2))
   end
+  return function(p) return p.x ^ 2 + p.y ^ 2 > reach ^ 2 end
+end
+
+-- How far plies rise from the die where it is flat.
+local function wrinkles(t, s, a)
+  local flat = tools.is_profile(t.punch.shape) and profile.flat(t) or beyond_opening(t)
   local out = { height = 0 }
   for k, o in ipairs(offsets(s)) do
     for i = 1, #o.mesh.nodes do
       local p = a:node(o.node + i)
       local height = p.z - (k - 1) * t.contact
-      if p.x ^ 2 + p.y ^ 2 > reach ^ 2 and height > out.height then out.height, out.x, out.y, out.ply = height, p.x, p.y, k end
+      if flat(p) and height > out.height then out.height, out.x, out.y, out.ply = height, p.x, p.y, k end
     end
   end
   return out
@@ -441,10 +470,10 @@ define {
     { name = "card", of = "card", sentence = "the fabric of all plies" },
     { name = "stack", kind = "numbers", unit = "degrees", optional = true, sentence = "{lowest, ..., upmost}: warp of each ply from x, default {0}" },
     { name = "blank", kind = "number|numbers", unit = "m", above = 0, sentence = "side of a square, or {along x, along y}" },
-    { name = "punch", kind = "fields", rows = tools.punch_rows, sentence = "the arguments of fabric.rigid.punch: { radius= }, { shape='box', size=, corner=, edge= }, { shape='double dome', radius=, length=, waist= }" },
-    { name = "die", kind = "fields", optional = true, sentence = "of fabric.rigid.die: { radius=, edge= }, ...; lengths of the opening that are left out: those of a punch of the same shape, wider on each side by 1.1 times the thickness of the stack in contact, at least a twenty-fifth of the punch's radius",
+    { name = "punch", kind = "fields", rows = tools.punch_rows, sentence = "the arguments of fabric.rigid.punch: { radius= }, { shape='box', size=, corner=, edge= }, { shape='double dome', radius=, length=, waist= }, { shape='L', size=, edge= }, { shape='Z', size=, edge=, height= }" },
+    { name = "die", kind = "fields", optional = true, sentence = "of fabric.rigid.die: { radius=, edge= }, ...; lengths of the opening that are left out: those of a punch of the same shape, wider on each side by 1.1 times the thickness of the stack in contact, at least a twenty-fifth of the punch's radius; of L and Z { edge=, gap= }",
       rows = tools.die_rows("of the opening; default that of the punch",
-        "radius of the rounded edge of the opening; default the larger of a sixth of the punch's radius (of a box: a sixth of the shorter side) and ten times the thickness of a ply; where contact= is given, at least five times that",
+        "radius of the rounded edge of the opening; default the larger of a sixth of the punch's radius (of a box: a sixth of the shorter side; of L and Z the edge of the punch) and ten times the thickness of a ply; where contact= is given, at least five times that",
         "radius of the round outside of die and holder; default 0.75 times the diagonal of the blank") },
     { name = "holder", kind = "fields", optional = true, sentence = "{ force=N }, { springs=N/m } or { gap=m }; without it none",
       rows = {

@@ -9,6 +9,7 @@
 local define = require "fabric.define"
 local fabric = require "fabric"
 local loft = require "fabric.rigid.loft"
+local profile = require "fabric.rigid.profile"
 local tools = {}
 
 local quarter = 8 -- facets of a rounded edge
@@ -175,21 +176,59 @@ local function want(call, t, names)
   end
 end
 
+local function surface(mesh, t) return fabric.rigid.surface { mesh = mesh, closed = true, mass = t.mass, name = t.name } end
+
+function tools.is_profile(shape) return shape == "L" or shape == "Z" end
+
+-- L and Z: what their lengths have to be. part: "punch" or "die".
+local function check_profile(call, t, part)
+  want(call, t, { "size", "edge" })
+  sides(call, t)
+  t.angle = t.angle or 90
+  if t.shape == "Z" then want(call, t, { "height" }) end
+  t.height = t.height or (part == "punch" and t.size[1] or 4 * t.edge)
+  local least = profile.least_width(t)
+  if t.size[1] <= least then fail(call, "size", ("expected more than {%.4g, ...} m, which the rounded edges take, got {%.4g, ...}"):format(least, t.size[1])) end
+  if t.height <= least then fail(call, "height", ("expected more than %.4g m, which the rounded edge takes, got %.4g"):format(least, t.height)) end
+end
+
+-- Lengths that a shape does not have would be forgotten. part: "punch" or "die".
+local own = {
+  hemisphere = { radius = true, height = "punch" },
+  box = { size = true, corner = true, edge = true, height = "punch" },
+  ["double dome"] = { radius = true, length = true, waist = true },
+  L = { size = true, edge = true, height = true, angle = true, gap = true },
+}
+own.Z = own.L
+function tools.check_fields(call, t, part)
+  for _, name in ipairs { "radius", "size", "corner", "length", "waist", "edge", "height", "angle", "gap" } do
+    local has = own[t.shape][name]
+    if t[name] and not (has == true or has == part or name == "edge" and part == "die") then
+      fail(call, name, ("a %s of shape='%s' has none"):format(part, t.shape))
+    end
+  end
+end
+
 -- A table of named lengths becomes a body; also used by fabric.lab.form.
 function tools.punch(t, call)
   call = call or "punch"
   local at = at_of(call, t)
+  tools.check_fields(call, t, "punch")
+  if tools.is_profile(t.shape) then
+    check_profile(call, t, "punch")
+    return surface(profile.punch(t, at), t)
+  end
   if t.shape == "box" then
     want(call, t, { "size", "corner", "edge" })
     sides(call, t)
     t.height = t.height or math.min(t.size[1], t.size[2])
     if t.height <= t.edge then fail(call, "height", ("expected more than the edge, %.4g m, got %.4g"):format(t.edge, t.height)) end
-    return fabric.rigid.surface { mesh = box(call, t, at), closed = true, mass = t.mass, name = t.name }
+    return surface(box(call, t, at), t)
   end
   want(call, t, { "radius" })
   if t.shape == "double dome" then
     want(call, t, { "length", "waist" })
-    return fabric.rigid.surface { mesh = double_dome(call, t, at), closed = true, mass = t.mass, name = t.name }
+    return surface(double_dome(call, t, at), t)
   end
   local z = at[3] + t.radius
   return fabric.rigid.cylinder { radius = t.radius, from = { at[1], at[2], z }, to = { at[1], at[2], z + (t.height or t.radius) }, mass = t.mass, name = t.name }
@@ -199,6 +238,13 @@ end
 function tools.die(t, call)
   call = call or "die"
   local at = at_of(call, t)
+  tools.check_fields(call, t, "die")
+  if tools.is_profile(t.shape) then
+    check_profile(call, t, "die")
+    local least = 2 * profile.least_width(t)
+    if t.outer <= least then fail(call, "outer", ("expected more than %.4g m, which the rounded edges take, got %.4g"):format(least, t.outer)) end
+    return surface(profile.die(t, at), t)
+  end
   want(call, t, t.shape == "box" and { "size", "corner" } or t.shape == "double dome" and { "radius", "length", "waist" } or { "radius" })
   local inner = outline(call, t, t.edge)
   local up = t.facing == "down" and 1 or -1
@@ -236,25 +282,25 @@ function tools.die(t, call)
       elements[#elements + 1] = up < 0 and { a, b, c, d } or { a, d, c, b }
     end
   end
-  local mesh = fabric.mesh { nodes = nodes, elements = elements }
-  return fabric.rigid.surface { mesh = mesh, closed = true, mass = t.mass, name = t.name }
+  return surface(fabric.mesh { nodes = nodes, elements = elements }, t)
 end
 
-local shapes = { "hemisphere", "box", "double dome" }
+local shapes = { "hemisphere", "box", "double dome", "L", "Z" }
 local function length_row(name, sentence, optional, low)
   return { name = name, kind = "number", unit = "m", above = not low and 0 or nil, low = low, high = largest, optional = optional, sentence = sentence }
 end
 local outline_rows = {
-  { name = "shape", kind = "text", choices = shapes, default = "hemisphere", sentence = "of the punch or of the opening: hemisphere (round), box, double dome" },
+  { name = "shape", kind = "text", choices = shapes, default = "hemisphere", sentence = "of the punch or of the opening: hemisphere (round), box, double dome; L and Z: profiles along y, whose face ends at x = 0 in a wall" },
   length_row("radius", "of a hemisphere, a dome or a round opening", true),
-  { name = "size", kind = "numbers", unit = "m", above = 0, high = largest, optional = true, sentence = "{along x, along y} of a box" },
+  { name = "size", kind = "numbers", unit = "m", above = 0, high = largest, optional = true, sentence = "{along x, along y} of a box; of L and Z the width of the lower face and the length of the profile" },
   length_row("corner", "radius of a box's corners, seen from above", true),
   length_row("length", "from centre to centre of a double dome, along x", true),
   length_row("waist", "radius of the arcs that join both domes", true),
+  { name = "angle", kind = "number", unit = "degrees", low = 45, high = 90, optional = true, sentence = "of the wall of L and Z from the horizontal, default 90" },
 }
 local around_row = { name = "around", kind = "integer", low = 24, high = 2000, default = 64, sentence = "facets around" }
-local punch_edge = length_row("edge", "radius of a box's lower edge", true, sharpest)
-local height_row = length_row("height", "of a box; of the shaft of a hemisphere; default the shorter side, the radius", true)
+local punch_edge = length_row("edge", "radius of the lower edge of a box, of the edges of L and Z", true, sharpest)
+local height_row = length_row("height", "of a box; of the shaft of a hemisphere; of the wall of L and Z; default the shorter side, the radius, the width of an L", true)
 local own_rows = {
   { name = "at", kind = "numbers", optional = true, sentence = "{x, y, z}: its lowest point, or the middle of the opening in the face of a die, m; default the origin" },
   around_row,
@@ -267,10 +313,12 @@ local function join(...)
   return all
 end
 
+local die_height = length_row("height", "of the wall of L and Z, which is the depth of the floor of Z; default four times the edge of an L", true)
+
 -- Rows of tools whose place is that of a test: fabric.lab.form.
 tools.punch_rows = join(outline_rows, { punch_edge, height_row, around_row })
 function tools.die_rows(shape, edge, outer)
-  local all = join(outline_rows, { length_row("edge", edge, true, sharpest), length_row("outer", outer, true), around_row })
+  local all = join(outline_rows, { length_row("edge", edge, true, sharpest), die_height, length_row("gap", "from the wall of the punch of L and Z to that of the die, at the end of the stroke; default 1.1 times the thickness of the stack in contact", true), length_row("outer", outer, true), around_row })
   all[1] = { name = "shape", kind = "text", choices = shapes, optional = true, sentence = shape }
   return all
 end
@@ -278,7 +326,8 @@ end
 define {
   name = "fabric.rigid.punch",
   arguments = join(outline_rows, { punch_edge, height_row }, own_rows),
-  sentence = "A punch for forming, its lowest point at `at`: a hemisphere with its shaft (a rod, round without facets), a box with radii, or a double dome.",
+  sentence = "A punch for forming, its lowest point at `at`: a hemisphere with its shaft (a rod, round without facets), a box with radii, a double dome, or a block whose wall forms an L "
+    .. "or, with its upper face, a Z profile along y; there `at` is the sharp corner of lower face and wall.",
   example = "local fabric = require 'fabric'\nlocal mm = fabric.units.mm\n"
     .. "local punch = fabric.rigid.punch{ radius=50*mm }\n"
     .. "local box = fabric.rigid.punch{ shape='box', size={60*mm, 40*mm}, corner=10*mm, edge=5*mm }",
@@ -300,7 +349,7 @@ define {
   example = "local fabric = require 'fabric'\nlocal mm = fabric.units.mm\nlocal dome = fabric.rigid.dome{ radius=60*mm, length=110*mm, waist=40*mm }",
   run = function(t)
     t.shape = t.length and "double dome" or "hemisphere"
-    t.waist = t.waist or t.radius
+    t.waist = t.length and (t.waist or t.radius)
     return tools.punch(t, "dome")
   end,
 }
@@ -309,10 +358,12 @@ define {
   name = "fabric.rigid.die",
   arguments = join(outline_rows, {
     length_row("edge", "radius of the rounded edge of the opening", false, sharpest),
-    length_row("outer", "radius of the round outside"),
+    die_height,
+    length_row("outer", "radius of the round outside; of L and Z how far the face goes to -x"),
     { name = "facing", kind = "text", choices = { "up", "down" }, default = "up", sentence = "up: the cloth lies on it; down: a blank holder" },
   }, own_rows),
-  sentence = "A plate with an opening for forming, its face at `at`: a die, or facing down a blank holder. shape, radius, size, corner, length and waist are those of the opening.",
+  sentence = "A plate with an opening for forming, its face at `at`: a die, or facing down a blank holder. shape, radius, size, corner, length and waist are those of the opening. "
+    .. "For an L or Z profile a block whose wall goes down from `at`, the sharp corner of its face, of a Z to a floor.",
   example = "local fabric = require 'fabric'\nlocal mm = fabric.units.mm\nlocal die = fabric.rigid.die{ radius=55*mm, edge=6*mm, outer=150*mm }",
   run = function(t) return tools.die(t) end,
 }

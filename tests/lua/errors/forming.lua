@@ -4,9 +4,9 @@ local form = "local t = { card=fabric.card('blend', { bending='estimated' }), bl
 local run = " fabric.lab.form(t)"
 
 wrong("fabric.rigid.punch", "fabric.rigid.punch{ wrong=1 }",
-  at .. "punch: unknown field 'wrong' (known: shape radius size corner length waist edge height at around mass name)")
+  at .. "punch: unknown field 'wrong' (known: shape radius size corner length waist angle edge height at around mass name)")
 wrong("fabric.rigid.punch", "fabric.rigid.punch{}", at .. "punch: field 'radius': expected a length in m for shape='hemisphere', got none")
-wrong("fabric.rigid.punch", "fabric.rigid.punch{ shape='cone' }", at .. "punch: field 'shape': expected 'hemisphere' or 'box' or 'double dome', got 'cone'")
+wrong("fabric.rigid.punch", "fabric.rigid.punch{ shape='cone' }", at .. "punch: field 'shape': expected 'hemisphere' or 'box' or 'double dome' or 'L' or 'Z', got 'cone'")
 wrong("fabric.rigid.punch", "fabric.rigid.punch{ radius=-1 }", at .. "punch: field 'radius': expected a number above 0 to 1000 in m, got -1")
 wrong("fabric.rigid.punch", "fabric.rigid.punch{ shape='box', size={0.1}, corner=0.02, edge=0.01 }", at .. "punch: field 'size': expected {width, height}, got 1 number")
 wrong("fabric.rigid.punch", "fabric.rigid.punch{ shape='box', size={0.1, 0.06}, corner=0.04, edge=0.01 }", at .. "punch: field 'corner': expected at most half of the shorter side, 0.03 m, got 0.04")
@@ -43,7 +43,7 @@ wrong("fabric.lab.form", form .. "t.die.edge = 0" .. run, at .. "form: field 'di
 wrong("fabric.lab.form", form .. "t.die.edge = 'x'" .. run, at .. "form: field 'die.edge': expected a number from 1e-06 to 1000 in m, got 'x'")
 wrong("fabric.lab.form", form .. "t.punch.radius = false" .. run, at .. "form: field 'punch.radius': expected a number above 0 to 1000 in m, got false")
 wrong("fabric.lab.form", form .. "t.punch.radius = nil" .. run, at .. "form: field 'punch.radius': expected a length in m for shape='hemisphere', got none")
-wrong("fabric.lab.form", form .. "t.punch.shape = 'cone'" .. run, at .. "form: field 'punch.shape': expected 'hemisphere' or 'box' or 'double dome', got 'cone'")
+wrong("fabric.lab.form", form .. "t.punch.shape = 'cone'" .. run, at .. "form: field 'punch.shape': expected 'hemisphere' or 'box' or 'double dome' or 'L' or 'Z', got 'cone'")
 wrong("fabric.lab.form", form .. "t.punch = { shape='box', size={0.1}, corner=0.02, edge=0.01 }" .. run, at .. "form: field 'punch.size': expected {along x, along y}, got 1 number")
 wrong("fabric.lab.form", form .. "t.punch = { shape='box', size={0.1, 0.06}, corner=0.04, edge=0.01 } t.die = nil" .. run,
   at .. "form: field 'punch.corner': expected at most half of the shorter side, 0.03 m, got 0.04")
@@ -86,3 +86,25 @@ wrong("fabric.lab.form", form .. "t.film = { viscosity=1 }" .. run, at .. "form:
 wrong("fabric.lab.form", form .. "t.film = { viscosity=1e4, thickness=1e-4 }" .. run,
   at .. "dynamic: contact: field 'film': die on the cloth: explicit steps of 1.10784e-05 s carry a viscosity over thickness of at most 2023.76 Pa s/m, got 1e+08: "
     .. "a run that is faster than the process by a factor needs a viscosity that is smaller by it (or scheme=\"implicit\")")
+
+-- Fields of another shape, and profiles.
+wrong("fabric.rigid.punch", "fabric.rigid.punch{ radius=0.05, corner=0.01 }", at .. "punch: field 'corner': a punch of shape='hemisphere' has none")
+wrong("fabric.rigid.die", "fabric.rigid.die{ radius=0.05, edge=0.01, outer=0.2, height=0.1 }", at .. "die: field 'height': a die of shape='hemisphere' has none")
+wrong("fabric.rigid.punch", "fabric.rigid.punch{ shape='L', size={0.04, 0.1} }", at .. "punch: field 'edge': expected a length in m for shape='L', got none")
+wrong("fabric.rigid.punch", "fabric.rigid.punch{ shape='Z', size={0.04, 0.1}, edge=0.005 }", at .. "punch: field 'height': expected a length in m for shape='Z', got none")
+wrong("fabric.rigid.punch", "fabric.rigid.punch{ shape='L', size={0.04}, edge=0.005 }", at .. "punch: field 'size': expected {width, height}, got 1 number")
+wrong("fabric.rigid.punch", "fabric.rigid.punch{ shape='L', size={0.008, 0.1}, edge=0.005 }", at .. "punch: field 'size': expected more than {0.01, ...} m, which the rounded edges take, got {0.008, ...}")
+wrong("fabric.rigid.punch", "fabric.rigid.punch{ shape='L', size={0.04, 0.1}, edge=0.005, height=0.008 }", at .. "punch: field 'height': expected more than 0.01 m, which the rounded edge takes, got 0.008")
+wrong("fabric.rigid.punch", "fabric.rigid.punch{ shape='L', size={0.04, 0.1}, edge=0.005, angle=30 }", at .. "punch: field 'angle': expected a number from 45 to 90 in degrees, got 30")
+wrong("fabric.rigid.die", "fabric.rigid.die{ shape='L', size={0.04, 0.1}, edge=0.005, outer=0.01 }", at .. "die: field 'outer': expected more than 0.02 m, which the rounded edges take, got 0.01")
+local profile = "local t = { card=fabric.card('blend', { bending='estimated' }), blank={0.08, 0.03}, punch={ shape='L', size={0.06, 0.05}, edge=0.006 }, stroke=0.02, cells=8 } "
+wrong("fabric.lab.form", profile .. "t.die = { gap=1e-4 }" .. run, at .. "form: field 'die.gap': the nip of punch and die is thinner than the plies: expected at least 0.00038 m, got 0.0001")
+wrong("fabric.lab.form", profile .. "t.die = { angle=60 }" .. run, at .. "form: field 'die.angle': of an L profile it is that of the punch: expected none")
+wrong("fabric.lab.form", profile .. "t.die = { shape='Z' }" .. run, at .. "form: field 'die.shape': expected that of the punch, 'L', got 'Z'")
+wrong("fabric.lab.form", profile .. "t.blank = {0.08, 0.06}" .. run, at .. "form: field 'punch.size': the blank is longer than the profile along y: expected more than {..., 0.06} m, got {..., 0.05}")
+wrong("fabric.lab.form", profile .. "t.blank = {0.2, 0.03}" .. run,
+  at .. "form: field 'punch.size': it does not cover the half of the blank that it presses: expected at least {0.1056, ...} m, got {0.06, ...}")
+wrong("fabric.lab.form", profile .. "t.quarter = true" .. run, at .. "form: field 'quarter': an L profile is not symmetric about x = 0: expected the whole")
+wrong("fabric.lab.form", profile .. "t.punch.shape = 'Z' t.punch.height = 0.03 t.holder = { force=10 }" .. run, at .. "form: field 'holder': the upper face of a Z punch presses where a holder would be: expected none")
+wrong("fabric.lab.form", profile .. "t.stroke = 0.07" .. run, at .. "form: field 'stroke': expected at most the height of the punch, 0.06 m, got 0.07")
+wrong("fabric.lab.form", form .. "t.die.gap = 0.001" .. run, at .. "form: field 'die.gap': a die of shape='hemisphere' has none")
