@@ -43,6 +43,10 @@ assert(pair:orient { 0, 0, 1 } == 1 and pair:check().ok and pair.elements[2][2] 
 refused("orient: argument 'direction': expected a direction", pair.orient, pair, { 0, 0, 0 })
 refused("orient: the mean normal of part 1 of the mesh is square to the direction", pair.orient, pair, { 1, 0, 0 })
 
+-- Lengths in units that the deck says.
+local inches = fabric.mesh.read { file = obj, units = "inch" }
+assert(inches.nodes[3][1] == 0.0254 and inches.nodes[3][2] == 0.0254 and #inches:set "lower" == 3)
+
 -- Errors name the file and its line.
 refused("read: cannot read 'none.msh': No such file or directory", fabric.mesh.read, "none.msh")
 refused("expected a name that ends in .msh, .vtu, .vtk, .obj, .stl, .ply, .inp, .k or .key", fabric.mesh.read, "mesh.rad")

@@ -9,9 +9,11 @@
 --
 -- Tools given by their lengths are set off so that the surface of real cloth follows the shape asked for, although contact begins at a
 -- distance of its own, which is longer: on a rounded edge it carries the pressure of tight yarns without shortening the steps.
+-- Tools from files keep their shape; form_files mends and compares them.
 -- An L and a Z profile have a wall in place of the opening; form_profile has what is their own.
 local define = require "fabric.define"
 local fabric = require "fabric"
+local files = require "fabric.lab.form_files"
 local profile = require "fabric.lab.form_profile"
 local sheet = require "fabric.lab.sheet"
 local tools = require "fabric.rigid.tools"
@@ -124,6 +126,18 @@ local function check_cover(t, width, height)
   end
 end
 
+-- Plies lie on the highest face of a die from a file.
+local function check_lies(t, width, height)
+  if not t.die.file then return check_cover(t, width, height) end
+  t.flat = files.flat(t.die.tool.mesh)
+  for i = -20, 20 do
+    for j = -20, 20 do
+      if t.flat { x = 0.0249 * i * width, y = 0.0249 * j * height } then return end
+    end
+  end
+  fail("blank", ("no part of it lies on the highest face of the die: expected the blank, {%.4g, %.4g} m about the origin of x and y, over it"):format(width, height))
+end
+
 local function check_holder(holder)
   if not holder then return end
   if (holder.force and 1 or 0) + (holder.springs and 1 or 0) + (holder.gap and 1 or 0) ~= 1 then
@@ -133,6 +147,7 @@ local function check_holder(holder)
 end
 
 local function lengths_of(shape)
+  if shape == "file" then return {} end
   if tools.is_profile(shape) then return shape == "Z" and { "size", "height" } or { "size" } end
   return shape == "box" and { "size", "corner" } or shape == "double dome" and { "radius", "length", "waist" } or { "radius" }
 end
@@ -146,9 +161,28 @@ local function want(field, given, names)
   end
 end
 
+-- Facets of a tool as it is, before it is set off.
+local function mesh_of(given, make, call)
+  if given.tool then return given.tool.mesh end
+  local plain = copy(given)
+  plain.facing, plain.outer = "up", plain.outer or given.reach
+  local mesh = select(2, make(plain, call))
+  return type(mesh) == "function" and mesh() or mesh
+end
+
 -- What a die does not tell: the edge first, on which the distance of contact depends, and then the opening, which depends on that.
 local function complete(t, thick)
   local punch, die = t.punch, t.die
+  if punch.shape == "file" or die.shape == "file" then
+    die.edge = die.edge or rim_plies * thick
+    local most = t.contact or math.max(thick, edge_share * die.edge)
+    local nip, at = files.nip(mesh_of(punch, tools.punch, in_punch), mesh_of(die, tools.die, in_die), #t.stack * thick, t.stroke, 1.05 * #t.stack * most)
+    if nip < #t.stack * thick then
+      fail("die", ("the nip of punch and die is thinner than the plies: expected %.4g m, got %.4g m at x = %.4g, y = %.4g m"):format(#t.stack * thick, nip, at[1], at[2]))
+    end
+    t.contact = t.contact or math.max(thick, math.min(most, nip / (1.05 * #t.stack)))
+    return
+  end
   local function contact_of_edge() t.contact = t.contact or math.max(thick, edge_share * die.edge) end
   if tools.is_profile(punch.shape) then
     die.edge = die.edge or math.max(punch.edge, rim_plies * thick, (t.contact or 0) / edge_share)
@@ -184,14 +218,27 @@ local function prepare(t)
   if t.contact then check_length("contact", t.contact) end
   check_tool("punch", t.punch)
   check_tool("die", t.die)
+  if t.die.file and t.holder and not t.holder.file then fail("holder.file", "expected a file, as the die is one") end
+  t.holder = t.holder and copy(t.holder)
+  for _, field in ipairs { "punch", "die", "holder" } do
+    local given = t[field]
+    if given and given.file then given.tool, given.shape = files.load(field, given, field == "die" and 1 or -1), "file" end
+    if given and given.units and not given.file then fail(field .. ".units", "expected with file= alone: other lengths are in m") end
+  end
+  if t.quarter and (t.punch.file or t.die.file) then fail("quarter", "expected the whole: a tool from a file need not be symmetric") end
   t.punch.shape = t.punch.shape or "hemisphere"
-  t.die.shape = t.die.shape or t.punch.shape
+  t.die.shape = t.die.shape or (t.punch.file and "hemisphere" or t.punch.shape)
+  t.die.reach = 0.75 * math.sqrt(width ^ 2 + height ^ 2)
+  if (t.punch.file and tools.is_profile(t.die.shape)) or (t.die.file and tools.is_profile(t.punch.shape)) then
+    fail(t.punch.file and "die.shape" or "punch.shape", "an L or Z profile goes with another of its own: expected a file, too")
+  end
   t.punch.around, t.die.around = t.punch.around or 64, t.die.around or 64
   local names = lengths_of(t.punch.shape)
   if t.punch.shape == "box" or tools.is_profile(t.punch.shape) then names[#names + 1] = "edge" end
   want("punch", t.punch, names)
   if tools.is_profile(t.punch.shape) or tools.is_profile(t.die.shape) then profile.check_pair(t) end
   local thick = t.card:free_thickness()
+  if t.punch.file then want("die", t.die, lengths_of(t.die.shape)) end
   complete(t, thick)
   want("die", t.die, lengths_of(t.die.shape))
   tools.check_fields(in_punch, t.punch, "punch")
@@ -203,13 +250,15 @@ local function prepare(t)
   if t.punch.radius and t.punch.radius <= off then
     fail("punch.radius", ("expected more than %.4g m, by which contact is thicker than the plies, got %.4g"):format(off, t.punch.radius))
   end
-  if tools.is_profile(t.punch.shape) then
+  if t.punch.file or t.die.file then
+    check_lies(t, width, height)
+  elseif tools.is_profile(t.punch.shape) then
     profile.check(t, #t.stack * thick, width, height)
   else
     check_gap(t, #t.stack * thick)
     check_cover(t, width, height)
   end
-  local deepest = tools.is_profile(t.punch.shape) and t.punch.height or t.punch.shape == "box" and (t.punch.height or math.min(t.punch.size[1], t.punch.size[2])) or t.punch.shape == "double dome" and t.punch.radius
+  local deepest = t.punch.file and t.punch.tool.height or tools.is_profile(t.punch.shape) and t.punch.height or t.punch.shape == "box" and (t.punch.height or math.min(t.punch.size[1], t.punch.size[2])) or t.punch.shape == "double dome" and t.punch.radius
       or t.punch.radius + (t.punch.height or t.punch.radius)
   if t.stroke > deepest then fail("stroke", ("expected at most the height of the punch, %.4g m, got %.4g"):format(deepest, t.stroke)) end
   if t.holder and t.holder.gap and t.holder.gap < #t.stack * thick / 2 then
@@ -255,7 +304,7 @@ local function add_holder(t, m, top, ramp, mass, share)
   local z = top + t.contact / 2 + (h.gap and h.gap - #t.stack * thick or 0)
   given.at = { tools.is_profile(t.punch.shape) and profile.holder_place(t) or 0, 0, z }
   if not h.gap then given.mass = (h.mass or heavy * mass / share) * share end
-  local body = tools.die(given, in_die)
+  local body = h.file and files.body(h.tool, z, "holder", given.mass) or tools.die(given, in_die)
   if h.gap then return body end
   m:fix(body, "x y rotation"):damper(body, { z = 2000 * given.mass })
   if h.force then
@@ -286,16 +335,17 @@ local function setup(t)
   end
   local punch, die = set_off(t.punch, -off), set_off(t.die, off)
   set_off_edge(punch, -off, "punch", 0)
-  set_off_edge(die, -off, "die", 0)
+  if not t.die.file then set_off_edge(die, -off, "die", 0) end
   punch.name, die.name, die.facing = "punch", "die", "up"
   punch.at, die.at = { 0, 0, top + t.contact / 2 }, { 0, 0, -t.contact / 2 }
-  die.outer = die.outer or 0.75 * math.sqrt(width ^ 2 + height ^ 2)
+  die.outer = die.outer or t.die.reach
   if tools.is_profile(t.punch.shape) then
     die.at[1] = profile.die_place(t, off)
     punch.at[1] = die.at[1] + profile.punch_place(t, off, top)
   end
   t.die_body = die
-  punch, die = tools.punch(punch, in_punch), tools.die(die, in_die)
+  punch = t.punch.file and files.body(t.punch.tool, punch.at[3], "punch") or tools.punch(punch, in_punch)
+  die = t.die.file and files.body(t.die.tool, die.at[3], "die") or tools.die(die, in_die)
   m:move(punch, { z = function(time) return -way(time) end })
   local mass = width * height * share * t.card.density * t.card.thickness * #bodies
   local holder = add_holder(t, m, top, ramp, mass, share)
@@ -402,7 +452,7 @@ end
 
 -- How far plies rise from the die where it is flat.
 local function wrinkles(t, s, a)
-  local flat = tools.is_profile(t.punch.shape) and profile.flat(t) or beyond_opening(t)
+  local flat = t.flat or tools.is_profile(t.punch.shape) and profile.flat(t) or beyond_opening(t)
   local out = { height = 0 }
   for k, o in ipairs(offsets(s)) do
     for i = 1, #o.mesh.nodes do
@@ -464,19 +514,24 @@ local function run(t)
   return r
 end
 
+local function with_file(rows)
+  local all = table.move(rows, 1, #rows, 1, {})
+  return table.move(files.rows, 1, #files.rows, #all + 1, all)
+end
+
 define {
   name = "fabric.lab.form",
   arguments = {
     { name = "card", of = "card", sentence = "the fabric of all plies" },
     { name = "stack", kind = "numbers", unit = "degrees", optional = true, sentence = "{lowest, ..., upmost}: warp of each ply from x, default {0}" },
     { name = "blank", kind = "number|numbers", unit = "m", above = 0, sentence = "side of a square, or {along x, along y}" },
-    { name = "punch", kind = "fields", rows = tools.punch_rows, sentence = "the arguments of fabric.rigid.punch: { radius= }, { shape='box', size=, corner=, edge= }, { shape='double dome', radius=, length=, waist= }, { shape='L', size=, edge= }, { shape='Z', size=, edge=, height= }" },
-    { name = "die", kind = "fields", optional = true, sentence = "of fabric.rigid.die: { radius=, edge= }, ...; lengths of the opening that are left out: those of a punch of the same shape, wider on each side by 1.1 times the thickness of the stack in contact, at least a twenty-fifth of the punch's radius; of L and Z { edge=, gap= }",
-      rows = tools.die_rows("of the opening; default that of the punch",
+    { name = "punch", kind = "fields", rows = with_file(tools.punch_rows), sentence = "the arguments of fabric.rigid.punch: { radius= }, { shape='box', size=, corner=, edge= }, { shape='double dome', radius=, length=, waist= }, { shape='L', size=, edge= }, { shape='Z', size=, edge=, height= }; or { file=, units= }" },
+    { name = "die", kind = "fields", optional = true, sentence = "of fabric.rigid.die: { radius=, edge= }, ...; lengths of the opening that are left out: those of a punch of the same shape, wider on each side by 1.1 times the thickness of the stack in contact, at least a twenty-fifth of the punch's radius; of L and Z { edge=, gap= }; or { file=, units=, edge= }, edge being the least radius of its rim",
+      rows = with_file(tools.die_rows("of the opening; default that of the punch",
         "radius of the rounded edge of the opening; default the larger of a sixth of the punch's radius (of a box: a sixth of the shorter side; of L and Z the edge of the punch) and ten times the thickness of a ply; where contact= is given, at least five times that",
-        "radius of the round outside of die and holder; default 0.75 times the diagonal of the blank") },
-    { name = "holder", kind = "fields", optional = true, sentence = "{ force=N }, { springs=N/m } or { gap=m }; without it none",
-      rows = {
+        "radius of the round outside of die and holder; default 0.75 times the diagonal of the blank")) },
+    { name = "holder", kind = "fields", optional = true, sentence = "{ force=N }, { springs=N/m } or { gap=m }, with file= and units= where the die is a file; without it none",
+      rows = with_file {
         { name = "force", kind = "number", unit = "N", above = 0, high = 1e7, optional = true, sentence = "that presses it on the plies" },
         { name = "springs", kind = "number", unit = "N/m", above = 0, high = 1e10, optional = true, sentence = "stiffness of all springs that hold it down" },
         { name = "gap", kind = "number", unit = "m", above = 0, optional = true, sentence = "from die to holder, which stands" },

@@ -176,7 +176,7 @@ local function want(call, t, names)
   end
 end
 
-local function surface(mesh, t) return fabric.rigid.surface { mesh = mesh, closed = true, mass = t.mass, name = t.name } end
+local function surface(mesh, t) return fabric.rigid.surface { mesh = mesh, closed = true, mass = t.mass, name = t.name }, mesh end
 
 function tools.is_profile(shape) return shape == "L" or shape == "Z" end
 
@@ -194,6 +194,7 @@ end
 
 -- Lengths that a shape does not have would be forgotten. part: "punch" or "die".
 local own = {
+  file = {},
   hemisphere = { radius = true, height = "punch" },
   box = { size = true, corner = true, edge = true, height = "punch" },
   ["double dome"] = { radius = true, length = true, waist = true },
@@ -209,7 +210,19 @@ function tools.check_fields(call, t, part)
   end
 end
 
--- A table of named lengths becomes a body; also used by fabric.lab.form.
+-- A hemisphere with its shaft, of facets, for what asks how far it is from other tools.
+local function round(t, at)
+  local around, rings, n = circle(1, t.around), {}, math.max(6, t.around // 4)
+  for k = 1, n do
+    local a = math.pi / 2 * k / n
+    rings[k] = ring(around, at, t.radius * math.sin(a) - 1, t.radius * (1 - math.cos(a)))
+  end
+  local top = t.radius + (t.height or t.radius)
+  rings[n + 1] = ring(around, at, t.radius - 1, top)
+  return loft.mesh(at, rings, { at[1], at[2], at[3] + top })
+end
+
+-- A table of named lengths becomes a body and the mesh of its facets, of a hemisphere a function that makes it; also used by fabric.lab.form.
 function tools.punch(t, call)
   call = call or "punch"
   local at = at_of(call, t)
@@ -231,7 +244,8 @@ function tools.punch(t, call)
     return surface(double_dome(call, t, at), t)
   end
   local z = at[3] + t.radius
-  return fabric.rigid.cylinder { radius = t.radius, from = { at[1], at[2], z }, to = { at[1], at[2], z + (t.height or t.radius) }, mass = t.mass, name = t.name }
+  return fabric.rigid.cylinder { radius = t.radius, from = { at[1], at[2], z }, to = { at[1], at[2], z + (t.height or t.radius) }, mass = t.mass, name = t.name },
+    function() return round(t, at) end
 end
 
 -- A closed ring: the rounded edge of the opening, the face, the outer side and the back.
@@ -331,7 +345,7 @@ define {
   example = "local fabric = require 'fabric'\nlocal mm = fabric.units.mm\n"
     .. "local punch = fabric.rigid.punch{ radius=50*mm }\n"
     .. "local box = fabric.rigid.punch{ shape='box', size={60*mm, 40*mm}, corner=10*mm, edge=5*mm }",
-  run = function(t) return tools.punch(t) end,
+  run = function(t) return (tools.punch(t)) end,
 }
 
 define {
@@ -350,7 +364,7 @@ define {
   run = function(t)
     t.shape = t.length and "double dome" or "hemisphere"
     t.waist = t.length and (t.waist or t.radius)
-    return tools.punch(t, "dome")
+    return (tools.punch(t, "dome"))
   end,
 }
 
@@ -365,7 +379,7 @@ define {
   sentence = "A plate with an opening for forming, its face at `at`: a die, or facing down a blank holder. shape, radius, size, corner, length and waist are those of the opening. "
     .. "For an L or Z profile a block whose wall goes down from `at`, the sharp corner of its face, of a Z to a floor.",
   example = "local fabric = require 'fabric'\nlocal mm = fabric.units.mm\nlocal die = fabric.rigid.die{ radius=55*mm, edge=6*mm, outer=150*mm }",
-  run = function(t) return tools.die(t) end,
+  run = function(t) return (tools.die(t)) end,
 }
 
 tools.outline = outline

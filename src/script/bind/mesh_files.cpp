@@ -31,9 +31,14 @@ std::string file_of(const std::string& path) {
 // precision leaves.
 constexpr double one_place = 1e-6;
 
+double metres_of(const std::string& units) {
+  return units == "inch" ? 0.0254 : units == "mm" ? 1e-3 : units == "cm" ? 0.01 : 1.0;
+}
+
 int read(Call& call) {
+  const double unit = call.has("units") ? metres_of(call.text("units")) : 0;
   auto mesh =
-      std::make_shared<Mesh>(read_mesh_file(call, file_of(call.text("file")), call.flag("reference")));
+      std::make_shared<Mesh>(read_mesh_file(call, file_of(call.text("file")), call.flag("reference"), unit));
   if (call.has("join") && call.flag("join"))
     mesh::join_nodes(*mesh, one_place * box_of(mesh->nodes).size().norm());
   push_object(call.L(), std::move(mesh));
@@ -193,8 +198,12 @@ Entry read_row() {
            "reference", boolean,
            "the same mesh in the stress-free shape that an .inp or a .k has beside it, for reference= of a "
            "model")
-           .or_else(false)},
-      "Reads a mesh of triangles and quadrilaterals, lengths in m: Gmsh 2 and 4.1, VTK's .vtu and legacy "
+           .or_else(false),
+       value_("units", text, "of the file's lengths; default m, with a warning where that would be odd")
+           .one_of({"m", "cm", "mm", "inch"})
+           .optional()},
+      "Reads a mesh of triangles and quadrilaterals; its lengths are m afterwards: Gmsh 2 and 4.1, VTK's "
+      ".vtu and legacy "
       ".vtk, Wavefront .obj, .stl and .ply (text and binary; equal vertices of an .stl are joined), .inp of "
       "Abaqus and CalculiX, "
       ".k of LS-DYNA. Physical groups and groups become node sets, sets of elements those of their nodes; so "
@@ -308,9 +317,15 @@ std::string list_of(const std::vector<Mesh::PassedOver>& all) {
 
 }  // namespace
 
-Mesh read_mesh_file(const Call& call, const std::string& path, bool at_rest) {
+Mesh read_mesh_file(const Call& call, const std::string& path, bool at_rest, double unit) {
   format::Remarks remarks;
   Mesh mesh = at_rest ? format::read_mesh_at_rest(path, &remarks) : format::read_mesh(path, &remarks);
+  if (unit > 0) {
+    const std::string doubt = mesh::doubt_about_units(mesh);  // the deck has said what they are
+    if (!doubt.empty())
+      std::erase_if(remarks, [&](const std::string& r) { return r.find(doubt) != std::string::npos; });
+    for (Vec3& x : mesh.nodes) x *= unit;
+  }
   for (const std::string& remark : remarks) call.session().warn("mesh", remark);
   if (!mesh.passed_over.empty())
     call.session().notices().remark(path + ": only its mesh is read, not " + list_of(mesh.passed_over) +

@@ -108,3 +108,11 @@ wrong("fabric.lab.form", profile .. "t.quarter = true" .. run, at .. "form: fiel
 wrong("fabric.lab.form", profile .. "t.punch.shape = 'Z' t.punch.height = 0.03 t.holder = { force=10 }" .. run, at .. "form: field 'holder': the upper face of a Z punch presses where a holder would be: expected none")
 wrong("fabric.lab.form", profile .. "t.stroke = 0.07" .. run, at .. "form: field 'stroke': expected at most the height of the punch, 0.06 m, got 0.07")
 wrong("fabric.lab.form", form .. "t.die.gap = 0.001" .. run, at .. "form: field 'die.gap': a die of shape='hemisphere' has none")
+
+-- Tools from files.
+wrong("fabric.mesh.read", "fabric.mesh.read{ file='disc.msh', units='feet' }", at .. "read: argument 'units': expected 'm' or 'cm' or 'mm' or 'inch', got 'feet'")
+wrong("fabric.lab.form", form .. "t.punch = { file='none.stl' }" .. run, at .. "form: field 'punch.units': expected 'm', 'cm', 'mm' or 'inch' beside file='none.stl', which says none")
+wrong("fabric.lab.form", form .. "t.punch = { file='none.stl', units='ft' }" .. run, at .. "form: field 'punch.units': expected 'm' or 'cm' or 'mm' or 'inch', got 'ft'")
+wrong("fabric.lab.form", form .. "t.punch = { file='none.stl', units='mm', radius=0.03 }" .. run, at .. "form: field 'punch.radius': expected none beside file=, whose shape it is")
+wrong("fabric.lab.form", form .. "t.punch.units = 'mm'" .. run, at .. "form: field 'punch.units': expected with file= alone: other lengths are in m")
+wrong("fabric.lab.form", form .. "t.die = { file='none.stl', units='mm' }" .. run, at .. "form: field 'holder.file': expected a file, as the die is one")
