@@ -29,6 +29,7 @@ local rim_share = { hemisphere = 1 / 6, ["double dome"] = 1 / 6, box = 1 / 3 } -
 local rim_plies = 10      -- and over the thickness of a ply, at least
 local wider = 1.1         -- default gap of punch and die over the thickness of the stack in contact
 local nip_share = 1 / 25   -- of the punch's radius, at least
+local roomy = 1.1         -- triangles over the die's edge: longer ones press with the nodes of one diagonal
 local most_plies = 50
 local most_elements = 4e6
 local slow = 0.05         -- kinetic energy over the work of the punch, above which a run is too fast
@@ -287,7 +288,10 @@ local function plies_of(t, width, height)
     bodies[k] = { name = "ply" .. k, mesh = mesh, card = t.card, warp = angle }
   end
   local h = width / nx * (t.quarter and 0.5 or 1)
-  if h > 1.5 * t.die.edge then
+  if t.triangles and h > roomy * t.die.edge then
+    fabric.warn(("form: triangles of %.3g mm on an edge of %.3g mm press contact into its barrier, which cuts the steps up to 32 times: squares there bear more (triangles=false), "
+      .. "or triangles no longer than the edge's radius (cells=%.0f, or die={ edge=%.3g*mm })"):format(h / mm, t.die.edge / mm, math.ceil(t.cells * h / t.die.edge - 1e-9), h / mm))
+  elseif h > 1.5 * t.die.edge then
     fabric.warn(("form: elements of %.3g mm on an edge of %.3g mm follow it roughly: punch force and draw-in go up and down by the element (cells=%.0f would follow it)"):format(
       h / mm, t.die.edge / mm, math.ceil(t.cells * h / (1.5 * t.die.edge))))
   end
