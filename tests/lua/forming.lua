@@ -67,3 +67,19 @@ do
                      prepare = function(a) a:every(1e-6, function() a:stop() end) end }
   near("contact on the default edge of a box", box.contact, 24 * mm / 6 / 5, 1e-9)
 end
+
+-- A double dome with its default rim, to the end. It is drawn in most along the yarns that cross the domes, and shears most
+-- at a dome's corner; the corners of the blank hardly move.
+do
+  local dome = fabric.lab.form { card = fabric.card("blend", { bending = "estimated" }), blank = { 170 * mm, 126 * mm },
+                                 punch = { shape = "double dome", radius = 30 * mm, length = 60 * mm, waist = 45 * mm }, holder = { force = 60 }, stroke = 16 * mm, quarter = true, cells = 12, speed = 6, rows = 8 }
+  assert(not dome.trouble and math.abs(dome.stroke - 16 * mm) < 1e-9 and dome.curve[#dome.curve].error < 2e-3)
+  near("default rim of a double dome", dome.contact, 30 * mm / 6 / 5, 1e-9)
+  local most
+  for _, row in ipairs(dome.draw_in) do
+    if not most or row.draw_in > most.draw_in then most = row end
+  end
+  assert(most.edge == "top" and math.abs(most.X - 30 * mm) < 10 * mm, ("%s at %.3g m"):format(most.edge, most.X))
+  local place = dome.angles.place
+  assert(place.X > 35 * mm and place.Y > 15 * mm, ("most shear at %.3g, %.3g m"):format(place.X, place.Y))
+end
