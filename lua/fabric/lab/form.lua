@@ -29,7 +29,7 @@ local rim_share = { hemisphere = 1 / 6, ["double dome"] = 1 / 6, box = 1 / 3 } -
 local rim_plies = 10      -- and over the thickness of a ply, at least
 local wider = 1.1         -- default gap of punch and die over the thickness of the stack in contact
 local nip_share = 1 / 25   -- of the punch's radius, at least
-local roomy = 1.1         -- triangles over the die's edge: longer ones press with the nodes of one diagonal
+local roomy, stiffer = 1.1, 4 -- triangles over the die's edge: longer ones press with the nodes of one diagonal, and contact has to bear as many times more
 local most_plies = 50
 local most_elements = 4e6
 local slow = 0.05         -- kinetic energy over the work of the punch, above which a run is too fast
@@ -289,9 +289,11 @@ local function plies_of(t, width, height)
   end
   local h = width / nx * (t.quarter and 0.5 or 1)
   if t.triangles and h > roomy * t.die.edge then
-    fabric.warn(("form: triangles of %.3g mm on an edge of %.3g mm press contact into its barrier, which cuts the steps up to 32 times: squares there bear more (triangles=false), "
-      .. "or triangles no longer than the edge's radius (cells=%.0f, or die={ edge=%.3g*mm })"):format(h / mm, t.die.edge / mm, math.ceil(t.cells * h / t.die.edge - 1e-9), h / mm))
-  elseif h > 1.5 * t.die.edge then
+    t.stiffness = t.stiffness or stiffer * 2 * bears / t.contact
+    fabric.warn(("form: triangles of %.3g mm on an edge of %.3g mm press with the nodes of one diagonal: contact of %.3g Pa/m takes several times the steps there; quick are squares (triangles=false), "
+      .. "or triangles no longer than the edge's radius (cells=%.0f, or die={ edge=%.3g*mm })"):format(h / mm, t.die.edge / mm, t.stiffness, math.ceil(t.cells * h / t.die.edge - 1e-9), h / mm))
+  end
+  if h > 1.5 * t.die.edge then
     fabric.warn(("form: elements of %.3g mm on an edge of %.3g mm follow it roughly: punch force and draw-in go up and down by the element (cells=%.0f would follow it)"):format(
       h / mm, t.die.edge / mm, math.ceil(t.cells * h / (1.5 * t.die.edge))))
   end
@@ -554,7 +556,7 @@ define {
     { name = "quarter", kind = "boolean", default = false, sentence = "only x > 0, y > 0, between planes of symmetry; forces and energies are those of the whole" },
     { name = "speed", kind = "number", unit = "m/s", above = 0, optional = true, sentence = "largest speed of the punch, default 2" },
     { name = "contact", kind = "number", unit = "m", above = 0, optional = true, sentence = "thickness of a ply in contact; default a fifth of the die's edge, or that of the card" },
-    { name = "stiffness", kind = "number", unit = "Pa/m", above = 0, optional = true, sentence = "of contact; default what carries 6 MPa, which tight yarns press on the die's edge" },
+    { name = "stiffness", kind = "number", unit = "Pa/m", above = 0, optional = true, sentence = "of contact; default what carries 6 MPa, which tight yarns press on the die's edge; four times that for triangles longer than its radius" },
     { name = "points", kind = "integer", low = 1, high = 9, default = 1, sentence = "through the thickness of a single ply" },
     { name = "damping", kind = "number", unit = "1/s", low = 0, optional = true, sentence = "of motion, as damping.mass of fabric.dynamic; default 3 over the duration" },
     { name = "rows", kind = "integer", low = 2, high = 10000, default = 50, sentence = "of the curve" },
