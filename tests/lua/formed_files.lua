@@ -79,6 +79,42 @@ local mixed = form { die = { radius = 15 * mm, edge = 5 * mm }, holder = { force
 local other = form { punch = { radius = 12 * mm }, stroke = 1 * mm }
 near("draw-in of mixed tools", mixed.draw_in.max, other.draw_in.max, 0.3)
 
+-- A stranger's V block and its punch, faces alone, in cm: the ply comes to the sides, which fall by 45 degrees, and follows the round nose.
+local function face(points)
+  local facets = {}
+  for i = 1, #points - 1 do
+    local a, b = points[i], points[i + 1]
+    local corners = { { a[1], -3, a[2] }, { b[1], -3, b[2] }, { b[1], 3, b[2] }, { a[1], 3, a[2] } }
+    facets[#facets + 1] = { corners[1], corners[2], corners[3] }
+    facets[#facets + 1] = { corners[1], corners[3], corners[4] }
+  end
+  return facets
+end
+do
+  local r, nose, block = 0.5, {}, { { -4, 0 } }
+  for k = 0, 6 do
+    local a = math.pi / 4 * k / 6
+    block[#block + 1] = { -2.2 + r * math.sin(a), -r * (1 - math.cos(a)) }
+  end
+  local last = block[#block]
+  block[#block + 1] = { 0, last[1] + last[2] }
+  for i = #block - 1, 1, -1 do block[#block + 1] = { -block[i][1], block[i][2] } end
+  for k = -6, 6 do nose[#nose + 1] = { r * math.sin(math.pi / 4 * k / 6), r * (1 - math.cos(math.pi / 4 * k / 6)) } end
+  local side = nose[#nose]
+  table.insert(nose, { side[1] + 2, side[2] + 2 })
+  table.insert(nose, 1, { -side[1] - 2, side[2] + 2 })
+  local t = { blank = { 60 * mm, 12 * mm }, punch = { file = stl("nose", face(nose), 1), units = "cm" }, die = { file = stl("block", face(block), 1), units = "cm", edge = 5 * mm },
+              stroke = 15 * mm, cells = 16, speed = 4, card = fabric.card("blend", { bending = "estimated" }), rows = 4 }
+  local v = fabric.lab.form(t)
+  assert(not v.trouble and v.report:find("nose.stl", 1, true) and v.curve[#v.curve].error < 1e-3)
+  local lowest = 0
+  for _, row in ipairs(v.angles) do lowest = math.min(lowest, row.z) end
+  near("depth of the ply under the nose", lowest, -15 * mm, 0.06)
+  t.stroke = 18 * mm
+  local ok, why = pcall(fabric.lab.form, t)
+  assert(not ok and tostring(why):find("thinner than the plies", 1, true), tostring(why))
+end
+
 local function refused(words, more)
   local ok, why = pcall(form, more)
   assert(not ok and tostring(why):find(words, 1, true), tostring(why))

@@ -473,7 +473,7 @@ end
 local function report_of(r, t)
   local last = r.curve[#r.curve]
   local lines = {
-    ("forming of %d %s of %s, %s, stroke %.4g mm, friction %.3g"):format(#t.stack, #t.stack == 1 and "ply" or "plies", t.card.name, t.punch.shape, last.stroke / mm, t.friction),
+    ("forming of %d %s of %s, %s, stroke %.4g mm, friction %.3g"):format(#t.stack, #t.stack == 1 and "ply" or "plies", t.card.name, t.punch.file or t.punch.shape, last.stroke / mm, t.friction),
     ("  punch force     %.4g N at the end, %.4g N at most"):format(last.force, r.peak),
     ("  shear angle     %.3g degrees at most"):format(r.angles.max),
     ("  draw-in         %.3g mm in the mean of the edges, %.3g mm at most"):format(r.draw_in.mean / mm, r.draw_in.max / mm),
