@@ -111,6 +111,24 @@ class Linearised {
     for (Vec3& way_of_node : shape->way) way_of_node /= most == 0 ? 1 : most;
     return shape;
   }
+  // kg: what supports that shake along an axis shake with them, less what they hold. All effective masses
+  // along it have this sum.
+  Vec3 mass_that_moves(const linear::Matrix& M) {
+    const auto& masses = assembly_.cloth().mass();
+    const std::vector<double> none(3 * masses.size());
+    linear::Vector push(static_cast<std::size_t>(M.size()));
+    Vec3 all = Vec3::Zero();
+    for (int axis = 0; axis < 3; ++axis) {
+      std::vector<double> along(none.size());
+      for (std::size_t n = 0; n < masses.size(); ++n)
+        along[3 * n + static_cast<std::size_t>(axis)] = masses[n];
+      assembly_.dofs().residual(along, none, none, {}, nullptr, push);
+      for (mechanics::Index i = 0; i < M.size(); ++i)
+        if (!assembly_.dofs().turns(i))
+          all[axis] += push[i] * push[i] / M.value[static_cast<std::size_t>(M.pattern->slot(i, i))];
+    }
+    return all;
+  }
   std::vector<std::string> words() const {
     std::vector<std::string> all;
     const std::string call = call_;
@@ -213,6 +231,16 @@ solver::Eigenpairs counted_pairs(const linear::Matrix& A, Shifted& B, int count,
   return found;
 }
 
+// The ratio of a way to its shape, whose largest displacement is 1.
+double size_of(const mechanics::NodalRates& way, const Shape& shape) {
+  double along = 0, square = 0;
+  for (std::size_t n = 0; n < shape.way.size(); ++n) {
+    along += at(way.x, static_cast<std::ptrdiff_t>(n)).dot(shape.way[n]);
+    square += shape.way[n].squaredNorm();
+  }
+  return square > 0 ? along / square : 0;
+}
+
 Modes<VibrationMode> vibrations(Linearised& at, const ModesWanted& wanted) {
   const linear::Matrix K = at.stiffness(law::AtSwitch::unloading), M = at.mass();
   const double fastest = at.fastest(K, M);
@@ -229,7 +257,7 @@ Modes<VibrationMode> vibrations(Linearised& at, const ModesWanted& wanted) {
     if (there >= 0)
       count = static_cast<int>(wanted.all_below ? there : std::min<mechanics::Index>(there, count));
   }
-  Modes<VibrationMode> out{{}, at.words()};
+  Modes<VibrationMode> out{{}, at.words(), at.mass_that_moves(M)};
   const auto found = counted_pairs(M, shifted, count, "modes", out.words);
   const auto& masses = at.assembly().cloth().mass();
   for (std::size_t i = 0; i < found.value.size(); ++i) {
@@ -247,6 +275,10 @@ Modes<VibrationMode> vibrations(Linearised& at, const ModesWanted& wanted) {
     if (!nothing && square < 0) mode.growth = std::sqrt(-square);
     if (wanted.below && mode.frequency >= *wanted.below) break;
     mode.shape = at.shape(way);
+    if (const double size = size_of(way, *mode.shape); size != 0) {
+      mode.own_mass = theta / (size * size);
+      mode.participation = part * size / theta;
+    }
     out.modes.push_back(std::move(mode));
   }
   if (!found.converged)

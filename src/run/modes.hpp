@@ -24,6 +24,9 @@ struct VibrationMode {
   double frequency = 0;      // Hz; 0: a motion without stiffness, or one that grows
   double growth = 0;         // 1/s; above 0: the state is unstable, and leaves it at this rate
   Vec3 mass = Vec3::Zero();  // kg, effective in x, y, z
+  // Of the shape: how much of it a motion of the supports by 1 in x, y, z has, and its own mass, kg.
+  Vec3 participation = Vec3::Zero();
+  double own_mass = 0;
   std::shared_ptr<const Shape> shape;
 };
 
@@ -37,6 +40,7 @@ template <class M>
 struct Modes {
   std::vector<M> modes;
   std::vector<std::string> words = {};
+  Vec3 mass = Vec3::Zero();  // kg, all that can move in x, y, z
 };
 
 struct ModesWanted {

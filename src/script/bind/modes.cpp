@@ -42,13 +42,20 @@ run::Modes<M> unchecked(const model::Model& model, int count) {
   return none;
 }
 
+// The components by place and by name.
+void set_vector(lua_State* L, const char* name, const Vec3& v) {
+  push_numbers(L, {v.x(), v.y(), v.z()});
+  for (int i = 0; i < 3; ++i) set_number(L, std::string(1, "xyz"[i]).c_str(), v[i]);
+  lua_setfield(L, -2, name);
+}
+
 void push_mode(lua_State* L, const run::VibrationMode& mode) {
   lua_newtable(L);
   set_number(L, "frequency", mode.frequency);
   set_number(L, "growth", mode.growth);
-  push_numbers(L, {mode.mass.x(), mode.mass.y(), mode.mass.z()});
-  for (int i = 0; i < 3; ++i) set_number(L, std::string(1, "xyz"[i]).c_str(), mode.mass[i]);
-  lua_setfield(L, -2, "mass");
+  set_number(L, "own_mass", mode.own_mass);
+  set_vector(L, "mass", mode.mass);
+  set_vector(L, "participation", mode.participation);
 }
 
 void push_mode(lua_State* L, const run::BucklingMode& mode) {
@@ -80,11 +87,17 @@ int find_modes(Call& call) {
   wanted.all_below = wanted.below && !call.has("count");
   const auto from = call.object<DeckRun>("from");
   const auto model = from ? from->analysis->shared_model() : call.object<model::Model>("model");
-  if (call.session().options().check)
-    return push_modes(call, unchecked<run::VibrationMode>(*model, wanted.count));
+  if (call.session().options().check) {
+    push_modes(call, unchecked<run::VibrationMode>(*model, wanted.count));
+    set_vector(call.L(), "mass", Vec3::Ones());
+    return 1;
+  }
   const ChangeRefused still_model(call.session(), model.get()), still_mesh(call.session(), &model->mesh());
-  return push_modes(
-      call, from ? run::vibration_modes(*from->analysis, wanted) : run::vibration_modes(model, wanted));
+  const auto found =
+      from ? run::vibration_modes(*from->analysis, wanted) : run::vibration_modes(model, wanted);
+  push_modes(call, found);
+  set_vector(call.L(), "mass", found.mass);
+  return 1;
 }
 
 int find_buckling(Call& call) {
@@ -203,8 +216,9 @@ std::vector<Entry> modes_entries() {
         number_("below", "Hz", positive, "those below this frequency alone; without count all of them")
             .optional()},
        "Natural frequencies of small swings about a state: a list of { frequency= (Hz), mass= {x=, y=, z=} "
-       "(kg, "
-       "effective), growth= (1/s, above 0 where the state is unstable), shape= }.",
+       "(kg, effective), growth= (1/s, above 0 where the state is unstable), shape=, own_mass= (kg, that of "
+       "the shape), participation= {x=, y=, z=} (of the shape in a motion of the supports by 1) }. The "
+       "list's mass= {x=, y=, z=} (kg) is all that can move.",
        modes_sample() +
            "local modes = fabric.modes{ from=a, count=3 }\n"
            "assert(#modes == 3 and modes[1].frequency < modes[2].frequency and modes[1].mass.z > 0.005)",
