@@ -105,6 +105,7 @@ class Static final : public Run {
   };
   Halves path_error(double end, StepReport& report);
   Halves compare_parts(int parts, double end, std::span<const double> to);
+  double no_displacement(double force) const;
   bool solve_part(double end, std::span<const double> guess);
   std::vector<double> held_by_supports() const;  // N, 3 per node
   void put(std::span<const double> kinematics);  // as the trial configuration

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "base/number.hpp"
+#include "geometry/box.hpp"
 #include "geometry/node_view.hpp"
 #include "mechanics/terms/contact.hpp"
 #include "run/static.hpp"
@@ -20,6 +21,8 @@ constexpr double kSmall = 2e-3;      // below it the next steps are not asked
 constexpr double kLeast = 1.0 / 64;  // of the run: a shorter step may err as much as one of this length
 // The halves need not be solved better than the error is asked for.
 const solver::NewtonOptions kHalves{1e-5, 12};
+constexpr double kRounding =
+    1e3 * std::numeric_limits<double>::epsilon();  // of displacements, over the cloth's size
 
 bool remembers(const card::Card& card) {
   const auto& bending = card.bending;
@@ -125,6 +128,13 @@ std::vector<double> Static::held_by_supports() const {
   return force;
 }
 
+// m: displacements up to here are none. Positions are rounded; and of cloth that is under tension from the
+// start forces are solved to a share of what holds it, whose displacement is that share of its stretch.
+double Static::no_displacement(double force) const {
+  const double stretch = force > 0 ? std::max(0.0, initial_energy_) / force : 0;
+  return kRounding * box_of(assembly_->dofs().reference()).size().norm() + kHalves.tolerance * stretch;
+}
+
 // The step from the committed state to the trial state at `to` is made again in two halves, or in four parts
 // that are solved afresh. Halves begin at the shapes that are known. Returns by how much the end differs: the
 // largest distance of a node over the largest displacement so far, or the largest difference of a support's
@@ -156,7 +166,9 @@ Static::Halves Static::compare_parts(int parts, double end, std::span<const doub
   const double moved = afresh_ ? difference_of_sizes(now, to, reference) : largest_distance(now, to, numbers),
                pulled = afresh_ ? difference_of_sizes(pulls, held, std::vector<double>(numbers))
                                 : largest_distance(pulls, held, numbers);
-  const double error = std::max(way > 0 ? moved / way : 0, force > 0 ? pulled / force : 0);
+  const double nothing = no_displacement(force);
+  if (way <= nothing) return {0, 0, 0, parts};
+  const double error = std::max(moved > nothing ? moved / way : 0, force > 0 ? pulled / force : 0);
   if (error < kHalves.tolerance) return {0, 0, 0, parts};  // below it the halves say nothing
   return {error, moved, pulled, parts};
 }
