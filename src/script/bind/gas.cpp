@@ -26,8 +26,14 @@ std::vector<std::string> names_of(const Call& call, const char* field) {
   call.push(field);
   const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
   for (lua_Integer i = 1; i <= count; ++i) {
-    if (lua_rawgeti(L, -1, i) != LUA_TSTRING)
-      call.refuse(field, "expected names of sets, got " + describe(L, -1) + " at place " + std::to_string(i));
+    if (lua_rawgeti(L, -1, i) != LUA_TSTRING) {
+      const std::string got = describe(L, -1);
+      call.refuse(
+          field, "expected names of sets, got " + got + " at place " + std::to_string(i) +
+                     (got == "a body" ? ": rigid bodies close no volume; a hole that one covers is closed by "
+                                        "lids= the set of its nodes"
+                                      : ""));
+    }
     names.emplace_back(lua_tostring(L, -1));
     lua_pop(L, 1);
   }

@@ -7,6 +7,11 @@ wrong("model:gas", "model:gas{ set={} }",
   "deck.lua:1: gas: field 'set': expected the name of a set, or a list, got an empty one")
 wrong("model:gas", "model:gas{ set={ 'all', 7 } }",
   "deck.lua:1: gas: field 'set': expected names of sets, got 7 at place 2")
+for _, field in ipairs { "set", "lids" } do
+  wrong("model:gas", "model:gas{ " .. field .. "={ 'all', fabric.rigid.plane{ point={0, 0, 1}, normal={0, 0, -1} } } }",
+    "deck.lua:1: gas: field '" .. field .. "': expected names of sets, got a body at place 2: rigid bodies close no volume; "
+    .. "a hole that one covers is closed by lids= the set of its nodes")
+end
 wrong("model:gas", "model:gas{ set='top' }",
   "deck.lua:1: gas: field 'set': set 'top' holds no whole element")
 wrong("model:gas", "model:gas{ lids=7 }",
