@@ -37,6 +37,32 @@ assert(width < 4 * plain, width / plain)
 inside, told = fitted(3, 20)
 assert(inside >= 0.85 and told >= 0.9, ("%g %g"):format(inside, told))
 
+-- --- a model that is right: bars are not much wider than the noise makes them, and a wave of a third of the noise is held too; other curves, fewer and more points
+do
+  local count
+  local function saturating(p)
+    local y = {}
+    for k = 1, count do y[k] = p.a * (1 - math.exp(-3 * k / count)) + p.b * (k / count) ^ 2 end
+    return y
+  end
+  local true_values, sets = { a = 2, b = -0.6 }, 50
+  for _, case in ipairs { { points = 24, size = 0 }, { points = 120, size = 0 }, { points = 120, size = 0.3 } } do
+    count = case.points
+    local held, wider = 0, 0
+    for _ = 1, sets do
+      local y, phase, waves = saturating(true_values), 2 * math.pi * draw.uniform(), 0.5 + draw.uniform()
+      for k = 1, count do y[k] = y[k] + noise * (case.size * math.sqrt(2) * math.cos(2 * math.pi * waves * k / count + phase) + draw.normal()) end
+      local f = lab.identify { parameters = { { name = "a", start = 1, low = -9, high = 9 }, { name = "b", start = 1, low = -9, high = 9 } },
+        tests = { { name = "curve", measured = y, noise = noise, predict = saturating } }, processes = 1 }
+      for i, name in ipairs { "a", "b" } do
+        held = held + (math.abs(f.parameters[name] - true_values[name]) <= 1.96 * f.deviation[i] and 0.5 or 0) / sets
+        wider = wider + f.deviation[i] / f.of_noise.deviation[i] / 2 / sets
+      end
+    end
+    assert(held >= 0.9 and (case.size > 0 or wider < 2.5), ("%g %g"):format(held, wider))
+  end
+end
+
 -- --- a parameter that the data push beyond its bound, and long records: the difference that is told has the size of the residuals and of what the other parameters take up
 local long = 400
 local function curved(p)

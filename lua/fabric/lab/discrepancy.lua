@@ -1,12 +1,15 @@
 -- What a model misses beside the noise: a smooth difference along each test, estimated from the residuals of a fit, and what it does to the fitted parameters.
 --
--- Residuals over their noise after the fit, r = M (d + e): e is independent with variance v, at least 1; d = sum_j c_j phi_j, cosines along the points of each test, var(c_j) = s^2 / (1 + j^2/4).
+-- Residuals over their noise after the fit, r = M (d + e): e is independent with variance v, at least 1; d = sum_j c_j phi_j, cosines along the points of each test, var(c_j) = s^2 / (1 + j^2/4)^1.5.
 -- M takes away what the parameters explain. v and s^2 follow from the restricted likelihood [patterson1971]. Where the parameters would have followed d, nothing of it is in the residuals; that
--- part has the same s^2, averaged over its likelihood (prior of s: half of it below half the noise, since what the residuals do not show may be there), and so the parameters' covariance is C J^T (v I + s^2 Phi W Phi^T) J C with C = (J^T J)^-1 [kennedy2001].
+-- part has the same s^2. Whether there is such a difference is uncertain too: the prior gives the model a quarter of being right (s = 0), and else to s half below half the noise. Each s weighs by its
+-- likelihood [kennedy2001]; for each the parameters' covariance is C J^T (v I + s^2 Phi W Phi^T) J C with C = (J^T J)^-1, and an interval is of the mixture of them, so that residuals that look like
+-- noise narrow it by as much as they would have shown.
 local linear = require "fabric.lab.linear"
 local discrepancy = {}
 
 local modes, fewest = 6, 8 -- of a test; points of a test of which smooth differences can be told from noise
+local right, scale = 1/4, 0.5 -- the prior: of a model that misses nothing, and the median of s where it does
 local sure = 6.6           -- twice the logarithm of the ratio of likelihoods that is as unlikely as one in a hundred
 
 -- Eigenvalues and eigenvectors (columns of V) of a small symmetric matrix, by Jacobi's rotations.
@@ -39,13 +42,16 @@ local function eigen(A)
   return values, V
 end
 
+-- The variance of a cosine's coefficient over that of the constant: smooth differences have more of the long waves.
+local function share_of(j) return 1 / (1 + j * j / 4) ^ 1.5 end
+
 -- The weighted cosines of all tests, each a list { first, values } over the points of its test.
 local function functions_of(counts)
   local out, first = {}, 0
   for _, n in ipairs(counts) do
     if n >= fewest then
       for j = 0, math.min(modes, n // 3) - 1 do
-        local values, weight = {}, math.sqrt((j == 0 and 1 or 2) / (1 + j * j / 4))
+        local values, weight = {}, math.sqrt((j == 0 and 1 or 2) * share_of(j))
         for k = 1, n do values[k] = weight * math.cos(math.pi * j * (k - 0.5) / n) end
         out[#out + 1] = { first = first, values = values }
       end
@@ -113,13 +119,49 @@ local function beside(residuals, J, C)
   return out
 end
 
+-- Student's probability beyond -t and t, for whole degrees of freedom by the finite sum of powers of the cosine, between them in proportion; from 100 on as for 100.
+local function beyond(t, freedom)
+  local low = math.floor(math.min(freedom, 100))
+  local function whole(n)
+    local angle = math.atan(t / math.sqrt(n))
+    local square, odd = math.cos(angle) ^ 2, n % 2
+    local term, sum = odd == 1 and math.cos(angle) or 1, 0
+    for k = 1, n // 2 do
+      sum, term = sum + term, term * (2 * k - 1 + odd) / (2 * k + odd) * square
+    end
+    return 1 - (odd == 1 and (angle + math.sin(angle) * sum) * 2 / math.pi or math.sin(angle) * sum)
+  end
+  local part = math.min(freedom, 100) - low
+  return part > 0 and (1 - part) * whole(low) + part * whole(low + 1) or whole(low)
+end
+
+-- Half of the 95 % interval of a parameter whose variance is own v + smooth s^2 in each case { weight, noise = v, s2, effective }, with m degrees of freedom of v and `effective` ones of s^2.
+local function half_width(cases, own, smooth, m)
+  if not (own < math.huge and smooth < math.huge) then return math.huge end -- the records do not determine it
+  local list, high = {}, 0
+  for _, c in ipairs(cases) do
+    local a, b = own * c.noise, smooth * c.s2
+    if a + b > 0 then
+      list[#list + 1] = { weight = c.weight, deviation = math.sqrt(a + b), freedom = (a + b) ^ 2 / (a * a / m + b * b / math.max(1, c.effective)) }
+      high = math.max(high, 13 * math.sqrt(a + b)) -- 12.7 is the quantile of one degree of freedom
+    end
+  end
+  local low = 0
+  for _ = 1, 40 do
+    local at, outside = (low + high) / 2, 0
+    for _, c in ipairs(list) do outside = outside + c.weight * beyond(at / c.deviation, c.freedom) end
+    if outside > 0.05 then low = at else high = at end
+  end
+  return high
+end
+
 -- residuals: predicted less measured over the noise, all tests one after the other, `counts` points each; all_derivatives: theirs by the parameters, row by row; all_covariance: (J^T J)^-1, a
--- list of rows; fixed: true for a parameter on a bound, which counts as known. Returns { noise (v), deviation (rms of d over the noise), ratio (twice the logarithm of the likelihoods'), told, covariance, freedom (of each parameter's variance) }.
+-- list of rows; fixed: true for a parameter on a bound, which counts as known. Returns { noise (v), deviation (rms of d over the noise), ratio (twice the logarithm of the likelihoods'), told, covariance, half_width (of each parameter's 95 % interval) }.
 function discrepancy.of(all_residuals, counts, all_derivatives, all_covariance, fixed)
   local list, jacobian, C = moved(all_derivatives, all_covariance, fixed or {})
   local residuals = beside(all_residuals, jacobian, C)
   local m, n, phi = #residuals, #C, functions_of(counts)
-  local out, squares = { noise = 1, deviation = 0, ratio = 0, told = false, covariance = {}, freedom = {} }, 0
+  local out, squares = { noise = 1, deviation = 0, ratio = 0, told = false, covariance = {}, half_width = {} }, 0
   for _, r in ipairs(residuals) do squares = squares + r * r end
   -- J^T phi, and phi without what the parameters explain
   local with_J, explained = {}, {}
@@ -167,40 +209,42 @@ function discrepancy.of(all_residuals, counts, all_derivatives, all_covariance, 
   rest = math.max(rest, 0)
   local most = 4 * math.max(1, squares / math.max(1, m - n))
   local v, none = best_noise(0, u, g, rest, count, most)
-  -- s2, averaged
-  local s2, top = 0, none
+  -- s2, averaged over the model that misses nothing and sizes that are even in their logarithm, of which the prior has `density` each
+  local s2, top, cases = 0, none, { { value = none, prior = right, noise = v, s2 = 0 } }
   if #u > 0 and count > 2 then
-    local whole, sum, values, highest = 0, 0, {}, none
     for k = -20, 30 do
       local size = 10 ^ (k / 10)
       local noise, value = best_noise(size * size, u, g, rest, count, most)
       if value > top then v, top = noise, value end
-      values[#values + 1], highest = { size = size, value = value }, math.max(highest, value)
+      local density = 2 / math.pi * (size / scale) / (1 + (size / scale) ^ 2) * math.log(10) / 10
+      cases[#cases + 1] = { value = value, prior = (1 - right) * density, noise = noise, s2 = size * size }
     end
-    for _, at in ipairs(values) do -- likelihoods by the highest, so that none overflows however long the records
-      local weight = math.exp(at.value - highest) * at.size / (1 + (at.size / 0.5) ^ 2)
-      sum, whole = sum + weight, whole + weight * at.size ^ 2
-    end
-    s2 = whole / sum
   end
-  local effective, weights = 0, 0
-  for j = 0, modes - 1 do weights = weights + 1 / (1 + j * j / 4) end
-  for _, x in ipairs(g) do effective = effective + s2 * x / (v + s2 * x) end
+  local sum, likely = 0, {}
+  for _, c in ipairs(cases) do
+    c.weight, c.effective = c.prior * math.exp(c.value - top), 0 -- by the highest, so that none overflows however long the records
+    for _, x in ipairs(g) do c.effective = c.effective + c.s2 * x / (c.noise + c.s2 * x) end
+    sum = sum + c.weight
+  end
+  for _, c in ipairs(cases) do
+    c.weight = c.weight / sum
+    s2 = s2 + c.weight * c.s2
+    if c.weight > 1e-9 then likely[#likely + 1] = c end
+  end
+  local weights = 0
+  for j = 0, modes - 1 do weights = weights + share_of(j) end
   out.noise, out.deviation, out.ratio, out.told = v, math.sqrt(s2 * weights), 2 * (top - none), 2 * (top - none) > sure
   for i in ipairs(all_covariance) do
     out.covariance[i] = {}
     for l in ipairs(all_covariance) do out.covariance[i][l] = v * all_covariance[i][l] end
-    out.freedom[i] = math.max(1, m - n)
+    out.half_width[i] = half_width(likely, all_covariance[i][i], 0, math.max(1, m - n))
   end
   for a, i in ipairs(list) do
     for e, l in ipairs(list) do
       local smooth = 0
       for q = 1, #phi do smooth = smooth + explained[q][a] * explained[q][e] end
       out.covariance[i][l] = v * all_covariance[i][l] + s2 * smooth
-      if a == e then
-        local own, c = v * all_covariance[i][i], s2 * smooth
-        out.freedom[i] = own + c > 0 and (own + c) ^ 2 / (own * own / math.max(1, m - n) + c * c / math.max(1, effective)) or 1
-      end
+      if a == e then out.half_width[i] = half_width(likely, all_covariance[i][i], smooth, math.max(1, m - n)) end
     end
   end
   return out

@@ -245,7 +245,7 @@ local function widen(t, out, found, scale)
     if missed.deviation > 0 then
       out.discrepancy = { deviation = missed.deviation, ratio = missed.ratio, told = missed.told }
       for i = 1, n do
-        out.deviation[i] = math.sqrt(missed.covariance[i][i]) * fabric.lab.student(0.975, missed.freedom[i]) / fabric.lab.student(0.975, 1e6)
+        out.deviation[i] = missed.half_width[i] / fabric.lab.student(0.975, 1e6)
         for j = 1, n do out.correlation[(i - 1) * n + j] = missed.covariance[i][j] / math.sqrt(missed.covariance[i][i] * missed.covariance[j][j]) end
       end
     end
