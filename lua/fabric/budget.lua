@@ -324,6 +324,9 @@ local function contradictions_of(card)
   return out
 end
 
+-- The interval of a fitted field that no band of a card holds, by the words of its provenance.
+local function unheld_by(card, field) return (card.provenance and card.provenance[field] or ""):match "(interval of .-); no band of a card holds it" end
+
 -- --- words and picture
 
 local function text_of(t, result, names)
@@ -359,7 +362,10 @@ local function text_of(t, result, names)
   for _, words in ipairs(result.untold) do say("%s", words) end
   for _, words in ipairs(result.contradictions) do say("%s", words) end
   for _, one in ipairs(result.sample_warnings) do say("%s in %d of %d runs: %s", one.code, one.runs, result.runs - 1, one.text) end
-  for _, name in ipairs(result.not_varied) do say("not varied: %s, which the card assumes", name) end
+  for _, name in ipairs(result.not_varied) do
+    local kept = unheld_by(t.card, name)
+    say("not varied: %s, which %s", name, kept and "no band of the card holds: " .. kept or "the card assumes")
+  end
   return table.concat(lines, "\n")
 end
 
@@ -406,6 +412,9 @@ local function run(t)
   local used, inputs = {}, {}
   if t.card then band_inputs(t, t.card, inputs) end
   local not_varied = assumed_inputs(t, t.card, inputs)
+  for _, field in ipairs(sorted.keys(t.card and t.card.provenance or {})) do
+    if unheld_by(t.card, field) and not t.card.provenance[field]:find "^assumed" then not_varied[#not_varied + 1] = field end
+  end
   local base, base_error = answer(t, middle(t), used)
   local names = sorted.keys(base)
   for _, kind in ipairs { "mesh", "steps" } do

@@ -1,6 +1,8 @@
 -- Bands of parameters propagated to the numbers of a card (fabric.lab.identify and fabric.lab.pool: found:card(make)).
 local define = require "fabric.define"
 local linear = require "fabric.lab.linear"
+local fabric = require "fabric"
+local sorted = require "fabric.sorted"
 local fail = define.fail
 
 local parts = { "warp", "weft", "shear" }
@@ -61,6 +63,54 @@ local function band_of(values, slopes, covariance, quantile)
   return uncertain and out or nil
 end
 
+-- The numbers of a card that no band of it holds, by names such as "bending.warp"; of lists with a place.
+local function others_of(card)
+  local out, held = {}, { loading = true, unloading = true, poisson = true }
+  local function walk(name, value, of_part)
+    if type(value) == "number" then out[name] = value end
+    if type(value) ~= "table" then return end
+    for key, inner in pairs(value) do
+      if not (of_part and held[key]) then walk(name .. "." .. tostring(key), inner) end
+    end
+  end
+  for _, name in ipairs(parts) do walk(name, card[name], true) end
+  for _, name in ipairs { "bending", "biaxial", "viscous", "density", "thickness" } do walk(name, card[name]) end
+  for name in pairs(out) do
+    if name:find "%.tested$" then out[name] = nil end
+  end
+  return out
+end
+
+-- The 95 % intervals of such numbers that depend on the parameters, as words by the field of provenance that speaks of them, and all of them as a list.
+local function unheld(found, parameters, covariance, quantile, make, card)
+  local slopes, base = {}, others_of(card)
+  for j, p in ipairs(parameters) do
+    local ends = {}
+    for side, sign in ipairs { -1, 1 } do
+      local at = {}
+      for name, x in pairs(found) do at[name] = x end
+      at[p.name] = math.max(p.low, math.min(p.high, found[p.name] + sign * 0.1 * math.sqrt(covariance[j][j])))
+      ends[side] = { at = at[p.name], values = others_of(make(at)) }
+    end
+    local apart = ends[2].at - ends[1].at
+    for name in pairs(base) do
+      slopes[name] = slopes[name] or {}
+      slopes[name][j] = apart > 0 and ((ends[2].values[name] or base[name]) - (ends[1].values[name] or base[name])) / apart or 0
+    end
+  end
+  local by_field, list = {}, {}
+  for _, name in ipairs(sorted.keys(base)) do
+    local half = quantile * math.sqrt(math.max(0, linear.quadratic(covariance, slopes[name])))
+    if half > 1e-9 * math.abs(base[name]) then
+      local first, second = name:match "^([^.]+)%.?([^.]*)"
+      local field = first == "bending" and second == "twist" and "bending.twist" or (first == "bending" or first == "biaxial" or second == "") and first
+      list[#list + 1] = ("%s from %.3g to %.3g"):format(name, base[name] - half, base[name] + half)
+      if field then by_field[field] = (by_field[field] and by_field[field] .. ", " or "") .. list[#list] end
+    end
+  end
+  return by_field, list
+end
+
 -- by: the caller's name; found: parameters by name; covariance: of them, a matrix (a parameter on a bound: zeros); quantile: half of a band over
 -- its deviation; contradiction: nil, or words on how the data contradict the model, which go with the card (fabric.budget repeats them). Returns make(found) with bands on the parts that depend
 -- on the parameters.
@@ -78,6 +128,16 @@ return function(by, found, parameters, covariance, quantile, level, make, contra
     end
   end
   for _, name in ipairs(parts) do bands[name] = band_of(base[name], slopes[name], covariance, quantile) or card.bands and card.bands[name] or nil end
-  if not (bands.warp or bands.weft or bands.shear) then return card end
-  return card:with { bands = bands, provenance = next(provenance) and provenance or nil }
+  local by_field, list = unheld(found, parameters, covariance, quantile, make, card)
+  for field, words in pairs(by_field) do
+    local own = card.provenance and card.provenance[field]
+    if not own or own:find "^typed: changed by" then own = "fitted: by fabric.lab." .. by end -- make changes a card by card:with
+    provenance[field] = ("%s; interval of %.3g %%: %s; no band of a card holds it"):format(own, 100 * level, words)
+  end
+  if #list > 0 then
+    fabric.warn(("%s: card: no band of a card holds %s (%.3g %%): card:sample keeps it as it is, and so does fabric.budget unless its field 'assumed' and run(p) vary it"):format(by, table.concat(list, ", "), 100 * level))
+  end
+  local any = bands.warp or bands.weft or bands.shear
+  if not any and not next(provenance) then return card end
+  return card:with { bands = any and bands or nil, provenance = next(provenance) and provenance or nil }
 end
