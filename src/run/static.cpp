@@ -79,6 +79,8 @@ constexpr int kOtherWay = 3;
 // that the shape does not depend on the step; and those after which it leaves one in whatever direction.
 constexpr int kNear = 3;
 constexpr int kSeparating = 6;
+// Of the usual turns, in a shape that has buckled before: the next one is near.
+constexpr double kBuckled = 0.2;
 
 constexpr int many_descents = 4000;  // linear solves of a step's overdamped motion
 
@@ -341,6 +343,7 @@ bool Static::attempt(double size, StepReport& report) {
   const double part = now_.step.current() * (1 - same_time);
   const auto as_cut = [&](int n) { return report.cuts >= n || part <= std::ldexp(now_.step.largest(), -n); };
   options.most_unstable = !cutting_ || as_cut(kSeparating) ? problem_->size() : as_cut(kNear) ? 1 : 0;
+  if (now_.reported_pivots) options.turns = kBuckled;
   if (arc_) {
     const auto arc =
         arc_->solve(*problem_, options, {committed_time(), now_.landing, size, now_.step.largest()});
@@ -487,8 +490,8 @@ solver::NewtonResult Static::relax(solver::NewtonOptions options) {
     problem_->save_iterate();
     auto polished = newton_->correct(*problem_, options);
     polished.iterations += result.iterations;
-    polished = left_if_unstable(
-        polished, {options_.tolerance, options_.max_iterations, options_.line_search, options.most_unstable});
+    polished = left_if_unstable(polished, {options_.tolerance, options_.max_iterations, options_.line_search,
+                                           options.most_unstable, options.turns});
     if (polished.status == solver::NewtonStatus::converged) return polished;
     problem_->restore_iterate();
     coarse.tolerance = std::max(options_.tolerance, 1e-2 * coarse.tolerance);

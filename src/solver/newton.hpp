@@ -68,6 +68,9 @@ struct NewtonOptions {
   // Stable equilibria: an unstable one is left if the energy falls in no more than so many directions; with a
   // smaller step they may be met one after another, so that the shape does not depend on the step.
   Index most_unstable = 1;
+  // Of the usual turns by which an unstable equilibrium is left: less in a shape that has already buckled.
+  // From there the next one is near, and further away lie others, of which the step would decide.
+  double turns = 1;
 };
 
 // law_failed: the forces could not be evaluated with this step; broken: with no step, however small.

@@ -315,7 +315,7 @@ Walk::Saddle Walk::leave_saddle() {
   if (!take_mode()) return Saddle::stays;
   if (rises_on_both_sides()) return tangent_at_iterate() == Answer::ok ? Saddle::none : Saddle::stays;
   if (check_.negative() > options_.most_unstable || saddles_ == std::size(kAway)) return Saddle::stays;
-  const double turn = std::min(kAway[saddles_++], problem_.limit(delta_));
+  const double turn = std::min(options_.turns * kAway[saddles_++], problem_.limit(delta_));
   const double one = work_to_side(turn), other = work_to_side(-turn);
   work_to_side(one >= kSame * other ? turn : -turn);
   r_.swap(trial_r_);
