@@ -156,4 +156,14 @@ do
   fabric.lab.frequency_response { model = m, base = { z = 1e-3 }, damping = 0.1, node = n, lowest = 0.1, highest = 1, count = 1 }
   fabric.lab.frequency_response { model = m, force = { set = mesh:set "top"[4], z = 1e-3 }, damping = 0.1, node = n, lowest = 0.1, highest = 5, count = 3 }
 end
+
+-- A state that is not stable has no steady swing.
+do
+  local card = fabric.svk { density = 500, thickness = 1e-3, warp = 5e6, weft = 5e6, shear = 2e6, poisson = 0, bending = { warp = 2e-4, weft = 2e-4, twist = 1e-4 } }
+  local mesh = fabric.mesh.rectangle { width = 0.2, height = 0.03, nx = 10, ny = 2 }
+  local m = fabric.model { mesh = mesh, card = card, warp = 0 }:fix("left", "x y z rotation"):fix("right", "y z"):move("right", { x = fabric.ramp(-2e-3, 0.1) })
+  local run = fabric.dynamic { model = m, duration = 0.1, scheme = "implicit", step = 0.02 }:solve() -- pressed, and still flat
+  local ok, words = pcall(fabric.lab.frequency_response, { from = run, base = { z = 1e-3 }, damping = 0.1, node = 5, lowest = 1, highest = 5 })
+  assert(not ok and tostring(words):find("the state is not a stable equilibrium", 1, true), words)
+end
 fabric.expect(checks)
