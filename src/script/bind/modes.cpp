@@ -88,7 +88,12 @@ int find_modes(Call& call) {
   const auto from = call.object<DeckRun>("from");
   const auto model = from ? from->analysis->shared_model() : call.object<model::Model>("model");
   if (call.session().options().check) {
-    push_modes(call, unchecked<run::VibrationMode>(*model, wanted.count));
+    auto modes = unchecked<run::VibrationMode>(*model, wanted.count);
+    for (std::size_t i = 0; i < modes.modes.size(); ++i) {  // decks divide by these, and take them as bounds
+      modes.modes[i].frequency = static_cast<double>(i + 1);
+      modes.modes[i].own_mass = 1;
+    }
+    push_modes(call, modes);
     set_vector(call.L(), "mass", Vec3::Ones());
     return 1;
   }
