@@ -983,32 +983,42 @@ function fabric.lab.fast_card(fields) end
 function fabric.lab.fit(fields) end
 
 ---@class fabric_lab_form_fields.punch
----@field shape? "hemisphere"|"box"|"double dome" of the punch or of the opening: hemisphere (round), box, double dome (default "hemisphere")
+---@field shape? "hemisphere"|"box"|"double dome"|"L"|"Z" of the punch or of the opening: hemisphere (round), box, double dome; L and Z: profiles along y, whose face ends at x = 0 in a wall (default "hemisphere")
 ---@field radius? number m: of a hemisphere, a dome or a round opening
----@field size? number[] m: {along x, along y} of a box
+---@field size? number[] m: {along x, along y} of a box; of L and Z the width of the lower face and the length of the profile
 ---@field corner? number m: radius of a box's corners, seen from above
 ---@field length? number m: from centre to centre of a double dome, along x
 ---@field waist? number m: radius of the arcs that join both domes
----@field edge? number m: radius of a box's lower edge
----@field height? number m: of a box; of the shaft of a hemisphere; default the shorter side, the radius
+---@field angle? number degrees: of the wall of L and Z from the horizontal, default 90
+---@field edge? number m: radius of the lower edge of a box, of the edges of L and Z
+---@field height? number m: of a box; of the shaft of a hemisphere; of the wall of L and Z; default the shorter side, the radius, the width of an L
 ---@field around? integer facets around (default 64)
+---@field file? string an STL or other mesh file in the place of lengths; x and y are kept, along z it is moved to the plies
+---@field units? "m"|"cm"|"mm"|"inch" of that file, which says none
 
 ---@class fabric_lab_form_fields.die
----@field shape? "hemisphere"|"box"|"double dome" of the opening; default that of the punch
+---@field shape? "hemisphere"|"box"|"double dome"|"L"|"Z" of the opening; default that of the punch
 ---@field radius? number m: of a hemisphere, a dome or a round opening
----@field size? number[] m: {along x, along y} of a box
+---@field size? number[] m: {along x, along y} of a box; of L and Z the width of the lower face and the length of the profile
 ---@field corner? number m: radius of a box's corners, seen from above
 ---@field length? number m: from centre to centre of a double dome, along x
 ---@field waist? number m: radius of the arcs that join both domes
----@field edge? number m: radius of the rounded edge of the opening; default the larger of a sixth of the punch's radius (of a box: a sixth of the shorter side) and ten times the thickness of a ply; where contact= is given, at least five times that
+---@field angle? number degrees: of the wall of L and Z from the horizontal, default 90
+---@field edge? number m: radius of the rounded edge of the opening; default the larger of a sixth of the punch's radius (of a box: a sixth of the shorter side; of L and Z the edge of the punch) and ten times the thickness of a ply; where contact= is given, at least five times that
+---@field height? number m: of the wall of L and Z, which is the depth of the floor of Z; default four times the edge of an L
+---@field gap? number m: from the wall of the punch of L and Z to that of the die, at the end of the stroke; default 1.1 times the thickness of the stack in contact
 ---@field outer? number m: radius of the round outside of die and holder; default 0.75 times the diagonal of the blank
 ---@field around? integer facets around (default 64)
+---@field file? string an STL or other mesh file in the place of lengths; x and y are kept, along z it is moved to the plies
+---@field units? "m"|"cm"|"mm"|"inch" of that file, which says none
 
 ---@class fabric_lab_form_fields.holder
 ---@field force? number N: that presses it on the plies
 ---@field springs? number N/m: stiffness of all springs that hold it down
 ---@field gap? number m: from die to holder, which stands
 ---@field mass? number kg: of the plate; default four times that of the plies
+---@field file? string an STL or other mesh file in the place of lengths; x and y are kept, along z it is moved to the plies
+---@field units? "m"|"cm"|"mm"|"inch" of that file, which says none
 
 ---@class fabric_lab_form_fields.film
 ---@field viscosity number Pa s: of what is between plies, and between them and the tools: a hot matrix
@@ -1018,9 +1028,9 @@ function fabric.lab.fit(fields) end
 ---@field card card the fabric of all plies
 ---@field stack? number[] degrees: {lowest, ..., upmost}: warp of each ply from x, default {0}
 ---@field blank number|number[] m: side of a square, or {along x, along y}
----@field punch fabric_lab_form_fields.punch the arguments of fabric.rigid.punch: { radius= }, { shape='box', size=, corner=, edge= }, { shape='double dome', radius=, length=, waist= }
----@field die? fabric_lab_form_fields.die of fabric.rigid.die: { radius=, edge= }, ...; lengths of the opening that are left out: those of a punch of the same shape, wider on each side by 1.1 times the thickness of the stack in contact, at least a twenty-fifth of the punch's radius
----@field holder? fabric_lab_form_fields.holder { force=N }, { springs=N/m } or { gap=m }; without it none
+---@field punch fabric_lab_form_fields.punch the arguments of fabric.rigid.punch: { radius= }, { shape='box', size=, corner=, edge= }, { shape='double dome', radius=, length=, waist= }, { shape='L', size=, edge= }, { shape='Z', size=, edge=, height= }; or { file=, units= }
+---@field die? fabric_lab_form_fields.die of fabric.rigid.die: { radius=, edge= }, ...; lengths of the opening that are left out: those of a punch of the same shape, wider on each side by 1.1 times the thickness of the stack in contact, at least a twenty-fifth of the punch's radius; of L and Z { edge=, gap= }; or { file=, units=, edge= }, edge being the least radius of its rim
+---@field holder? fabric_lab_form_fields.holder { force=N }, { springs=N/m } or { gap=m }, with file= and units= where the die is a file; without it none
 ---@field friction? number of tools and plies (default 0.2)
 ---@field ply_friction? number of plies on each other; default that of the tools
 ---@field weft_friction? number friction across the warp, that along it being friction and ply_friction; of two plies the warp is that of the lower one
@@ -1031,7 +1041,7 @@ function fabric.lab.fit(fields) end
 ---@field quarter? boolean only x > 0, y > 0, between planes of symmetry; forces and energies are those of the whole (default false)
 ---@field speed? number m/s: largest speed of the punch, default 2
 ---@field contact? number m: thickness of a ply in contact; default a fifth of the die's edge, or that of the card
----@field stiffness? number Pa/m: of contact; default what carries 6 MPa, which tight yarns press on the die's edge
+---@field stiffness? number Pa/m: of contact; default what carries 6 MPa, which tight yarns press on the die's edge; four times that for triangles longer than its radius
 ---@field points? integer through the thickness of a single ply (default 1)
 ---@field damping? number 1/s: of motion, as damping.mass of fabric.dynamic; default 3 over the duration
 ---@field rows? integer of the curve (default 50)
@@ -1056,6 +1066,24 @@ function fabric.lab.form(fields) end
 ---@param fields fabric_lab_form_finding_fields
 ---@return table<string, any>
 function fabric.lab.form_finding(fields) end
+
+---@class fabric_lab_frequency_response_fields
+---@field from? analysis the state about which the cloth swings
+---@field model? model in its place: the cloth as it is at time 0, without stress
+---@field base? table { x=, y=, z= }, m: amplitudes of all supports, which shake together
+---@field force? table { set=, x=, y=, z= }, N: in its place the amplitudes of a force on a set, shared evenly by its nodes, or on a node
+---@field damping number structural: the stiffness is K (1 + i damping); twice the share of critical damping
+---@field node integer whose motion is asked for
+---@field along? "x"|"y"|"z" which component of it; default the largest of what shakes
+---@field lowest number Hz: the first frequency
+---@field highest number Hz: the last frequency
+---@field points? integer frequencies from the first to the last; those of the modes, and of half their power, are added (default 201)
+---@field count? integer how many modes; default all below twice the last frequency, and at least 10
+
+---Steady swings of a node about a state under supports or a force that shake, with structural damping, summed over the natural modes. Returns curve (rows of frequency, Hz; amplitude, m; phase, degrees, below 0 where the node lags; relative, m, of the motion beside the supports), peak (the row of the largest amplitude), modes (those of fabric.modes) and covered: of a base, the share that the modes have of the mass which moves; of a force, the share of the deflection at rest that the lower half of the modes gives.
+---@param fields fabric_lab_frequency_response_fields
+---@return table<string, any>
+function fabric.lab.frequency_response(fields) end
 
 ---@class fabric_lab_grab_fields
 ---@field card card the fabric, with rupture
@@ -2008,12 +2036,13 @@ function fabric.mesh.of(fields) end
 ---@return mesh
 function fabric.mesh.panel(fields) end
 
----Reads a mesh of triangles and quadrilaterals, lengths in m: Gmsh 2 and 4.1, VTK's .vtu and legacy .vtk, Wavefront .obj, .stl and .ply (text and binary; equal vertices of an .stl are joined), .inp of Abaqus and CalculiX, .k of LS-DYNA. Physical groups and groups become node sets, sets of elements those of their nodes; so do integer arrays: those of 0 and 1 by their name, others as name_value; parts and solids where there are several. Nodes in no element are left out; the sets all and boundary are added. Also with named fields: fabric.mesh.read{ file=, join=true }.
+---Reads a mesh of triangles and quadrilaterals; its lengths are m afterwards: Gmsh 2 and 4.1, VTK's .vtu and legacy .vtk, Wavefront .obj, .stl and .ply (text and binary; equal vertices of an .stl are joined), .inp of Abaqus and CalculiX, .k of LS-DYNA. Physical groups and groups become node sets, sets of elements those of their nodes; so do integer arrays: those of 0 and 1 by their name, others as name_value; parts and solids where there are several. Nodes in no element are left out; the sets all and boundary are added. Also with named fields: fabric.mesh.read{ file=, join=true }.
 ---@param file string ends in .msh, .vtu, .vtk, .obj, .stl, .ply, .inp, .k or .key; a bare name may be a mesh shipped with the program
 ---@param join? boolean make one node of those at one place (within 1e-6 of the mesh's size) (default false)
 ---@param reference? boolean the same mesh in the stress-free shape that an .inp or a .k has beside it, for reference= of a model (default false)
+---@param units? "m"|"cm"|"mm"|"inch" of the file's lengths; default m, with a warning where that would be odd
 ---@return mesh
-function fabric.mesh.read(file, join, reference) end
+function fabric.mesh.read(file, join, reference, units) end
 
 ---@class fabric_mesh_rectangle_fields.grading
 ---@field x? number[] m: of the lines of nodes across x, from 0 to the width, ascending
@@ -2066,7 +2095,7 @@ function fabric.model(fields) end
 ---@field count? integer how many, from the lowest on (default 10)
 ---@field below? number Hz: those below this frequency alone; without count all of them
 
----Natural frequencies of small swings about a state: a list of { frequency= (Hz), mass= {x=, y=, z=} (kg, effective), growth= (1/s, above 0 where the state is unstable), shape= }.
+---Natural frequencies of small swings about a state: a list of { frequency= (Hz), mass= {x=, y=, z=} (kg, effective), growth= (1/s, above 0 where the state is unstable), shape=, own_mass= (kg, that of the shape), participation= {x=, y=, z=} (of the shape in a motion of the supports by 1) }. The list's mass= {x=, y=, z=} (kg) is all that can move.
 ---@param fields fabric_modes_fields
 ---@return any
 function fabric.modes(fields) end
@@ -2162,21 +2191,23 @@ function fabric.render(fields) end
 function fabric.rigid.cylinder(fields) end
 
 ---@class fabric_rigid_die_fields
----@field shape? "hemisphere"|"box"|"double dome" of the punch or of the opening: hemisphere (round), box, double dome (default "hemisphere")
+---@field shape? "hemisphere"|"box"|"double dome"|"L"|"Z" of the punch or of the opening: hemisphere (round), box, double dome; L and Z: profiles along y, whose face ends at x = 0 in a wall (default "hemisphere")
 ---@field radius? number m: of a hemisphere, a dome or a round opening
----@field size? number[] m: {along x, along y} of a box
+---@field size? number[] m: {along x, along y} of a box; of L and Z the width of the lower face and the length of the profile
 ---@field corner? number m: radius of a box's corners, seen from above
 ---@field length? number m: from centre to centre of a double dome, along x
 ---@field waist? number m: radius of the arcs that join both domes
+---@field angle? number degrees: of the wall of L and Z from the horizontal, default 90
 ---@field edge number m: radius of the rounded edge of the opening
----@field outer number m: radius of the round outside
+---@field height? number m: of the wall of L and Z, which is the depth of the floor of Z; default four times the edge of an L
+---@field outer number m: radius of the round outside; of L and Z how far the face goes to -x
 ---@field facing? "up"|"down" up: the cloth lies on it; down: a blank holder (default "up")
 ---@field at? number[] {x, y, z}: its lowest point, or the middle of the opening in the face of a die, m; default the origin
 ---@field around? integer facets around (default 64)
 ---@field mass? number kg: with it forces and contact move the body
 ---@field name? string for messages and files; default the shape's
 
----A plate with an opening for forming, its face at `at`: a die, or facing down a blank holder. shape, radius, size, corner, length and waist are those of the opening.
+---A plate with an opening for forming, its face at `at`: a die, or facing down a blank holder. shape, radius, size, corner, length and waist are those of the opening. For an L or Z profile a block whose wall goes down from `at`, the sharp corner of its face, of a Z to a floor.
 ---@param fields fabric_rigid_die_fields
 ---@return body
 function fabric.rigid.die(fields) end
@@ -2251,20 +2282,21 @@ function fabric.rigid.motion(fields) end
 function fabric.rigid.plane(fields) end
 
 ---@class fabric_rigid_punch_fields
----@field shape? "hemisphere"|"box"|"double dome" of the punch or of the opening: hemisphere (round), box, double dome (default "hemisphere")
+---@field shape? "hemisphere"|"box"|"double dome"|"L"|"Z" of the punch or of the opening: hemisphere (round), box, double dome; L and Z: profiles along y, whose face ends at x = 0 in a wall (default "hemisphere")
 ---@field radius? number m: of a hemisphere, a dome or a round opening
----@field size? number[] m: {along x, along y} of a box
+---@field size? number[] m: {along x, along y} of a box; of L and Z the width of the lower face and the length of the profile
 ---@field corner? number m: radius of a box's corners, seen from above
 ---@field length? number m: from centre to centre of a double dome, along x
 ---@field waist? number m: radius of the arcs that join both domes
----@field edge? number m: radius of a box's lower edge
----@field height? number m: of a box; of the shaft of a hemisphere; default the shorter side, the radius
+---@field angle? number degrees: of the wall of L and Z from the horizontal, default 90
+---@field edge? number m: radius of the lower edge of a box, of the edges of L and Z
+---@field height? number m: of a box; of the shaft of a hemisphere; of the wall of L and Z; default the shorter side, the radius, the width of an L
 ---@field at? number[] {x, y, z}: its lowest point, or the middle of the opening in the face of a die, m; default the origin
 ---@field around? integer facets around (default 64)
 ---@field mass? number kg: with it forces and contact move the body
 ---@field name? string for messages and files; default the shape's
 
----A punch for forming, its lowest point at `at`: a hemisphere with its shaft (a rod, round without facets), a box with radii, or a double dome.
+---A punch for forming, its lowest point at `at`: a hemisphere with its shaft (a rod, round without facets), a box with radii, a double dome, or a block whose wall forms an L or, with its upper face, a Z profile along y; there `at` is the sharp corner of lower face and wall.
 ---@param fields fabric_rigid_punch_fields
 ---@return body
 function fabric.rigid.punch(fields) end
