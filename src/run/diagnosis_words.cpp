@@ -178,14 +178,12 @@ void advise_on_iterations(const Diagnosis& f, std::vector<std::string>& all) {
     all.push_back("a smaller step, and a check of the units of loads and motions (a strain is not finite)");
 }
 
+bool slides_in_statics(const Diagnosis& f) { return f.sliding > 0 && !f.dynamic; }
+
 // What friction alone holds has no equilibrium beyond its limit, whatever solver looks for one.
 void advise_on_sliding(const Diagnosis& f, std::vector<std::string>& all) {
-  if (!(f.sliding > 0) || f.dynamic) return;
-  all.push_back(
-      "motion, fabric.dynamic with damping, a support that holds what slides, or more friction "
-      "(friction is at its limit: pairs with " +
-      number(f.sliding) + " N of it slide, most of all " + f.slides +
-      ", and cloth that friction alone holds slides on)");
+  if (slides_in_statics(f))
+    all.push_back("motion, fabric.dynamic with damping, a support that holds what slides, or more friction");
 }
 
 // Bending along stiff yarns couples the splay of the directors with the bending of an element in its plane.
@@ -222,6 +220,13 @@ std::string jumping(const Jumps& jump) {
   return jump.loads.empty() ? "motion" : "loads and motions";
 }
 
+std::string cause_of(const Diagnosis& f) {
+  if (slides_in_statics(f))
+    return "friction is at its limit and cloth slides: pairs with " + number(f.sliding) +
+           " N of it slide, most of all " + f.slides + "; " + solver::describe(f.last.status);
+  return f.site.reason.empty() ? solver::describe(f.last.status) : f.site.reason;
+}
+
 // "; the residual 0.1 (tolerance 1e-10) sits at node 3, element 2, where the warp is switching"
 std::string place_of(const Diagnosis& f, double tolerance) {
   std::string text;
@@ -229,7 +234,8 @@ std::string place_of(const Diagnosis& f, double tolerance) {
     text += "; the residual " + number(f.last.residuals.back()) + " (tolerance " + number(tolerance) +
             ") sits at node " + std::to_string(f.site.node + 1);
   if (f.site.element >= 0) text += ", element " + std::to_string(f.site.element + 1);
-  if (!f.site.yarn.empty()) text += ", where the " + f.site.yarn + " is switching between branches";
+  if (!f.site.yarn.empty() && !slides_in_statics(f))
+    text += ", where the " + f.site.yarn + " is switching between branches";
   return text;
 }
 
@@ -241,8 +247,7 @@ std::string ends(const Diagnosis& f) {
 }  // namespace
 
 std::string Diagnosis::message(double step, double largest, int cuts, double tolerance) const {
-  return ends(*this) + ": " + (site.reason.empty() ? solver::describe(last.status) : site.reason) +
-         " in a step of " + number(step) + " s" +
+  return ends(*this) + ": " + cause_of(*this) + " in a step of " + number(step) + " s" +
          (jumps ? ", the first one, with all of the " + jumping(jump) + " of time 0" : "") +
          " (the largest is " + number(largest) + " s; " + std::to_string(cuts) + " tries)" +
          place_of(*this, tolerance) + ".\nTry: " + advice().front() + ".";
