@@ -1,9 +1,12 @@
 #!/bin/sh
-# Loads and validates every deck of the tree without running it, and names those in which it finds an error.
+# Loads and validates decks without running them, and names those in which it finds an error: all that the suite
+# does not run (scripts/long), those of earlier releases, and every fifth of the others.
 # Arguments: the program, the folder of the sources.
 program=$1 root=$2
-count=0 wrong=0
+count=0 wrong=0 place=0
 for deck in $(cd "$root" && find scripts tests/archive -name '*.lua' ! -name card.lua ! -path scripts/thesis/all.lua | sort); do
+  place=$((place + 1))
+  case $deck in scripts/long/* | tests/archive/*) ;; *) [ $((place % 5)) -eq 0 ] || continue ;; esac
   count=$((count + 1))
   "$program" --quiet --check "$root/$deck" >said 2>&1 && continue
   wrong=$((wrong + 1))
@@ -11,4 +14,4 @@ for deck in $(cd "$root" && find scripts tests/archive -name '*.lua' ! -name car
   cat said
 done
 echo "$count decks, $wrong with errors"
-[ "$count" -ge 100 ] && [ "$wrong" -eq 0 ]
+[ "$count" -ge 50 ] && [ "$wrong" -eq 0 ]
