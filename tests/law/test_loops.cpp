@@ -14,10 +14,6 @@ TEST_CASE("closed loops of the potential law never make energy, whatever the opt
   for (int f = 0; f < 4; ++f) potential_loops(f, draws(100));
 }
 
-TEST_CASE("closed loops of the potential law never make energy, many of them", "[law][energy][long]") {
-  for (int f = 0; f < 4; ++f) potential_loops(f, draws(500));
-}
-
 TEST_CASE("what the comparison laws make of closed loops", "[law][energy]") { comparison_loops(draws(500)); }
 
 namespace {
