@@ -39,7 +39,7 @@ end
 
 local function check(t)
   if #t.steps == 0 then fail "chain: field 'steps': expected a list of steps { {name=, duration=, ...}, ... }, got no step" end
-  for i, step in ipairs(t.steps) do check_step(step, ("steps[%d]"):format(i)) end
+  for i = 1, #t.steps do check_step(t.steps[i], ("steps[%d]"):format(i)) end
   if t.steps[1].release then fail "chain: field 'steps[1].release': expected none: nothing holds the cloth before the first step" end
   for name, column in pairs(t.columns or {}) do
     if type(name) ~= "string" or type(column) ~= "function" then

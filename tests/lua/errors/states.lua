@@ -122,6 +122,8 @@ wrong("fabric.lab.chain", chain "steps={}",
   "deck.lua:1: chain: field 'steps': expected a list of steps { {name=, duration=, ...}, ... }, got no step")
 wrong("fabric.lab.chain", chain "steps={ 'pull' }",
   "deck.lua:1: chain: field 'steps[1]': expected a table {name, scheme, duration, loads, release, options}, got 'pull'")
+wrong("fabric.lab.chain", chain "steps={ nil, { name='pull', duration=1 } }",
+  "deck.lua:1: chain: field 'steps[1]': expected a table {name, scheme, duration, loads, release, options}, got nil")
 wrong("fabric.lab.chain", chain "steps={ { name='pull', duration=1, load=1 } }",
   "deck.lua:1: chain: field 'steps[1]': unknown field 'load' (known: name scheme duration loads release options)")
 wrong("fabric.lab.chain", chain "steps={ { duration=1 } }",

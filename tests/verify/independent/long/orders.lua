@@ -35,7 +35,9 @@ do
       end
     end
     for _, triangles in ipairs { false, true } do
-      order(case[1] .. (triangles and " plate, triangles" or " plate"), triangles and { 8, 16, 32, 64 } or { 8, 16, 32 }, 3.4, triangles and 8 or 4.6, function(n)
+      -- 64 triangles along a side of the clamped plate err by 3e-5, as much as the closed form, which has no transverse shear.
+      local sizes = not triangles and { 8, 16, 32 } or case[1] == "clamped" and { 4, 8, 16, 32 } or { 8, 16, 32, 64 }
+      order(case[1] .. (triangles and " plate, triangles" or " plate"), sizes, 3.4, triangles and 8 or 4.6, function(n)
         local mesh = fabric.mesh.rectangle { width = side, height = side, nx = n, ny = n, triangles = triangles }
         local m = fabric.model { mesh = mesh, card = common.sheet { young = E, poisson = nu, thickness = t }, warp = 0, points = 2 }
         if case[1] == "clamped" then
