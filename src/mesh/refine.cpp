@@ -18,7 +18,7 @@ struct CutSide {
   bool border;
 };
 
-// Ascending by the ends, which find() needs.
+// Ascending by the ends, which middle_of() needs.
 std::vector<CutSide> cut_sides(Mesh& mesh) {
   std::vector<CutSide> sides;
   for_each_edge(edges(mesh), [&](const Edge* begin, const Edge* end) {
