@@ -4,6 +4,9 @@
 
 namespace fabricsh::mesh {
 
+// The number of corners of an element: 4, or 3 for a triangle.
+inline std::size_t corner_count(const std::array<Index, 4>& element) { return element[3] < 0 ? 3 : 4; }
+
 // An edge as seen by one element; first < second.
 struct Edge {
   Index first, second;

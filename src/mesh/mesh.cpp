@@ -8,6 +8,7 @@
 #include "base/number.hpp"
 #include "base/suggest.hpp"
 #include "base/utf8.hpp"
+#include "mesh/edges.hpp"
 
 namespace fabricsh::mesh {
 
@@ -28,9 +29,6 @@ namespace {
 std::string text(const Vec3& p) {
   return "(" + number(p.x()) + ", " + number(p.y()) + ", " + number(p.z()) + ")";
 }
-
-// The number of corners of an element: 4, or 3 for a triangle.
-std::size_t corners(const std::array<Index, 4>& element) { return element[3] < 0 ? 3 : 4; }
 
 }  // namespace
 
@@ -129,7 +127,7 @@ std::vector<Index> Mesh::elements_in(const NodeSet& ids) const {
   std::vector<Index> found;
   for (std::size_t e = 0; e < elements.size(); ++e) {
     const auto first = elements[e].begin();
-    const auto last = first + static_cast<std::ptrdiff_t>(corners(elements[e]));
+    const auto last = first + static_cast<std::ptrdiff_t>(corner_count(elements[e]));
     if (std::all_of(first, last, [&](Index id) { return member[static_cast<std::size_t>(id)] != 0; }))
       found.push_back(static_cast<Index>(e));
   }
@@ -186,7 +184,7 @@ bool Mesh::has_warp() const {
 // The warp is a combination of two lines of the element, the diagonals or two edges, and stays the same one.
 Vec3 Mesh::moved_warp(std::size_t element, const std::vector<Vec3>& moved) const {
   const auto& ids = elements[element];
-  const std::size_t last = corners(ids) - 1;
+  const std::size_t last = corner_count(ids) - 1;
   const auto lines = [&](const std::vector<Vec3>& x) {
     const auto line = [&](std::size_t from, std::size_t to) -> Vec3 {
       return x[static_cast<std::size_t>(ids[to])] - x[static_cast<std::size_t>(ids[from])];
@@ -209,7 +207,7 @@ void check_unused(const Mesh& mesh, const char* call) {
 // is skewed: area over longest edge (twice that for a triangle).
 double smallest_length(const Mesh& mesh, Index element) {
   const auto& ids = mesh.elements[static_cast<std::size_t>(element)];
-  const std::size_t n = corners(ids);
+  const std::size_t n = corner_count(ids);
   const auto node = [&](std::size_t i) -> const Vec3& {
     return mesh.nodes[static_cast<std::size_t>(ids[i])];
   };

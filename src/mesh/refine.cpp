@@ -10,7 +10,6 @@ namespace fabricsh::mesh {
 namespace {
 
 std::size_t slot(Index i) { return static_cast<std::size_t>(i); }
-std::size_t corner_count(const std::array<Index, 4>& element) { return element[3] < 0 ? 3 : 4; }
 
 // A side, its middle and whether the border of the mesh runs along it.
 struct CutSide {
