@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "format/json.hpp"
+#include "mesh/edges.hpp"
 
 namespace fabricsh::format {
 
@@ -88,12 +89,10 @@ class Store {
   std::int64_t count_ = 0;
 };
 
-std::size_t corner_count(const std::array<mesh::Index, 4>& cell) { return cell[3] < 0 ? 3 : 4; }
-
 std::vector<std::uint32_t> triangles(const GltfSurface& surface) {
   std::vector<std::uint32_t> ids;
   for (const auto& cell : surface.cells)
-    for (std::size_t k = 2; k < corner_count(cell); ++k)
+    for (std::size_t k = 2; k < mesh::corner_count(cell); ++k)
       for (const std::size_t corner : {std::size_t{0}, k - 1, k})
         ids.push_back(static_cast<std::uint32_t>(cell[corner]));
   return ids;
@@ -111,10 +110,11 @@ std::vector<Vec3> normals(const GltfSurface& surface, const std::vector<Vec3>& p
   std::vector<Vec3> sums(points.size(), Vec3::Zero());
   const auto at = [&points](mesh::Index id) -> const Vec3& { return points[static_cast<std::size_t>(id)]; };
   for (const auto& cell : surface.cells) {
-    const Vec3 across = corner_count(cell) == 3
+    const Vec3 across = mesh::corner_count(cell) == 3
                             ? Vec3((at(cell[1]) - at(cell[0])).cross(at(cell[2]) - at(cell[0])))
                             : Vec3((at(cell[2]) - at(cell[0])).cross(at(cell[3]) - at(cell[1])));
-    for (std::size_t k = 0; k < corner_count(cell); ++k) sums[static_cast<std::size_t>(cell[k])] += across;
+    for (std::size_t k = 0; k < mesh::corner_count(cell); ++k)
+      sums[static_cast<std::size_t>(cell[k])] += across;
   }
   for (Vec3& n : sums) n = n.norm() > 0 ? Vec3(n / n.norm()) : Vec3(Vec3::UnitZ());
   return sums;
