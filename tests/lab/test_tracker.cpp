@@ -3,6 +3,7 @@
 #include <numbers>
 #include <optional>
 
+#include "draws.hpp"
 #include "lab/tracker.hpp"
 #include "message_of.hpp"
 
@@ -125,7 +126,7 @@ TEST_CASE("a grid is known on a first photograph that is turned", "[lab]") {
   DotGrid s = scene();
   s.width = s.height = 1100;
   for (const double strain : {0.0, 0.3})
-    for (int degrees = -40; degrees <= 40; degrees += 8) {
+    for (int degrees = -40; degrees <= 40; degrees += 80 / test::draws(10)) {
       INFO("turned by " << degrees << " degrees, strain " << strain);
       s.F = pulled(strain, degrees * std::numbers::pi / 180);
       const Tracker tracker(s.rows, s.columns, find_dots(photograph(s), {}));

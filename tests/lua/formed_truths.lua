@@ -1,5 +1,5 @@
 -- Forming against what is known of it: the pin-jointed net on a hemisphere, for squares along the yarns and at 45 degrees to them, and for triangles,
--- coarse and fine; and the rise of a blank with and without a holder.
+-- coarse and fine; and the rise of a blank with and without a holder. The short form leaves out the finer squares and those at 45 degrees.
 local fabric = require "fabric"
 local mm = fabric.units.mm
 
@@ -74,10 +74,13 @@ local function compare(name, most, more)
   return last
 end
 local squares = compare("squares of 6 mm", 1, { quarter = true })
-local finer = compare("squares of 5 mm", 1, { quarter = true, cells = 12 })
-compare("squares of 8 mm at 45 degrees", 1.5, { stack = { 45 }, cells = 15 })
+if os.getenv "FABRICSH_TEST_LONG" then
+  local finer = compare("squares of 5 mm", 1, { quarter = true, cells = 12 })
+  assert(math.abs(finer.external / squares.external - 1) < 0.1)
+  compare("squares of 8 mm at 45 degrees", 1.5, { stack = { 45 }, cells = 15 })
+end
 local triangles = compare("triangles of 6 mm", 2.5, { quarter = true, triangles = true })
-assert(math.abs(finer.external / squares.external - 1) < 0.1 and math.abs(triangles.external / squares.external - 1) < 0.15)
+assert(math.abs(triangles.external / squares.external - 1) < 0.15)
 
 -- Without a holder the edge rises; a holder keeps it down.
 local free = form { holder = false, stroke = 16 * mm, cells = 12 }

@@ -26,15 +26,15 @@ for _, case in ipairs { { "warp", E, strength }, { "weft", 0.6 * E, 0.7 * streng
   assert(test.kinetic < 0.01 and test.analysis.energy.error < 1e-3)
 end
 
--- Legs that do not stretch: the grips move 2 a apart while a tear grows by a, so that F = G / 2. On two meshes; G is 20 J/m. What motion takes
+-- Legs that do not stretch: the grips move 2 a apart while a tear grows by a, so that F = G / 2. On two meshes, the finer in the long form; G is 20 J/m. What motion takes
 -- beside that is 1 to 2 %, and less the slower: half of it is the swinging of the legs.
 local function trouser(more)
   local t = { card = plain:with { rupture = { weft = { strength = 15e3, energy = 20 } } }, width = 24 * mm, leg = 20 * mm, tear = 32 * mm, speed = 0.8 }
   for key, value in pairs(more) do t[key] = value end
   return fabric.lab.tear(t)
 end
-local force = {}
-for _, case in ipairs { { "trouser", 4, 24 }, { "trouser", 2, 24 }, { "tongue", 4, 32 }, { "tongue", 2, 32 } } do
+local force, long = {}, os.getenv "FABRICSH_TEST_LONG"
+for _, case in ipairs(long and { { "trouser", 4, 24 }, { "trouser", 2, 24 }, { "tongue", 4, 32 }, { "tongue", 2, 32 } } or { { "trouser", 4, 24 }, { "tongue", 4, 32 } }) do
   local method, h, width = table.unpack(case)
   local test = trouser { method = method, h = h * mm, width = width * mm }
   near(("force of a %s tear, h = %g mm"):format(method, h), test.mean, 10, 0.03)
@@ -50,7 +50,7 @@ for _, case in ipairs { { "trouser", 4, 24 }, { "trouser", 2, 24 }, { "tongue", 
   assert(#test.peaks > 3 and test.mean_of_peaks > test.mean and test.peak >= test.mean_of_peaks and test.kinetic < 0.02)
   force[#force + 1] = test.mean
 end
-near("tongue on h and h / 2", force[3], force[4], 0.05)
+if long then near("tongue on h and h / 2", force[3], force[4], 0.05) end
 -- Sizes of elements that divide neither the legs nor the tear: a line of nodes lies at the tip.
 for method, h in pairs { trouser = 4.1, tongue = 3, wing = 2.9 } do
   local test = trouser { method = method, h = h * mm, width = 30 * mm, leg = 17 * mm, tear = 10 * mm, speed = 3 }

@@ -14,10 +14,12 @@ export SOURCE_DATE_EPOCH=1700000000
 (umask 022 && cd "$build" && "$1" -G DEB -B "$work/made" >"$work/log" 2>&1) || { cat "$work/log"; exit 1; }
 ls "$work"/made/*.deb
 program=$(ls "$work"/made/fabricsh_*.deb)
-# Made again, at another time and in another folder: the same bits.
-(umask 022 && cd "$build" && "$1" -G DEB -D CPACK_COMPONENTS_ALL=program -B "$work/another" >"$work/log" 2>&1) || { cat "$work/log"; exit 1; }
-cmp "$program" "$work"/another/*.deb
-rm -r "$work/another"
+# Made again, at another time and in another folder: the same bits. The long form alone takes the time.
+if [ "${3:-}" = --clean-root ]; then
+  (umask 022 && cd "$build" && "$1" -G DEB -D CPACK_COMPONENTS_ALL=program -B "$work/another" >"$work/log" 2>&1) || { cat "$work/log"; exit 1; }
+  cmp "$program" "$work"/another/*.deb
+  rm -r "$work/another"
+fi
 for word in libumfpack libvtk libedit liblua5.4 libgomp; do
   dpkg-deb -f "$program" Depends | grep -q "$word" || { echo "Depends names no $word"; exit 1; }
 done
