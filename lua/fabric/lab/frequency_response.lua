@@ -10,24 +10,10 @@ local reach, fewest, enough = 2, 10, 0.9 -- modes up to so many times the last f
 
 local function fail(field, words, ...) define.fail(("frequency_response: field '%s': " .. words):format(field, ...)) end
 
-local function shown(value) return type(value) == "string" and "'" .. value .. "'" or tostring(value) end
-
 -- The components of a vector that is given by names.
-local function vector(t, field, unit, also)
-  local v, any = {}, false
-  for name in pairs(t[field]) do
-    if name ~= "x" and name ~= "y" and name ~= "z" and name ~= also then
-      fail(field, "unknown field %s (known: %sx y z)", shown(name), also and also .. " " or "")
-    end
-  end
-  for i, axis in ipairs(axes) do
-    v[i] = t[field][axis] or 0
-    if type(v[i]) ~= "number" or v[i] ~= v[i] or math.abs(v[i]) == math.huge then
-      fail(field .. "." .. axis, "expected a number in %s, got %s", unit, shown(v[i]))
-    end
-    any = any or v[i] ~= 0
-  end
-  if not any then fail(field, "expected x=, y= or z= in %s other than zero, got none", unit) end
+local function vector(given, field, unit)
+  local v = { given.x or 0, given.y or 0, given.z or 0 }
+  if v[1] == 0 and v[2] == 0 and v[3] == 0 then fail(field, "expected x=, y= or z= in %s other than zero, got none", unit) end
   return v
 end
 
@@ -40,10 +26,9 @@ end
 local function loaded_nodes(t, mesh)
   local set = t.force.set
   if math.type(set) == "integer" then
-    if set < 1 or set > #mesh.nodes then fail("force.set", "expected a node from 1 to %d, got %d", #mesh.nodes, set) end
+    if set > #mesh.nodes then fail("force.set", "expected a node from 1 to %d, got %d", #mesh.nodes, set) end
     return { set }
   end
-  if type(set) ~= "string" then fail("force.set", "expected the name of a set, or a node, got %s", shown(set)) end
   return mesh:set(set)
 end
 
@@ -51,13 +36,13 @@ end
 local function loads(t, modes, mesh)
   local on = {}
   if t.base then
-    local v = vector(t, "base", "m")
+    local v = vector(t.base, "base", "m")
     for k, mode in ipairs(modes) do
       on[k] = mode.participation.x * v[1] + mode.participation.y * v[2] + mode.participation.z * v[3]
     end
     return on, v
   end
-  local v = vector(t, "force", "N", "set")
+  local v = vector(t.force, "force", "N")
   local nodes = loaded_nodes(t, mesh)
   for k, mode in ipairs(modes) do
     local x, y, z, sum = mode.shape.x, mode.shape.y, mode.shape.z, 0
@@ -158,13 +143,20 @@ local function run(t)
   return r
 end
 
+local function amplitudes(unit, first)
+  local rows = { first }
+  for _, axis in ipairs(axes) do rows[#rows + 1] = { name = axis, kind = "number", unit = unit, optional = true, sentence = "along " .. axis } end
+  return rows
+end
+
 define {
   name = "fabric.lab.frequency_response",
   arguments = {
     { name = "from", of = "analysis", optional = true, sentence = "the state about which the cloth swings" },
     { name = "model", of = "model", optional = true, sentence = "in its place: the cloth as it is at time 0, without stress" },
-    { name = "base", kind = "table", optional = true, sentence = "{ x=, y=, z= }, m: amplitudes of all supports, which shake together" },
-    { name = "force", kind = "table", optional = true, sentence = "{ set=, x=, y=, z= }, N: in its place the amplitudes of a force on a set, shared evenly by its nodes, or on a node" },
+    { name = "base", kind = "fields", rows = amplitudes "m", optional = true, sentence = "{ x=, y=, z= }, m: amplitudes of all supports, which shake together" },
+    { name = "force", kind = "fields", optional = true,
+      rows = amplitudes("N", { name = "set", kind = "text|integer", low = 1, sentence = "name of a node set, or a node" }), sentence = "{ set=, x=, y=, z= }, N: in its place the amplitudes of a force on a set, shared evenly by its nodes, or on a node" },
     { name = "damping", kind = "number", above = 0, high = 0.999, sentence = "structural: the stiffness is K (1 + i damping); twice the share of critical damping" },
     { name = "node", kind = "integer", low = 1, sentence = "whose motion is asked for" },
     { name = "along", kind = "text", choices = axes, optional = true, sentence = "which component of it; default the largest of what shakes" },
