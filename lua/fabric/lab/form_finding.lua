@@ -6,7 +6,6 @@ local define = require "fabric.define"
 
 local compliance = 0.1 -- strain at the tension: the softer the sheet, the further it goes in a round
 
-local function fail(field, words) define.fail(("form_finding: field '%s': %s"):format(field, words)) end
 
 -- A mesh of the same elements and sets with other nodes.
 local function moved(mesh, nodes)
@@ -31,17 +30,8 @@ local function extent(nodes)
   return math.sqrt((high[1] - low[1]) ^ 2 + (high[2] - low[2]) ^ 2 + (high[3] - low[3]) ^ 2)
 end
 
-local function tensions(t)
-  local warp, weft = t.prestress.warp, t.prestress.weft
-  for _, name in ipairs { "warp", "weft" } do
-    local value = t.prestress[name]
-    if not math.type(value) or not (value > 0) then fail("prestress." .. name, ("expected a positive number in N/m, got %s"):format(value)) end
-  end
-  return warp, weft
-end
-
 local function run(t)
-  local warp, weft = tensions(t)
+  local warp, weft = t.prestress.warp, t.prestress.weft
   local thickness = 1e-3
   local card = fabric.svk { name = "tension", density = 500, thickness = thickness, poisson = 0, warp = warp / compliance / thickness,
     weft = weft / compliance / thickness, shear = math.sqrt(warp * weft) / thickness }
@@ -49,7 +39,7 @@ local function run(t)
   local size, mesh = extent(given), moved(t.mesh, given)
   local r = { moves = {} }
   for round = 1, t.rounds do
-    local m = fabric.model { mesh = mesh, card = card, warp = t.warp or 0, membrane = true, prestress = { warp = warp, weft = weft } }
+    local m = fabric.model { mesh = mesh, card = card, warp = t.warp or 0, membrane = true, prestress = t.prestress }
     t.hold(m)
     local a = fabric.static { model = m, duration = 1, step = 1 }:solve()
     local nodes, most = {}, 0
@@ -73,7 +63,10 @@ define {
   name = "fabric.lab.form_finding",
   arguments = {
     { name = "mesh", of = "mesh", sentence = "a shape to begin with; what is held is at its place" },
-    { name = "prestress", kind = "table", sentence = "{ warp=N/m, weft=N/m }: the tensions of the shape that is sought; equal ones are those of a soap film" },
+    { name = "prestress", kind = "fields",
+      rows = { { name = "warp", kind = "number", unit = "N/m", above = 0, sentence = "along the warp" },
+        { name = "weft", kind = "number", unit = "N/m", above = 0, sentence = "along the weft" } },
+      sentence = "{ warp=N/m, weft=N/m }: the tensions of the shape that is sought; equal ones are those of a soap film" },
     { name = "hold", kind = "function", sentence = "function(model), which declares the supports, as by model:fix('boundary', 'x y z')" },
     { name = "warp", kind = "any", optional = true, sentence = "as for fabric.model, on each shape; default 0" },
     { name = "tolerance", kind = "number", above = 0, default = 1e-5, sentence = "how far nodes may still move in the last round, over the size of the mesh" },

@@ -76,13 +76,15 @@ wrong("fabric.lab.form_finding", "fabric.lab.form_finding{ mseh=mesh }",
 wrong("fabric.lab.form_finding", "fabric.lab.form_finding{ mesh=5 }",
   "deck.lua:1: form_finding: field 'mesh': expected a mesh, got 5")
 wrong("fabric.lab.form_finding", "fabric.lab.form_finding{ mesh=mesh, prestress=5 }",
-  "deck.lua:1: form_finding: field 'prestress': expected a table { warp=N/m, weft=N/m }, got 5")
-wrong("fabric.lab.form_finding", "fabric.lab.form_finding{ mesh=mesh, prestress={ warp=5 } }",
+  "deck.lua:1: form_finding: field 'prestress': expected a table {warp, weft}, got 5")
+wrong("fabric.lab.form_finding", "fabric.lab.form_finding{ mesh=mesh, prestress={ warp=5, weft=5 } }",
   "deck.lua:1: form_finding: field 'hold': expected a function, got nil (missing, or a misspelt variable)")
-wrong("fabric.lab.form_finding", "fabric.lab.form_finding{ mesh=mesh, prestress={ warp=5 }, hold=5 }",
+wrong("fabric.lab.form_finding", "fabric.lab.form_finding{ mesh=mesh, prestress={ warp=5, weft=5 }, hold=5 }",
   "deck.lua:1: form_finding: field 'hold': expected a function, got 5")
 wrong("fabric.lab.form_finding", "fabric.lab.form_finding{ mesh=mesh, prestress={ warp=5 }, hold=print }",
-  "deck.lua:1: form_finding: field 'prestress.weft': expected a positive number in N/m, got nil")
+  "deck.lua:1: form_finding: field 'prestress.weft': expected a positive number in N/m, got nil (missing, or a misspelt variable)")
+wrong("fabric.lab.form_finding", "fabric.lab.form_finding{ mesh=mesh, prestress={ warp=5, weft=5, wrap=3 }, hold=print }",
+  "deck.lua:1: form_finding: unknown field 'prestress.wrap', did you mean 'prestress.warp'?")
 wrong("fabric.lab.form_finding", "fabric.lab.form_finding{ mesh=mesh, prestress={ warp=0, weft=5 }, hold=print }",
   "deck.lua:1: form_finding: field 'prestress.warp': expected a positive number in N/m, got 0")
 wrong("fabric.lab.form_finding", "fabric.lab.form_finding{ mesh=mesh, prestress={ warp=5, weft=5 }, hold=print, tolerance='fine' }",
