@@ -36,37 +36,45 @@ void refuse(const char* field, const char* expected, double got) {
 }
 
 void check_radius(const DynamicOptions& o) {
-  const double radius = *o.spectral_radius;
   if (o.scheme == Scheme::explicit_steps)
     throw Error("dynamic: field 'spectral_radius': unknown for scheme=\"explicit\", which damps nothing");
-  if (!(radius >= 0 && radius <= 1)) refuse("spectral_radius", "a number from 0 to 1", radius);
   if (o.gamma != 0.5 || o.beta || o.hht)
     throw Error(
         "dynamic: field 'spectral_radius': expected without 'gamma', 'beta' and 'hht', which choose the "
-        "scheme "
-        "in another way");
+        "scheme in another way");
+}
+
+void check_slow(const DynamicOptions& o) {
+  if (o.scheme == Scheme::explicit_steps)
+    throw Error("dynamic: field 'slow': expected with scheme=\"implicit\": explicit steps follow every wave");
+  if (o.spectral_radius)
+    throw Error("dynamic: field 'slow': expected without 'spectral_radius', which it sets to 0");
 }
 
 void check_options(const DynamicOptions& o) {
   const bool is_explicit = o.scheme == Scheme::explicit_steps;
   const double hht = o.hht.value_or(0);
-  if (o.step && !(*o.step > 0 && std::isfinite(*o.step)))
-    refuse("step", "a positive time in s or \"auto\"", *o.step);
+  field::require("dynamic", dynamic_options(), o);
   if (o.step) check_step("dynamic", *o.step, o.duration);
-  if (!(o.gamma >= 0.5) || o.gamma > 1) refuse("gamma", "a number from 0.5 to 1", o.gamma);
   if (is_explicit && o.beta.value_or(0) != 0) refuse("beta", "0 (scheme=\"explicit\")", *o.beta);
   if (is_explicit && o.linear != Symmetry::automatic)
     throw Error("dynamic: field 'linear': unknown for scheme=\"explicit\", which solves no equations");
   if (!is_explicit && o.beta && !(*o.beta >= 0.25 * (0.5 + o.gamma) * (0.5 + o.gamma) * (1 - 1e-12)))
     refuse("beta", "at least (1/2 + gamma)^2/4, below which steps are only conditionally stable", *o.beta);
   if (is_explicit && hht != 0) refuse("hht", "0 (scheme=\"explicit\")", hht);
-  if (!(hht <= 0) || hht < -1.0 / 3) refuse("hht", "a number from -1/3 to 0", hht);
   if (hht != 0 && (o.gamma != 0.5 || o.beta))
     refuse("hht", "0 beside gamma or beta, which it sets itself", hht);
   if (o.spectral_radius) check_radius(o);
-  if (!(o.mass_damping >= 0)) refuse("damping.mass", "a rate in 1/s, 0 or more", o.mass_damping);
-  if (!(o.stiffness_damping >= 0)) refuse("damping.stiffness", "a time in s, 0 or more", o.stiffness_damping);
-  if (!(o.ledger_limit > 0)) refuse("ledger_limit", "a positive number", o.ledger_limit);
+}
+
+// The options, checked, with what those that stand for another one set.
+DynamicOptions checked(DynamicOptions options) {
+  if (options.slow) {
+    check_slow(options);
+    options.spectral_radius = 0;
+  }
+  check_options(options);
+  return options;
 }
 
 }  // namespace
@@ -74,9 +82,9 @@ void check_options(const DynamicOptions& o) {
 Dynamic::Dynamic(std::shared_ptr<model::Model> model, const DynamicOptions& options,
                  std::shared_ptr<Notices> notices, const Beginning& beginning)
     : Run(std::move(model), options.duration, std::move(notices), "dynamic", beginning),
-      options_(options),
-      given_(options) {
-  check_options(options_);
+      options_(checked(options)),
+      given_(options_) {
+  if (options_.limit == Limit::stop) stop_beyond();
   if (const auto* const contact = assembly_->terms().find<mechanics::Contacts>();
       contact != nullptr && !contact->bodies().without_mass().empty())
     throw Error("dynamic: forces, springs or supports place the " + contact->bodies().without_mass() +
@@ -106,21 +114,17 @@ std::string Dynamic::method() const {
 }
 
 void Dynamic::set(const Settings& settings) {
-  const bool is_explicit = options_.scheme == Scheme::explicit_steps;
-  if (is_explicit && (settings.tolerance || settings.max_iterations || settings.max_cuts))
-    throw Error("set: field '" +
-                std::string(settings.tolerance        ? "tolerance"
-                            : settings.max_iterations ? "max_iterations"
-                                                      : "max_cuts") +
-                "': unknown for scheme=\"explicit\", which does not iterate");
-  const DynamicOptions options = with_settings(options_, settings);
+  for (const Setting& setting : settings)
+    if (const std::string why = refused_option(options_, setting.name); !why.empty())
+      throw Error("set: field '" + setting.name + "': " + why);
+  const DynamicOptions options = with_settings(options_, dynamic_options(), settings);
   check_options(options);
   take_options(options);
 }
 
 void Dynamic::keep_settings(Archive& archive) {
   DynamicOptions options = options_;
-  run::keep_settings(archive, given_, options);
+  run::keep_settings(archive, dynamic_options(), given_, options);
   if (archive.reading()) take_options(options);
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "base/field.hpp"
 #include "geometry/node_view.hpp"
 #include "mechanics/terms/inertia.hpp"
 #include "run/run.hpp"
@@ -21,6 +22,7 @@ inline constexpr double kDampingAlpha = -0.2;
 // or with gamma = 1.
 enum class Damping { none, hht, strong };
 
+// Described by the rows of dynamic_options(), in dynamic_options.cpp.
 struct DynamicOptions {
   double duration = 0;              // s, required, positive
   std::optional<double> step = {};  // s; explicit: default 0.7 of the stable one; implicit: duration / 200
@@ -33,6 +35,7 @@ struct DynamicOptions {
   // Implicit: the share of an amplitude that is left after a step much longer than its period, 0 to 1.
   // Instead of gamma, beta and hht.
   std::optional<double> spectral_radius = {};
+  bool slow = false;                // implicit: as spectral_radius = 0
   double mass_damping = 0;          // a of a M + b K_M, 1/s
   double stiffness_damping = 0;     // b, s
   std::optional<bool> scaled = {};  // scale up rotary inertia; default: explicit yes, implicit no
@@ -43,7 +46,11 @@ struct DynamicOptions {
   bool line_search = true;
   Symmetry linear = Symmetry::automatic;    // implicit
   std::optional<SolverChoice> solver = {};  // implicit
+  Limit limit = Limit::tell;
 };
+const std::vector<field::FieldOf<DynamicOptions>>& dynamic_options();
+// Why a run with these options does not have the option of this name; empty: it has.
+std::string refused_option(const DynamicOptions& options, const std::string& name);
 
 // Shared by both schemes: velocities for readings, and the checks of the ledger.
 class Dynamic : public Run {

@@ -42,6 +42,9 @@ struct Beginning {
   double release = 0;  // s
 };
 
+// Where cloth is strained beyond what its card was tested to: tells once, or stops the run on the strain.
+enum class Limit { tell, stop };
+
 inline constexpr double same_time = 1e-12;  // relative to the duration: times closer than this are equal
 inline constexpr double most_steps = 1e10;  // a run with more steps is refused, because it would not end
 
@@ -160,11 +163,13 @@ class Run {
   virtual std::string method() const = 0;  // all options on which the state depends, as text
   // Kernels of the linear algebra, on which the rounding of a solution depends; empty: nothing is solved.
   virtual std::string kernels() const { return {}; }
-  // Settings that may change during a run. Errors: out of range, or not valid for this kind of run.
-  struct Settings {
-    std::optional<double> tolerance = {}, step = {};
-    std::optional<int> max_iterations = {}, max_cuts = {};
+  // Options that may change during a run, by name: the rows of static_options() and dynamic_options() that
+  // have a place. Errors: unknown, out of range, or not valid for this kind of run.
+  struct Setting {
+    std::string name;
+    double value = 0;
   };
+  using Settings = std::vector<Setting>;
   virtual void set(const Settings& settings) = 0;
   // Stores the present settings and those at the creation of the run. When reading, a setting is restored
   // only if this run was created with the same value.

@@ -1,11 +1,26 @@
-// The settings that may change during a run and that static and dynamic runs have in common.
+// The rows of a run's options (base/field.hpp), and the settings: those options that may change during a run.
 #pragma once
 #include "base/archive.hpp"
 #include "base/error.hpp"
+#include "base/field.hpp"
 #include "base/number.hpp"
 #include "run/run.hpp"
 
 namespace fabricsh::run {
+
+// Rows that several kinds of run have.
+template <class Options>
+field::FieldOf<Options> limit_row() {
+  return field::word("limit", &Options::limit, {"tell", "stop"},
+                     "tell: warns once when the cloth is strained beyond what the card was tested to (2 % "
+                     "are let pass); stop: ends the run there, on the strain, however long the steps");
+}
+template <class Options>
+field::FieldOf<Options> linear_row(const std::string& which) {
+  return field::word(
+      "linear", &Options::linear, {"auto", "symmetric", "unsymmetric"},
+      which + "direct solver: auto (symmetric where law and loads are), symmetric, unsymmetric");
+}
 
 // now: the present value; given: that at creation. Reading keeps the present value if `given` differs.
 // Not inlined, since GCC 12 then warns of an empty optional's number as uninitialised.
@@ -16,18 +31,37 @@ template <class T>
   if (archive.reading() && given_then == given) now = then;
 }
 
-template <class T>
-void take_setting(const std::optional<T>& wanted, T& now) {
-  if (wanted) now = *wanted;
+// The rows of the settings in the order in which a checkpoint has them.
+template <class Options>
+std::vector<const field::FieldOf<Options>*> settings_of(const std::vector<field::FieldOf<Options>>& rows) {
+  std::vector<const field::FieldOf<Options>*> out;
+  for (const auto& row : rows)
+    if (row.place > 0) out.push_back(&row);
+  std::sort(out.begin(), out.end(), [](const auto* a, const auto* b) { return a->place < b->place; });
+  return out;
 }
 
-// Stores the common options; their order is that of the checkpoint.
 template <class Options>
-void keep_settings(Archive& archive, const Options& given, Options& now) {
-  keep_setting(archive, given.tolerance, now.tolerance);
-  keep_setting(archive, given.max_iterations, now.max_iterations);
-  keep_setting(archive, given.max_cuts, now.max_cuts);
-  keep_setting(archive, given.step, now.step);
+void keep_settings(Archive& archive, const std::vector<field::FieldOf<Options>>& rows, const Options& given,
+                   Options& now) {
+  const auto number_of = [](const field::Value& value) {
+    const auto* x = std::get_if<double>(&value);
+    return x == nullptr ? std::nullopt : std::optional<double>(*x);
+  };
+  for (const auto* row : settings_of(rows)) {
+    const std::optional<double> first = number_of(row->get(given));
+    std::optional<double> x = number_of(row->get(now));
+    if (row->holds == field::FieldType::integer) {
+      int n = static_cast<int>(*x);
+      keep_setting(archive, static_cast<int>(*first), n);
+      x = n;
+    } else if (row->required || !std::holds_alternative<std::monostate>(row->fallback)) {
+      keep_setting(archive, *first, *x);
+    } else {
+      keep_setting(archive, first, x);
+    }
+    if (archive.reading() && x) row->set(now, *x);
+  }
 }
 
 // Error: with this step the run would not end.
@@ -38,13 +72,18 @@ inline void check_step(const char* call, double step, double duration) {
                 number(step) + " s");
 }
 
-// The options with the given changes.
-template <class Options, class Settings>
-Options with_settings(Options options, const Settings& wanted) {
-  take_setting(wanted.tolerance, options.tolerance);
-  take_setting(wanted.max_iterations, options.max_iterations);
-  take_setting(wanted.max_cuts, options.max_cuts);
-  if (wanted.step) options.step = wanted.step;
+// The options with the given changes. Error: no setting of that name.
+template <class Options>
+Options with_settings(Options options, const std::vector<field::FieldOf<Options>>& rows,
+                      const Run::Settings& wanted) {
+  const auto settings = settings_of(rows);
+  for (const auto& [name, value] : wanted) {
+    const auto row =
+        std::find_if(settings.begin(), settings.end(), [&](const auto* r) { return r->name == name; });
+    if (row == settings.end())
+      throw Error("set: field '" + name + "': expected a setting that may change during a run");
+    (*row)->set(options, value);
+  }
   return options;
 }
 

@@ -22,23 +22,11 @@ namespace fabricsh::run {
 namespace {
 
 void check_options(const StaticOptions& o) {
-  if (o.step && !(*o.step > 0))
-    throw Error("static: field 'step': expected a positive time in s, got " + number(*o.step));
+  field::require("static", static_options(), o);
   if (o.step) check_step("static", *o.step, o.duration);
-  if (!(o.tolerance > 0) || !(o.tolerance < 1))
-    throw Error("static: field 'tolerance': expected a number between 0 and 1, got " + number(o.tolerance));
-  if (o.max_iterations < 1) throw Error("static: field 'max_iterations': expected 1 or more");
-  if (o.max_cuts < 0) throw Error("static: field 'max_cuts': expected 0 or more");
-  if (!(o.min_step >= 0) || o.min_step > o.step.value_or(o.duration))
+  if (o.min_step > o.step.value_or(o.duration))
     throw Error("static: field 'min_step': expected a time in s from 0 to the largest step, got " +
                 number(o.min_step));
-  if (!(o.ledger_limit > 0))
-    throw Error("static: field 'ledger_limit': expected a positive number, got " + number(o.ledger_limit));
-  if (!(o.stabilise >= 0) || !(o.stabilise < 1))
-    throw Error("static: field 'stabilise': expected true or a fraction of the work from 0 to 1, got " +
-                number(o.stabilise));
-  if (o.path && (!(*o.path > 0) || !(*o.path < 1)))
-    throw Error("static: field 'path': expected a number between 0 and 1, got " + number(*o.path));
   if (o.path && o.control == Control::arc)
     throw Error("static: field 'path': expected control=\"load\": steps along an arc are not compared");
   if (o.control == Control::arc &&
@@ -123,6 +111,7 @@ Static::Static(std::shared_ptr<model::Model> model, const StaticOptions& options
       has_energy_(assembly_->cloth().symmetric() && !places_bodies_),
       now_{control_of(options, *assembly_)} {
   check_options(options_);
+  if (options_.limit == Limit::stop) stop_beyond();
   check_bodies();
   if (places_bodies_)
     assembly_->terms().find<mechanics::Contacts>()->go_static(
@@ -193,16 +182,17 @@ std::string Static::method() const {
 }
 
 void Static::set(const Settings& settings) {
-  const StaticOptions options = with_settings(options_, settings);
+  const StaticOptions options = with_settings(options_, static_options(), settings);
   check_options(options);
   options_ = options;
-  if (settings.step || settings.max_cuts) now_.step = control_of(options_, *assembly_);
+  const auto sizes = [](const Setting& s) { return s.name == "step" || s.name == "max_cuts"; };
+  if (std::any_of(settings.begin(), settings.end(), sizes)) now_.step = control_of(options_, *assembly_);
 }
 
 void Static::keep_settings(Archive& archive) {
   const auto step = options_.step;
   const int max_cuts = options_.max_cuts;
-  run::keep_settings(archive, given_, options_);
+  run::keep_settings(archive, static_options(), given_, options_);
   if (step != options_.step || max_cuts != options_.max_cuts) now_.step = control_of(options_, *assembly_);
 }
 

@@ -3,6 +3,7 @@
 #include <limits>
 #include <optional>
 
+#include "base/field.hpp"
 #include "linear/libraries.hpp"
 #include "mechanics/terms/damping.hpp"
 #include "run/diagnosis.hpp"
@@ -27,6 +28,7 @@ enum class Control { load, arc };
 // which hands over to the overdamped motion where it is slow, and back, before a step is cut; then as either.
 enum class Method { newton, relaxation, either, automatic };
 
+// Described by the rows of static_options(), in static_options.cpp.
 struct StaticOptions {
   double duration = 0;              // s, required, positive
   std::optional<double> step = {};  // largest step, s; default duration / 20
@@ -47,7 +49,9 @@ struct StaticOptions {
   // Error of the way that laws remember, of the whole run, over the largest displacement or force: a step
   // that takes more than its part is cut. Empty: it is only said.
   std::optional<double> path = {};
+  Limit limit = Limit::tell;
 };
+const std::vector<field::FieldOf<StaticOptions>>& static_options();
 inline constexpr double usual_stabilisation = 2e-4;
 // Of the largest displacement or force: the error of long steps that is said where the deck states no `path`.
 inline constexpr double usual_path = 0.05;

@@ -629,7 +629,7 @@ TEST_CASE("options of a run in motion that cannot be") {
   };
   says(message({.duration = 0}), "dynamic: field 'duration': expected a positive time in s, got 0");
   says(message({.duration = 1, .step = -1.0}),
-       "dynamic: field 'step': expected a positive time in s or \"auto\", got -1");
+       "dynamic: field 'step': expected a positive number in s or 'auto', got -1");
   says(message({.duration = 1, .gamma = 0.4}),
        "dynamic: field 'gamma': expected a number from 0.5 to 1, got 0.4");
   says(message({.duration = 1, .beta = 0.25}),
@@ -637,7 +637,7 @@ TEST_CASE("options of a run in motion that cannot be") {
   says(message({.duration = 1, .hht = -0.1}),
        "dynamic: field 'hht': expected 0 (scheme=\"explicit\"), got -0.1");
   says(message({.duration = 1, .scheme = Scheme::implicit_steps, .hht = -0.5}),
-       "dynamic: field 'hht': expected a number from -1/3 to 0, got -0.5");
+       "dynamic: field 'hht': expected a number from -0.333333 to 0, got -0.5");
 }
 
 TEST_CASE("velocities of held nodes and motions that jump are said by name") {

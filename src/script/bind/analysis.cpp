@@ -18,14 +18,6 @@
 
 namespace fabricsh::script {
 
-Argument limit_row() {
-  return value_("limit", text,
-                "tell: warns once when the cloth is strained beyond what the card was tested to (2 % are let "
-                "pass); stop: ends the run there, on the strain, however long the steps")
-      .or_else("tell")
-      .one_of({"tell", "stop"});
-}
-
 std::vector<Argument> with_beginning(std::vector<Argument> others) {
   std::vector<Argument> rows = {
       object_("model", "model", "what is computed; with from= that of the other run unless given").optional(),

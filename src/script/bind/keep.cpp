@@ -1,8 +1,10 @@
 // a:checkpoint, a:restart, a:set, a:why, fabric.why: storing and restarting a run, changing its settings, and
 // the reason for a failure.
+#include "run/static.hpp"
 #include "script/bind/run.hpp"
 #include "script/runs/checkpoint.hpp"
 #include "script/runs/replay.hpp"
+#include "script/values/field_rows.hpp"
 #include "script/values/lua_table.hpp"
 
 namespace fabricsh::script {
@@ -60,13 +62,23 @@ int restart_run(Call& call) {
 
 int set_kept(Call& call) {
   run::Run::Settings settings;
-  if (call.has("tolerance")) settings.tolerance = call.number("tolerance");
-  if (call.has("step")) settings.step = call.number("step");
-  if (call.has("max_iterations")) settings.max_iterations = call.count("max_iterations");
-  if (call.has("max_cuts")) settings.max_cuts = call.count("max_cuts");
+  for (const Argument& row : call.entry().arguments)
+    if (call.has(row.name)) settings.push_back({row.name, call.number(row.name)});
   const auto run = call.self<DeckRun>();
   if (!repeats_change(*run)) run->analysis->set(settings);
   return chain_of(call);
+}
+
+// Those of a quasi-static run; a motion has the same.
+std::vector<Argument> setting_rows() {
+  std::vector<Argument> rows;
+  for (field::FieldRow row : run::static_options())
+    if (row.place > 0) {
+      row.fallback = {};
+      row.without = {};
+      rows.push_back(argument_of(row).optional());
+    }
+  return rows;
 }
 
 int why(Call& call) {
@@ -132,12 +144,7 @@ std::vector<Entry> keep_entries() {
                 "local b = fabric.static{ model=m, duration=1, step=0.25 }:restart(name)\n"
                 "assert(b.time == 1 and b:mean 'S11' == a:mean 'S11')\nos.remove(name)",
        restart_run},
-      {"analysis:set",
-       Style::fields,
-       {number_("tolerance", "", Range{0, 1, true, true}, "residual over the largest nodal force").optional(),
-        number_("step", "s", positive, "largest step").optional(),
-        integer_("max_iterations", from_one, "of one step, before it is cut").optional(),
-        integer_("max_cuts", not_negative, "halvings of one step, before the run gives up").optional()},
+      {"analysis:set", Style::fields, setting_rows(),
        "Changes settings of a run, also one that is under way or has failed.",
        sample_run() + "a:advance(0.5):set{ tolerance=1e-6, step=0.1 }\nassert(a:solve().time == 1)",
        set_kept},

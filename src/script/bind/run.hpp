@@ -1,14 +1,9 @@
 // Shared by the bindings of models and analyses.
 #pragma once
-#include <algorithm>
-
 #include "script/bind/rooms.hpp"
 #include "script/runs/run.hpp"
 
 namespace fabricsh::script {
-
-// The argument for what a run does when it strains cloth beyond the tested range of its card.
-Argument limit_row();
 
 // The rows of a run that may begin from the state of another one, and what a call gives of them. Errors:
 // neither a model nor such a run; a release without one; a run that has made no step.
@@ -23,14 +18,6 @@ void say_beginning(Call& call, const run::Run& run);
 
 // For examples: defines fabric, mesh, m and a, a strip of three elements pulled in 4 steps.
 std::string sample_run();
-
-// The index of one of an argument's words, as the enumerator that has it.
-template <class Choice>
-Choice chosen(const std::string& word, const std::vector<std::string>& words) {
-  return static_cast<Choice>(std::find(words.begin(), words.end(), word) - words.begin());
-}
-// Of a direct solver's matrices, in the order of run::Symmetry.
-inline const std::vector<std::string> symmetry_words{"auto", "symmetric", "unsymmetric"};
 
 void bind_point(Session& session);
 void bind_model(Session& session);

@@ -1,0 +1,83 @@
+// The options of a dynamic run, one row each.
+#include "run/dynamic.hpp"
+#include "run/settings.hpp"
+
+namespace fabricsh::run {
+
+namespace {
+
+using O = DynamicOptions;
+
+// The two words of rotary inertia; without one of them the scheme chooses.
+field::FieldOf<O> inertia_row() {
+  auto row =
+      field::row<O>("inertia", field::FieldType::text, "", {},
+                    "rotary inertia of the cloth: true, or scaled up where it would limit the explicit step");
+  row.words = {"scaled", "true"};
+  row.get = [](const O& o) {
+    return o.scaled ? field::Value(std::string(*o.scaled ? "scaled" : "true")) : field::Value();
+  };
+  row.set = [](O& o, const field::Value& word) { o.scaled = std::get<std::string>(word) == "scaled"; };
+  return row.optional();
+}
+
+field::FieldOf<O> damping_row() {
+  using field::number;
+  const std::vector<field::FieldOf<O>> rows{
+      number("mass", &O::mass_damping, "1/s", not_negative, "a of the damping matrix a M + b K_M").optional(),
+      number("stiffness", &O::stiffness_damping, "s", not_negative, "b of the damping matrix a M + b K_M")
+          .optional()};
+  const auto same = [](auto& options) -> auto& { return options; };
+  return field::grouped<O>("damping", rows, same,
+                           "Rayleigh's damping {mass=a, stiffness=b}; none unless given")
+      .optional();
+}
+
+}  // namespace
+
+const std::vector<field::FieldOf<DynamicOptions>>& dynamic_options() {
+  using namespace field;
+  static const auto rows = with_defaults<O>({
+      number("duration", &O::duration, "s", positive, "time to run, from 0 or from the other run's time"),
+      number("step", &O::step, "s", positive,
+             "of time; auto: explicit 0.7 of the stable step or less, implicit duration/200")
+          .or_word("auto")
+          .changes(4),
+      word("scheme", &O::scheme, {"explicit", "implicit"},
+           "explicit (central differences) or implicit (Newmark with Newton)"),
+      number("gamma", &O::gamma, "", Range{0.5, 1}, "of Newmark; above 1/2 it damps").or_by("1/2"),
+      number("beta", &O::beta, "", Range{0, 1}, "of Newmark").or_by("0 explicit, (1/2 + gamma)^2/4 implicit"),
+      number("hht", &O::hht, "", Range{-1.0 / 3, 0},
+             "alpha of Hilbert, Hughes and Taylor: damps high frequencies")
+          .or_by("0, and -0.2 from the step on in which implicit steps have made energy"),
+      number("spectral_radius", &O::spectral_radius, "", Range{0, 1},
+             "implicit: share of an amplitude that is left after a step much longer than its period; what is "
+             "lost is in energy.damping. From 1/2 on by alpha, of second order; below by the generalised "
+             "trapezoidal rule, which beside contact never makes energy"),
+      flag("slow", &O::slow,
+           "implicit: motion that passes through near-equilibria, as spectral_radius=0 (Euler's backward "
+           "rule): what is faster than the steps dies within them"),
+      linear_row<O>("implicit: "),
+      damping_row(),
+      inertia_row(),
+      flag("force", &O::force, "take the step even above the stable one"),
+      number("ledger_limit", &O::ledger_limit, "", positive,
+             "the run stops when the error of the energy ledger exceeds this part of the external work"),
+      number("tolerance", &O::tolerance, "", Range{0, 1, true, true},
+             "implicit: residual over the largest nodal force")
+          .changes(1),
+      integer("max_iterations", &O::max_iterations, from_one, "implicit: of one step, before it is cut")
+          .changes(2),
+      integer("max_cuts", &O::max_cuts, not_negative, "implicit: halvings of one step").changes(3),
+      limit_row<O>(),
+  });
+  return rows;
+}
+
+std::string refused_option(const DynamicOptions& options, const std::string& name) {
+  if (options.scheme != Scheme::explicit_steps) return {};
+  const bool iterates = name == "tolerance" || name == "max_iterations" || name == "max_cuts";
+  return iterates ? "unknown for scheme=\"explicit\", which does not iterate" : "";
+}
+
+}  // namespace fabricsh::run
