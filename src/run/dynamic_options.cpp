@@ -69,6 +69,7 @@ const std::vector<field::FieldOf<DynamicOptions>>& dynamic_options() {
       integer("max_iterations", &O::max_iterations, from_one, "implicit: of one step, before it is cut")
           .changes(2),
       integer("max_cuts", &O::max_cuts, not_negative, "implicit: halvings of one step").changes(3),
+      flag("line_search", &O::line_search, "implicit: iterations that overshoot are shortened"),
       limit_row<O>(),
   });
   return rows;
@@ -76,7 +77,8 @@ const std::vector<field::FieldOf<DynamicOptions>>& dynamic_options() {
 
 std::string refused_option(const DynamicOptions& options, const std::string& name) {
   if (options.scheme != Scheme::explicit_steps) return {};
-  const bool iterates = name == "tolerance" || name == "max_iterations" || name == "max_cuts";
+  const bool iterates =
+      name == "tolerance" || name == "max_iterations" || name == "max_cuts" || name == "line_search";
   return iterates ? "unknown for scheme=\"explicit\", which does not iterate" : "";
 }
 

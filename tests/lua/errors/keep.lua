@@ -42,3 +42,7 @@ wrong("fabric.dynamic", "fabric.dynamic{ model=held, duration=1, tolerance=1e-6 
   "deck.lua:1: dynamic: field 'tolerance': unknown for scheme=\"explicit\", which does not iterate")
 wrong("fabric.dynamic", "fabric.dynamic{ model=held, duration=1, max_iterations=9 }",
   "deck.lua:1: dynamic: field 'max_iterations': unknown for scheme=\"explicit\", which does not iterate")
+wrong("fabric.dynamic", "fabric.dynamic{ model=held, duration=1, line_search=true }",
+  "deck.lua:1: dynamic: field 'line_search': unknown for scheme=\"explicit\", which does not iterate")
+wrong("fabric.dynamic", "fabric.dynamic{ model=held, duration=1, scheme='implicit', line_search='yes' }",
+  "deck.lua:1: dynamic: field 'line_search': expected true or false, got 'yes'")
