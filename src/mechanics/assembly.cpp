@@ -31,10 +31,11 @@ Assembly::Assembly(const model::Model& model)
   make<Directors>(model, std::as_const(configuration_), cloth, dofs_);
   if (std::any_of(model.gravity().begin(), model.gravity().end(), [](const auto& g) { return bool(g); }))
     make<Gravity>(model, cloth.mass(), cloth.mass_moment());
-  if (!model.forces().empty() || !model.tractions().empty()) make<DeadLoads>(model);
-  if (!model.pressures().empty()) make<Pressure>(model, dofs_.freedoms());
-  if (!model.moments().empty()) make<Moments>(model);
-  if (!model.springs().empty()) make<Springs>(model);
+  if (!model.loads<model::ForceLoad>().empty() || !model.loads<model::TractionLoad>().empty())
+    make<DeadLoads>(model);
+  if (!model.loads<model::PressureLoad>().empty()) make<Pressure>(model, dofs_.freedoms());
+  if (!model.loads<model::MomentLoad>().empty()) make<Moments>(model);
+  if (!model.loads<model::GroundSpring>().empty()) make<Springs>(model);
   if (!model.bands().empty()) make<EdgeBands>(model);
   if (!model.gases().empty()) make<Gas>(model);
   if (model.interactions().any()) make<Contacts>(model, std::as_const(configuration_), cloth, dofs_);

@@ -78,17 +78,6 @@ const mesh::Mesh& shape_of(const BodyGiven& body) {
 
 }  // namespace
 
-Mat3 frame_from(const Vec3& e1, const Vec3& e2) {
-  const Vec3 third = e1.cross(e2);
-  if (!(third.norm() > 1e-9 * e1.norm() * e2.norm()) || !std::isfinite(third.norm()))
-    throw Error("frame: expected two directions {e1, e2} that are not parallel");
-  Mat3 frame;
-  frame.row(0) = e1.normalized().transpose();
-  frame.row(2) = third.normalized().transpose();
-  frame.row(1) = frame.row(2).cross(frame.row(0));
-  return frame;
-}
-
 FixedFreedoms parse_freedoms(const std::string& words, const std::string& call) {
   FixedFreedoms f;
   std::string word;
@@ -239,13 +228,6 @@ void Model::move(const std::string& set, Components displacement, const Mat3& fr
   motions_.push_back({set, std::move(displacement), frame});
 }
 
-void Model::force(const std::string& set, Components total, const Mat3& frame) {
-  check_open("force");
-  mesh_->set(set);
-  if (none_given(total)) throw Error("force: expected at least one of x, y, z, got none");
-  forces_.push_back({set, std::move(total), frame});
-}
-
 void Model::crease(CreaseGiven crease) {
   check_open("crease");
   edges_of(*this, crease);
@@ -263,36 +245,6 @@ void Model::velocity(InitialVelocity velocity) {
   if (!velocity.linear.allFinite() || !velocity.spin.allFinite() || !velocity.centre.allFinite())
     throw Error("velocity: expected finite numbers in m/s, degrees/s and m");
   velocities_.push_back(std::move(velocity));
-}
-
-void Model::moment(const std::string& set, Components total, const Mat3& frame) {
-  check_open("moment");
-  mesh_->set(set);
-  if (none_given(total)) throw Error("moment: expected at least one of x, y, z, got none");
-  moments_.push_back({set, std::move(total), frame});
-}
-
-void Model::traction(const std::string& set, Components intensity, const Mat3& frame) {
-  check_open("traction");
-  mesh_->set(set);
-  if (none_given(intensity)) throw Error("traction: expected at least one of x, y, z, got none");
-  tractions_.push_back({set, std::move(intensity), frame});
-}
-
-void Model::pressure(const std::string& set, History value) {
-  check_open("pressure");
-  if (mesh_->elements_in(mesh_->set(set)).empty())
-    throw Error("pressure: set " + quoted(set) + " holds no whole element");
-  pressures_.push_back({set, std::move(value)});
-}
-
-void Model::spring(const std::string& set, const std::array<double, 3>& stiffness, const Mat3& frame) {
-  check_open("spring");
-  mesh_->set(set);
-  for (const double k : stiffness)
-    if (!(k >= 0) || !std::isfinite(k))
-      throw Error("spring: expected stiffnesses of 0 or more in N/m, got " + number(k));
-  springs_.push_back({set, stiffness, frame});
 }
 
 void Model::turn(const std::string& set, const Vec3& axis, History angle, std::optional<Vec3> centre) {
@@ -430,10 +382,7 @@ void Model::check_zones() const {
 
 void Model::remove(DeclarationKind kind, std::size_t i) {
   check_open("remove");
-  const auto take = [i](auto& all) {
-    if (i >= all.size()) throw Error("remove: there is no such support or load");
-    all.erase(all.begin() + static_cast<std::ptrdiff_t>(i));
-  };
+  const auto take = [i](auto& all) { remove_at(all, i); };
   switch (kind) {
     case DeclarationKind::fix:
       return take(supports_);
@@ -441,8 +390,6 @@ void Model::remove(DeclarationKind kind, std::size_t i) {
       return take(motions_);
     case DeclarationKind::turn:
       return take(turns_);
-    case DeclarationKind::spring:
-      return take(springs_);
     case DeclarationKind::tie:
       return take(ties_);
     case DeclarationKind::tearable:
@@ -457,14 +404,6 @@ void Model::remove(DeclarationKind kind, std::size_t i) {
       return take(gases_);
     case DeclarationKind::crease:
       return take(creases_);
-    case DeclarationKind::force:
-      return take(forces_);
-    case DeclarationKind::moment:
-      return take(moments_);
-    case DeclarationKind::traction:
-      return take(tractions_);
-    case DeclarationKind::pressure:
-      return take(pressures_);
     case DeclarationKind::velocity:
       return take(velocities_);
     case DeclarationKind::contact:
@@ -514,6 +453,26 @@ void Model::support(BodySupport support) {
   interactions_.support(std::move(support));
 }
 
+namespace {
+
+// The times of all kinks of loads.
+struct KinksOf {
+  std::vector<double>& all;
+  template <class Load>
+  void about(const Load&) {}
+  void history(const char*, const History& h, const char*) {
+    all.insert(all.end(), h.kinks().begin(), h.kinks().end());
+  }
+  void components(const Components& value, const char* unit) {
+    for (const auto& h : value)
+      if (h) history("", *h, unit);
+  }
+  void stiffness(const std::array<double, 3>&, const char*) {}
+  void frame(const Mat3&) {}
+};
+
+}  // namespace
+
 std::vector<double> Model::kinks() const {
   std::vector<double> all = interactions_.kinks();
   const auto add = [&](const History& h) { all.insert(all.end(), h.kinks().begin(), h.kinks().end()); };
@@ -522,10 +481,8 @@ std::vector<double> Model::kinks() const {
       if (h) add(*h);
   };
   for (const auto& m : motions_) add_each(m.displacement);
-  for (const auto& f : forces_) add_each(f.total);
-  for (const auto& m : moments_) add_each(m.total);
-  for (const auto& t : tractions_) add_each(t.intensity);
-  for (const auto& p : pressures_) add(p.value);
+  KinksOf kinks_of{all};
+  tell_each(loads_, kinks_of);
   add_each(gravity_);
   for (const auto& t : turns_) add(t.angle);
   for (const auto& g : gases_)
@@ -682,12 +639,9 @@ std::string counted(std::size_t count, const char* noun) {
 std::string loads_of(const Model& m) {
   std::string words;
   const auto add = [&words](const std::string& more) { words += (words.empty() ? "" : ", ") + more; };
-  for (const auto& [count, noun] : {std::pair{m.forces().size(), "force"},
-                                    {m.moments().size(), "moment"},
-                                    {m.tractions().size(), "traction"},
-                                    {m.pressures().size(), "pressure"},
-                                    {m.springs().size(), "spring"}})
-    if (count > 0) add(counted(count, noun));
+  each_kind(m.loads(), [&](const auto& all) {
+    if (!all.empty()) add(counted(all.size(), all.front().call));
+  });
   if (std::any_of(m.gravity().begin(), m.gravity().end(), [](const auto& part) { return part.has_value(); }))
     add("gravity");
   return words.empty() ? "no loads" : words;

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/error.hpp"
 #include "base/notice.hpp"
 #include "card/card.hpp"
 #include "history/history.hpp"
@@ -16,6 +17,7 @@
 #include "model/bands.hpp"
 #include "model/gas.hpp"
 #include "model/interaction.hpp"
+#include "model/loads.hpp"
 #include "model/reference.hpp"
 #include "model/seams.hpp"
 #include "model/ties.hpp"
@@ -23,19 +25,12 @@
 
 namespace fabricsh::model {
 
-using history::History;
 using mesh::Index;
 
 // Warp direction at a point of the reference surface: an angle (degrees, counter-clockwise about the shell
 // normal, from global +x projected on the surface), or a vector to be projected on the surface.
 using Direction = std::variant<double, Vec3>;
 using WarpField = std::function<Direction(const Vec3& X)>;
-
-// Orthonormal frame of an oblique support or load: rows e1 e2 e3 in global components. The x y z of the call
-// are components along them.
-Mat3 frame_from(const Vec3& e1,
-                const Vec3& e2);  // Error unless they span a plane; e2 is made orthogonal to e1
-inline Mat3 global_frame() { return Mat3::Identity(); }
 
 // Degrees of freedom of a node: three translations, three rotation axes. A director has only two rotations;
 // an axis acts on its part tangent to the sphere of directors. rotation = both.
@@ -47,12 +42,6 @@ struct FixedFreedoms {
 // "x y z rx ry rz rotation", blanks or commas between. Error: unknown or empty word, with the accepted list.
 FixedFreedoms parse_freedoms(const std::string& words, const std::string& call = "fix");
 
-using Components = std::array<std::optional<History>, 3>;
-// The same vector at all times.
-inline Components steady(const Vec3& v) {
-  return {History::constant(v.x()), History::constant(v.y()), History::constant(v.z())};
-}
-
 struct Support {
   std::string set;
   FixedFreedoms fixed;
@@ -63,32 +52,6 @@ struct Support {
 struct PrescribedMotion {
   std::string set;
   Components displacement;  // m, from the reference position, along the frame
-  Mat3 frame;
-};
-struct ForceLoad {
-  std::string set;
-  Components total;  // N, distributed by tributary length (edges) or area; a single node gets all of it
-  Mat3 frame;
-};
-
-struct MomentLoad {
-  std::string set;
-  Components total;  // N m about the axes of the frame, which stay fixed in space; distributed like a force
-  Mat3 frame;
-};
-struct TractionLoad {
-  std::string set;
-  Components intensity;  // dead load: N/m^2 of reference area if the set has whole elements, else N/m of edge
-  Mat3 frame;
-};
-struct PressureLoad {
-  std::string set;
-  History value;  // Pa, along the shell normal, which follows the surface
-};
-struct GroundSpring {
-  std::string set;
-  std::array<double, 3>
-      stiffness{};  // N/m along the frame, to ground, total of the set, distributed like a force
   Mat3 frame;
 };
 // Rigid rotation of directors, and with a centre also of nodes, about a fixed axis: d = R(angle) D, x = c + R
@@ -181,6 +144,13 @@ struct StrengthGiven {
   std::uint64_t seed = 1;  // of that
 };
 
+// Error: there is no i-th declaration.
+template <class Declaration>
+void remove_at(std::vector<Declaration>& all, std::size_t i) {
+  if (i >= all.size()) throw Error("remove: there is no such support or load");
+  all.erase(all.begin() + static_cast<std::ptrdiff_t>(i));
+}
+
 class Model {
  public:
   // Errors: points outside 1..9; a thickness that is not positive; no warp on a mesh that is not flat; a card
@@ -193,13 +163,28 @@ class Model {
   // Common errors: unknown set; model already compiled; no component given.
   void fix(const std::string& set, const FixedFreedoms& fixed, const Mat3& frame = global_frame());
   void move(const std::string& set, Components displacement, const Mat3& frame = global_frame());
-  void force(const std::string& set, Components total, const Mat3& frame = global_frame());
+  // One of the kinds of Loads. Further errors: those of check_load().
+  template <class Load>
+  void add(Load load) {
+    check_open(Load::call);
+    check_load(*mesh_, load);
+    std::get<std::vector<Load>>(loads_).push_back(std::move(load));
+  }
+  void force(const std::string& set, Components total, const Mat3& frame = global_frame()) {
+    add(ForceLoad{set, std::move(total), frame});
+  }
+  void moment(const std::string& set, Components total, const Mat3& frame = global_frame()) {
+    add(MomentLoad{set, std::move(total), frame});
+  }
+  void traction(const std::string& set, Components intensity, const Mat3& frame = global_frame()) {
+    add(TractionLoad{set, std::move(intensity), frame});
+  }
   void gravity(Components acceleration);  // m/s^2
-  void moment(const std::string& set, Components total, const Mat3& frame = global_frame());
-  void traction(const std::string& set, Components intensity, const Mat3& frame = global_frame());
-  void pressure(const std::string& set, History value);
+  void pressure(const std::string& set, History value) { add(PressureLoad{set, std::move(value)}); }
   void spring(const std::string& set, const std::array<double, 3>& stiffness,
-              const Mat3& frame = global_frame());
+              const Mat3& frame = global_frame()) {
+    add(GroundSpring{set, stiffness, frame});
+  }
   void turn(const std::string& set, const Vec3& axis, History angle, std::optional<Vec3> centre);
   // At time 0, for dynamic runs. Error: a number that is not finite.
   void velocity(InitialVelocity velocity);
@@ -250,12 +235,7 @@ class Model {
     fix,
     move,
     turn,
-    spring,
     tie,
-    force,
-    moment,
-    traction,
-    pressure,
     gravity,
     velocity,
     contact,
@@ -272,6 +252,11 @@ class Model {
     crease
   };
   void remove(DeclarationKind kind, std::size_t i);
+  template <class Load>
+  void remove(std::size_t i) {
+    check_open("remove");
+    remove_at(std::get<std::vector<Load>>(loads_), i);
+  }
   // Contacts and rigid bodies: see Interactions.
   void contact(ContactGiven contact);
   void move(BodyMotion motion);
@@ -320,13 +305,13 @@ class Model {
   double thickness_of(mesh::Index element) const { return sections_[region_of(element)].thickness; }
   const std::vector<Support>& supports() const { return supports_; }
   const std::vector<PrescribedMotion>& motions() const { return motions_; }
-  const std::vector<ForceLoad>& forces() const { return forces_; }
+  const Loads& loads() const { return loads_; }
+  template <class Load>
+  const std::vector<Load>& loads() const {
+    return std::get<std::vector<Load>>(loads_);
+  }
   const Components& gravity() const { return gravity_; }
   const std::vector<InitialVelocity>& velocities() const { return velocities_; }
-  const std::vector<MomentLoad>& moments() const { return moments_; }
-  const std::vector<TractionLoad>& tractions() const { return tractions_; }
-  const std::vector<PressureLoad>& pressures() const { return pressures_; }
-  const std::vector<GroundSpring>& springs() const { return springs_; }
   const std::vector<PrescribedTurn>& turns() const { return turns_; }
   const std::vector<Tie>& ties() const { return ties_; }
   const Interactions& interactions() const { return interactions_; }
@@ -368,11 +353,7 @@ class Model {
   std::vector<int> region_of_;              // per element; empty: all elements are in the first
   std::vector<Support> supports_;
   std::vector<PrescribedMotion> motions_;
-  std::vector<ForceLoad> forces_;
-  std::vector<MomentLoad> moments_;
-  std::vector<TractionLoad> tractions_;
-  std::vector<PressureLoad> pressures_;
-  std::vector<GroundSpring> springs_;
+  Loads loads_;
   std::vector<PrescribedTurn> turns_;
   std::vector<Tie> ties_;
   std::vector<Zone> zones_;

@@ -59,6 +59,26 @@ class JumpFinder {
   std::vector<Jump>& found_;
 };
 
+// Tells it the histories of each load.
+class LoadJumps {
+ public:
+  explicit LoadJumps(JumpFinder& found) : found_(found) {}
+  template <class Load>
+  void about(const Load& load) {
+    what_ = std::string("the ") + Load::call + " on '" + load.set + "'";
+  }
+  void components(const model::Components& value, const char* unit) { found_.at(what_, value, unit); }
+  void history(const char*, const model::History& value, const char* unit) {
+    found_.at(what_, "", value, unit);
+  }
+  void stiffness(const std::array<double, 3>&, const char*) {}
+  void frame(const Mat3&) {}
+
+ private:
+  JumpFinder& found_;
+  std::string what_;
+};
+
 std::string list(const std::vector<Jump>& all) {
   constexpr std::size_t most = 3;
   std::string text;
@@ -75,10 +95,8 @@ Jumps find_jumps(const model::Model& model, double duration) {
   JumpFinder loads(duration, jumps.loads), motions(duration, jumps.motions);
   const auto of = [](const char* what, const std::string& set) { return what + (" '" + set + "'"); };
   loads.at("gravity", model.gravity(), "m/s^2");
-  for (const auto& f : model.forces()) loads.at(of("the force on", f.set), f.total, "N");
-  for (const auto& t : model.tractions()) loads.at(of("the traction on", t.set), t.intensity, "N/m^2 or N/m");
-  for (const auto& m : model.moments()) loads.at(of("the moment on", m.set), m.total, "N m");
-  for (const auto& p : model.pressures()) loads.at(of("the pressure on", p.set), "", p.value, "Pa");
+  LoadJumps of_loads(loads);
+  model::tell_each(model.loads(), of_loads);
   for (const auto& m : model.motions()) motions.at(of("the motion of", m.set), m.displacement, "m");
   for (const auto& t : model.turns()) motions.at(of("the turn of", t.set), "", t.angle, "degrees");
   return jumps;
@@ -173,8 +191,8 @@ std::vector<std::string> idle_loads(const model::Model& model, const mechanics::
     find_supported_loads(what + (" '" + load.set + "'"), set, components, load.frame,
                          !model.mesh().elements_in(set).empty(), assembly, duration, lines);
   };
-  for (const auto& f : model.forces()) look("the force on", f, f.total);
-  for (const auto& t : model.tractions()) look("the traction on", t, t.intensity);
+  for (const auto& f : model.loads<model::ForceLoad>()) look("the force on", f, f.total);
+  for (const auto& t : model.loads<model::TractionLoad>()) look("the traction on", t, t.intensity);
   return lines;
 }
 
@@ -515,7 +533,8 @@ std::string axes_of(const std::vector<Mode>& free) {
 Mechanism find_mechanism(const model::Model& model, const mechanics::Assembly& assembly,
                          const std::vector<double>& times) {
   RigidMotions motions(assembly);
-  for (const auto& spring : model.springs()) motions.add_spring(spring, model.mesh().set(spring.set));
+  for (const auto& spring : model.loads<model::GroundSpring>())
+    motions.add_spring(spring, model.mesh().set(spring.set));
   const auto free = motions.free();
   Mechanism found;
   for (const Mode& mode : free)

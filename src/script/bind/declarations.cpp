@@ -140,16 +140,36 @@ void add_sheets(const Model& m, Rows& rows) {
   }
 }
 
+// The members of a load under their names.
+struct LoadRow {
+  Rows& rows;
+  void components(const model::Components& value, const char*) { rows.components(value); }
+  void history(const char* name, const model::History& value, const char*) { rows.history(name, value); }
+  void frame(const Mat3& value) { rows.frame(value); }
+  void stiffness(const std::array<double, 3>& value, const char*) {
+    for (std::size_t i = 0; i < 3; ++i)
+      if (value[i] != 0) rows.number(axes[i], value[i]);
+  }
+};
+
+// Of the loads, or of what resists.
+template <bool resisting>
+void tell_loads(const Model& m, Rows& rows) {
+  model::each_kind(m.loads(), [&rows](const auto& all) {
+    if (model::resists<typename std::decay_t<decltype(all)>::value_type> != resisting) return;
+    for (const auto& load : all) {
+      LoadRow row{rows.row(load.call, load.set)};
+      load.tell(row);
+    }
+  });
+}
+
 void add_supports(const Model& m, Rows& rows) {
   for (const auto& s : m.supports()) rows.row("fix", s.set).texts("held", held(s.fixed)).frame(s.frame);
   for (const auto& s : m.motions()) rows.row("move", s.set).components(s.displacement).frame(s.frame);
   for (const auto& t : m.turns())
     rows.row("turn", t.set).history("angle", t.angle).vector("axis", t.axis).vector("centre", t.centre);
-  for (const auto& s : m.springs()) {
-    rows.row("spring", s.set).frame(s.frame);
-    for (std::size_t i = 0; i < 3; ++i)
-      if (s.stiffness[i] != 0) rows.number(axes[i], s.stiffness[i]);
-  }
+  tell_loads<true>(m, rows);
   for (const auto& z : m.zones()) rows.row("tearable", z.set).text("path", z.path);
   for (const auto& s : m.strengths())
     rows.row("strength", s.set).number("factor", s.factor).number("modulus", s.modulus);
@@ -175,10 +195,7 @@ void add_supports(const Model& m, Rows& rows) {
 }
 
 void add_loads(const Model& m, Rows& rows) {
-  for (const auto& f : m.forces()) rows.row("force", f.set).components(f.total).frame(f.frame);
-  for (const auto& f : m.moments()) rows.row("moment", f.set).components(f.total).frame(f.frame);
-  for (const auto& t : m.tractions()) rows.row("traction", t.set).components(t.intensity).frame(t.frame);
-  for (const auto& p : m.pressures()) rows.row("pressure", p.set).history("value", p.value);
+  tell_loads<false>(m, rows);
   for (const auto& gas : m.gases()) {
     rows.row("gas", gas->sets.front())
         .texts("sets", gas->sets)

@@ -26,6 +26,11 @@ struct Declared {
   std::string kind, set, what;
   Model::DeclarationKind declaration = Model::DeclarationKind::fix;
   int number = -1;
+  void (*take)(Model& model, std::size_t number) = nullptr;  // removes a load
+  void remove_from(Model& model) const {
+    const auto i = static_cast<std::size_t>(number);
+    take != nullptr ? take(model, i) : model.remove(declaration, i);
+  }
 };
 
 // The rows of one kind, numbered in their order.
@@ -124,6 +129,39 @@ std::string axis_words(const Values& v) {
   return words;
 }
 
+// The members of a load in words.
+struct LoadWords {
+  std::string words, along;
+  void components(const model::Components& value, const char* unit) {
+    add_word(words, component_words(value, unit));
+  }
+  void history(const char*, const model::History& value, const char* unit) {
+    add_word(words, history_words(value, unit));
+  }
+  void frame(const Mat3& value) { along = oblique(value); }
+  void stiffness(const std::array<double, 3>& value, const char* unit) {
+    add_word(words, axis_words(value) + " " + unit);
+  }
+};
+
+// The loads, or what resists.
+template <bool resisting>
+void tell_loads(const Model& m, std::vector<Declared>& all) {
+  model::each_kind(m.loads(), [&all](const auto& loads) {
+    using Load = typename std::decay_t<decltype(loads)>::value_type;
+    if (model::resists<Load> != resisting) return;
+    int number = 0;
+    for (const auto& load : loads) {
+      LoadWords words;
+      load.tell(words);
+      all.push_back(
+          {Load::call, load.set, words.words + words.along, {}, number++, [](Model& model, std::size_t i) {
+             model.remove<Load>(i);
+           }});
+    }
+  });
+}
+
 void add_supports(const Model& m, std::vector<Declared>& all) {
   using DeclarationKind = Model::DeclarationKind;
   DeclaredRows fixed(all, "fix", DeclarationKind::fix);
@@ -134,8 +172,7 @@ void add_supports(const Model& m, std::vector<Declared>& all) {
   for (const auto& t : m.turns())
     turned.add(t.set, history_words(t.angle, "degrees") + " about " + vector_words(t.axis) +
                           (t.centre ? " through " + vector_words(*t.centre) : ""));
-  DeclaredRows sprung(all, "spring", DeclarationKind::spring);
-  for (const auto& s : m.springs()) sprung.add(s.set, axis_words(s.stiffness) + " N/m" + oblique(s.frame));
+  tell_loads<true>(m, all);
   DeclaredRows zones(all, "tearable", DeclarationKind::tearable);
   for (const auto& zone : m.zones())
     zones.add(zone.set,
@@ -166,15 +203,7 @@ void add_supports(const Model& m, std::vector<Declared>& all) {
 
 void add_loads(const Model& m, std::vector<Declared>& all) {
   using DeclarationKind = Model::DeclarationKind;
-  DeclaredRows forces(all, "force", DeclarationKind::force);
-  for (const auto& f : m.forces()) forces.add(f.set, component_words(f.total, "N") + oblique(f.frame));
-  DeclaredRows moments(all, "moment", DeclarationKind::moment);
-  for (const auto& f : m.moments()) moments.add(f.set, component_words(f.total, "N m") + oblique(f.frame));
-  DeclaredRows tractions(all, "traction", DeclarationKind::traction);
-  for (const auto& t : m.tractions())
-    tractions.add(t.set, component_words(t.intensity, "N/m^2 or N/m") + oblique(t.frame));
-  DeclaredRows pressures(all, "pressure", DeclarationKind::pressure);
-  for (const auto& p : m.pressures()) pressures.add(p.set, history_words(p.value, "Pa"));
+  tell_loads<false>(m, all);
   DeclaredRows gases(all, "gas", DeclarationKind::gas);
   for (const auto& g : m.gases()) {
     std::string sets,
@@ -317,7 +346,7 @@ int remove(Call& call) {
   if (one.number < 0)
     throw Error("remove: a " + one.kind +
                 " is part of the model itself and cannot be removed: make a new model");
-  model->remove(one.declaration, static_cast<std::size_t>(one.number));
+  one.remove_from(*model);
   return return_self(call);
 }
 
@@ -328,7 +357,7 @@ void take_away(const Call& call, const std::string& words, Model& model) {
   for (std::size_t i = all.size(); i-- > 0;) {
     const Declared& one = all[i];
     if (one.number < 0 || (words != one.kind && words != one.kind + " " + one.set)) continue;
-    model.remove(one.declaration, static_cast<std::size_t>(one.number));
+    one.remove_from(model);
     found = true;
   }
   if (found) return;

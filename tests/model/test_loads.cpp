@@ -1,0 +1,94 @@
+// The list of a model's loads: each kind is checked, told, copied and removed in the same way.
+#include <algorithm>
+
+#include "catch.hpp"
+#include "message_of.hpp"
+#include "model/fingerprint.hpp"
+#include "model/model.hpp"
+#include "test_cards.hpp"
+
+using namespace fabricsh;
+using namespace fabricsh::test;
+using model::Model;
+
+namespace {
+
+Model make_model() {
+  return {std::make_shared<mesh::Mesh>(mesh::rectangle(0.03, 0.05, 2, 3)), blend(), model::Options{}};
+}
+
+model::Components up(double value, double end) {
+  return {std::nullopt, history::History::ramp(value, end), std::nullopt};
+}
+
+// One of each kind, which ends at a time of its own.
+void load(Model& m) {
+  m.force("top", up(1, 0.25));
+  m.moment("top", up(2, 0.5));
+  m.traction("right", up(3, 0.75));
+  m.pressure("all", history::History::ramp(4, 1.25));
+  m.spring("left", {5, 0, 6});
+}
+
+// The names and units that the loads tell.
+struct Told {
+  std::string words;
+  template <class Load>
+  void about(const Load& load) {
+    words += std::string(Load::call) + " " + load.set + ":";
+  }
+  void components(const model::Components&, const char* unit) { words += std::string(" ") + unit + ";"; }
+  void history(const char* name, const history::History&, const char* unit) {
+    words += std::string(" ") + name + " " + unit + ";";
+  }
+  void stiffness(const std::array<double, 3>&, const char* unit) { words += std::string(" ") + unit + ";"; }
+  void frame(const Mat3&) { words += " frame;"; }
+};
+
+std::string told(const Model& m) {
+  Told words;
+  tell_each(m.loads(), words);
+  return words.words;
+}
+
+std::uint64_t hash_of_loads(const Model& m) {
+  for (const auto& part : fingerprint(m, 1.0))
+    if (part.name == "loads") return part.hash;
+  return 0;
+}
+
+}  // namespace
+
+TEST_CASE("each kind of load is told with its members, copied and removed") {
+  Model m = make_model();
+  load(m);
+  CHECK(told(m) ==
+        "force top: N; frame;moment top: N m; frame;traction right: N/m^2 or N/m; frame;"
+        "pressure all: value Pa;spring left: frame; N/m;");
+  const auto copied = m.copy();
+  CHECK(told(*copied) == told(m));
+  CHECK(hash_of_loads(*copied) == hash_of_loads(m));
+  const auto kinks = m.kinks();
+  for (const double kink : {0.25, 0.5, 0.75, 1.25})
+    CHECK(std::find(kinks.begin(), kinks.end(), kink) != kinks.end());
+  m.remove<model::TractionLoad>(0);
+  CHECK(m.loads<model::TractionLoad>().empty());
+  CHECK(m.loads<model::PressureLoad>().size() == 1);
+  CHECK(copied->loads<model::TractionLoad>().size() == 1);
+  CHECK(hash_of_loads(*copied) != hash_of_loads(m));
+  CHECK(message_of([&] { m.remove<model::TractionLoad>(0); }) == "remove: there is no such support or load");
+}
+
+TEST_CASE("loads that cannot be say so by the name of their call") {
+  Model m = make_model();
+  CHECK(message_of([&] { m.moment("top", {}); }) == "moment: expected at least one of x, y, z, got none");
+  CHECK(message_of([&] { m.pressure("top", history::History::ramp(1, 1)); }) ==
+        "pressure: set 'top' holds no whole element");
+  CHECK(message_of([&] {
+          m.spring("top", {1, -2, 0});
+        }) == "spring: expected stiffnesses of 0 or more in N/m, got -2");
+  CHECK(message_of([&] { m.force("toop", up(1, 1)); }).find("toop") != std::string::npos);
+  m.seal();
+  CHECK(message_of([&] { m.traction("top", up(1, 1)); }) ==
+        "traction: the model is in use by an analysis and can't be changed any more");
+}
