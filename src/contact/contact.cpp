@@ -125,7 +125,7 @@ void Contact::scale(Candidate& c) const {
 // m, of the crack faces among the points of a pair of them.
 double Contact::least_apart(const Candidate& c) const {
   double least = std::numeric_limits<double>::infinity();
-  for (const std::int32_t p : c.point)
+  for (const std::int32_t p : scene_->with_nodes(c.point))
     if (p >= 0 && scene_->apart(p) >= 0) least = std::min(least, scene_->apart(p));
   return least;
 }
@@ -197,7 +197,7 @@ Vec3 Contact::of_body(const Candidate& c, std::span<const Vec3> by_point) const 
 unsigned Contact::planes_of(const Candidate& c, std::span<const unsigned char> planes) const {
   if (planes.empty()) return 0;
   unsigned in = 7;
-  for (const std::int32_t p : c.point)
+  for (const std::int32_t p : scene_->with_nodes(c.point))
     if (p >= 0 && !rigid(p)) in &= planes[std::size_t(p)];
   return in;
 }
@@ -251,9 +251,16 @@ void Contact::index_slots() {
   active_.assign(inner_.size(), 0);
   known_.assign(inner_.size(), unknown);
   std::vector<std::uint32_t> count(scene_->reference().size() + 1, 0);
-  for (const Candidate& c : inner_)
-    for (const std::int32_t p : c.point)
-      if (p >= 0) ++count[std::size_t(p) + 1];
+  const auto each = [&](const auto& visit) {
+    for (std::size_t i = 0; i < inner_.size(); ++i) {
+      const Candidate& c = inner_[i];
+      if (c.spot.any())
+        for (const std::int32_t p : c.spot.node) visit(p, 4 * i);
+      for (std::size_t k = c.spot.any() ? 1 : 0; k < 4; ++k)
+        if (c.point[k] >= 0) visit(c.point[k], 4 * i + k);
+    }
+  };
+  each([&](std::int32_t p, std::size_t) { ++count[std::size_t(p) + 1]; });
   touched_.clear();
   for (std::size_t p = 0; p + 1 < count.size(); ++p) {
     if (count[p + 1] > 0) touched_.push_back(std::int32_t(p));
@@ -264,14 +271,31 @@ void Contact::index_slots() {
   for (const std::int32_t p : touched_) first_.push_back(count[std::size_t(p)]);
   first_.push_back(count.back());
   std::vector<std::uint32_t> next(count.begin(), count.end() - 1);
-  for (std::size_t i = 0; i < inner_.size(); ++i)
-    for (std::size_t k = 0; k < 4; ++k)
-      if (inner_[i].point[k] >= 0)
-        of_point_[next[std::size_t(inner_[i].point[k])]++] = std::uint32_t(4 * i + k);
+  each(
+      [&](std::int32_t p, std::size_t corner) { of_point_[next[std::size_t(p)]++] = std::uint32_t(corner); });
   row_of_.resize(count.size() - 1);
   for (std::size_t row = 0; row < touched_.size(); ++row)
     row_of_[std::size_t(touched_[row])] = std::uint32_t(row);
+  index_spots();
   at_point_.resize(touched_.size());
+}
+
+// Rows of what is counted at the first corners of pairs, where these are contact points inside facets; their
+// forces go to the nodes.
+void Contact::index_spots() {
+  spot_row_.clear();
+  const auto nodes = std::ptrdiff_t(touched_.size());
+  for (const Candidate& c : inner_)
+    if (c.spot.any()) touched_.push_back(c.point[0]);
+  if (touched_.size() == std::size_t(nodes)) return;
+  std::sort(touched_.begin() + nodes, touched_.end());
+  touched_.erase(std::unique(touched_.begin() + nodes, touched_.end()), touched_.end());
+  first_.resize(touched_.size() + 1, first_.back());
+  spot_row_.resize(inner_.size());
+  for (std::size_t i = 0; i < inner_.size(); ++i)
+    if (inner_[i].spot.any())
+      spot_row_[i] = std::uint32_t(
+          std::lower_bound(touched_.begin() + nodes, touched_.end(), inner_[i].point[0]) - touched_.begin());
 }
 
 // The slip of the pair in a slot.
@@ -321,9 +345,14 @@ void Contact::gather(std::uint32_t from, std::uint32_t to, bool torques) {
   for (const std::uint32_t i : in_use_) {
     const Force& slot = slots_[i];
     const auto& point = inner_[i].point;
+    const Spot& spot = inner_[i].spot;
+    if (spot.any())
+      for (std::size_t k = 0; k < 3; ++k)
+        if (const std::uint32_t row = row_of_[std::size_t(spot.node[k])]; row >= from && row < to)
+          at_point_[row].force += spot.weight(k) * slot.on[0];
     for (std::uint32_t k = 0; k < 4; ++k) {
       if (point[k] < 0) continue;
-      const std::uint32_t row = row_of_[std::size_t(point[k])];
+      const std::uint32_t row = k == 0 ? first_row_of(i) : row_of_[std::size_t(point[k])];
       if (row < from || row >= to) continue;
       AtPoint& sum = at_point_[row];
       sum.force += slot.on[k];
@@ -356,9 +385,10 @@ void Contact::gather(std::span<Vec3> force, std::span<Vec3> torque, Totals& tota
   // Over all points and not only those in the lists, which depend on the skin.
   for (std::uint32_t row = 0; row < rows; ++row) {
     const AtPoint& sum = at_point_[row];
-    const auto p = std::size_t(touched_[row]);
-    force[p] += sum.force;
-    if (!torque.empty()) torque[p] += sum.torque;
+    if (const auto p = std::size_t(touched_[row]); p < force.size()) {
+      force[p] += sum.force;
+      if (!torque.empty()) torque[p] += sum.torque;
+    }
     totals.contact += sum.contact;
     totals.guard += sum.guard;
     totals.stick += sum.stick;
@@ -377,19 +407,55 @@ void Contact::stiffness(std::span<const Vec3> x, const VisitStiffness& visit, co
     if (gap_of(c, corners) >= it.law.gap() * c.pair.scale) continue;
     Matrix12 k = pair_derivatives(it.law, c.pair, corners).hessian;
     if (way.start.empty() || !it.rubs()) {
-      visit(c.point, k, nullptr);
+      visit_in_nodes(c, k, nullptr, visit);
       continue;
     }
     const FrictionTangent friction = friction_tangent(it.law, c.pair, corners, slip_of(i, x, way));
     k -= friction.jacobian;
-    visit(c.point, k, &friction);
+    visit_in_nodes(c, k, &friction, visit);
   }
+}
+
+// The stiffness of a pair whose first corner is inside a facet, by that facet's nodes and one corner of the
+// body after the other, and then what two corners of the body have to do with each other.
+void Contact::visit_in_nodes(const Candidate& c, const Matrix12& k, const FrictionTangent* friction,
+                             const VisitStiffness& visit) {
+  if (!c.spot.any()) return visit(c.point, k, friction);
+  const auto block = [&k](int a, int b) { return k.block<3, 3>(3 * a, 3 * b); };
+  for (int q = 1; q < 4 && c.point[std::size_t(q)] >= 0; ++q) {
+    Matrix12 on = Matrix12::Zero();
+    FrictionTangent part;
+    if (friction != nullptr) {
+      part.by_turn.bottomRows<3>() = friction->by_turn.middleRows<3>(3 * q);
+      part.torque_by_x.rightCols<3>() = friction->torque_by_x.middleCols<3>(3 * q);
+      if (q == 1) part.torque_by_turn = friction->torque_by_turn;
+    }
+    on.block<3, 3>(9, 9) = block(q, q);
+    for (int i = 0; i < 3; ++i) {
+      const double w = c.spot.weight(std::size_t(i));
+      on.block<3, 3>(3 * i, 9) = w * block(0, q);
+      on.block<3, 3>(9, 3 * i) = w * block(q, 0);
+      if (q != 1) continue;
+      for (int j = 0; j < 3; ++j)
+        on.block<3, 3>(3 * i, 3 * j) = w * c.spot.weight(std::size_t(j)) * block(0, 0);
+      if (friction == nullptr) continue;
+      part.by_turn.middleRows<3>(3 * i) = w * friction->by_turn.topRows<3>();
+      part.torque_by_x.middleCols<3>(3 * i) = w * friction->torque_by_x.leftCols<3>();
+    }
+    const auto& node = c.spot.node;
+    visit({node[0], node[1], node[2], c.point[std::size_t(q)]}, on, friction == nullptr ? nullptr : &part);
+  }
+  if (c.point[2] < 0) return;
+  Matrix12 between = Matrix12::Zero();
+  between.block<3, 3>(0, 3) = block(1, 2);
+  between.block<3, 3>(3, 0) = block(2, 1);
+  visit({c.point[1], c.point[2], -1, -1}, between, nullptr);
 }
 
 void Contact::couples(std::span<const Vec3> x,
                       const std::function<void(const std::array<std::int32_t, 4>&)>& visit) {
   prepare(x);
-  for (const Candidate& c : inner_) visit(c.point);
+  for (const Candidate& c : inner_) visit(scene_->with_nodes(c.point));
 }
 
 double Contact::safe_fraction(std::span<const Vec3> x, std::span<const Vec3> by,
@@ -439,6 +505,7 @@ Contact::AtPoints Contact::at_points(std::span<const Vec3> x) const {
   AtPoints out{std::vector<double>(x.size(), widest_), std::vector<double>(x.size(), 0)};
   for (std::size_t row = 0; row < touched_.size(); ++row) {
     const std::int32_t p = touched_[row];
+    if (scene_->is_spot(p)) break;
     Vec3 normal = Vec3::Zero();
     for (const std::int32_t t : scene_->triangles_at_point(p)) {
       const Triangle& n = scene_->triangles()[std::size_t(t)].nodes;
@@ -451,7 +518,11 @@ Contact::AtPoints Contact::at_points(std::span<const Vec3> x) const {
       const Force& slot = slots_[of_point_[k] / 4];
       out.gap[std::size_t(p)] = std::min(out.gap[std::size_t(p)], slot.gap);
       // A pair with a negative weight, which corrects for others that count twice, pulls instead of pushing.
-      const Vec3& f = slot.on[of_point_[k] % 4];
+      const Candidate& c = inner_[of_point_[k] / 4];
+      Vec3 f = slot.on[of_point_[k] % 4];
+      if (c.spot.any() && of_point_[k] % 4 == 0)
+        f *= c.spot.weight(
+            std::size_t(std::find(c.spot.node.begin(), c.spot.node.end(), p) - c.spot.node.begin()));
       face[(f.dot(normal) < 0) == (slot.contact + slot.guard < 0) ? 0 : 1] += f;
     }
     const double area = scene_->area(p);
@@ -463,6 +534,7 @@ Contact::AtPoints Contact::at_points(std::span<const Vec3> x) const {
 std::vector<Contact::Overlap> Contact::overlaps(std::span<const Vec3> x) const {
   std::vector<Overlap> found;
   for (const Candidate& c : find(x, 0)) {
+    if (c.spot.any()) continue;  // its facet or an edge of that tells the same
     const double gap = gap_of(c, corners_of(c, x));
     if (gap <= law(c).floor() * c.pair.scale) found.push_back({c.point, gap});
   }
@@ -492,7 +564,7 @@ Contact::Overlap Contact::nearest(std::span<const Vec3> x) {
   for (const Candidate& c : inner_) {
     const double gap = gap_of(c, corners_of(c, x)), scale = c.pair.scale;
     if (gap >= law(c).gap() * scale || gap - law(c).floor() * scale >= found.gap) continue;
-    found = {c.point, gap - law(c).floor() * scale};
+    found = {scene_->with_nodes(c.point), gap - law(c).floor() * scale};
   }
   return found;
 }

@@ -131,7 +131,9 @@ class Contact {
   void scale(Candidate& c) const;
   void scale_all();
   double least_apart(const Candidate& c) const;
-  bool rigid(std::int32_t point) const { return point >= std::int32_t(scene_->nodes()); }
+  bool rigid(std::int32_t point) const {
+    return point >= std::int32_t(scene_->nodes()) && !scene_->is_spot(point);
+  }
   // The value for the rigid side of a pair; zero if no side is rigid.
   Vec3 of_body(const Candidate& c, std::span<const Vec3> by_point) const;
   struct Held;
@@ -148,6 +150,9 @@ class Contact {
   void search(std::span<const Vec3> x);
   void refine(std::span<const Vec3> x, double since_search);
   void index_slots();
+  void index_spots();
+  static void visit_in_nodes(const Candidate& c, const Matrix12& k, const FrictionTangent* friction,
+                             const VisitStiffness& visit);
   double share_of(const std::vector<Candidate>& pairs, std::span<const Vec3> x,
                   std::span<const Vec3> by) const;
   void gather(std::span<Vec3> force, std::span<Vec3> torque, Totals& totals);
@@ -175,6 +180,12 @@ class Contact {
   std::vector<std::int32_t> touched_;            // points with slots, ascending
   std::vector<std::uint32_t> first_, of_point_;  // rows: slot * 4 + corner, ascending for each touched point
   std::vector<std::uint32_t> row_of_;            // by point: its place among those touched
+  // By slot: the row of a contact point inside a facet. Those stand behind all others, ascending.
+  std::vector<std::uint32_t> spot_row_;
+  std::uint32_t first_row_of(std::size_t slot) const {
+    const Candidate& c = inner_[slot];
+    return c.spot.any() ? spot_row_[slot] : row_of_[std::size_t(c.point[0])];
+  }
   // What acts on a touched point. The energies of a pair are counted at its first corner.
   struct AtPoint {
     Vec3 force = Vec3::Zero(), torque = Vec3::Zero();

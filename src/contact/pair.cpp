@@ -143,7 +143,7 @@ class Friction {
  private:
   void rub(const PressedPlace& at, const Slid& s) {
     const Touch& touch = at.place.touch;
-    const double times = at.count / pair_.area;
+    const double times = slip_.portion * at.count / pair_.area;
     Vec3 pull = Vec3::Zero();
     if (slip_.rubs()) pull = s.spring * s.trial + resistance(touch, slip_, times, force_.resists) * s.slid;
     const double size = pull.norm(), kept = s.kept();

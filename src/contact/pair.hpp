@@ -67,6 +67,7 @@ struct Slip {
   // effective mass m of the pair at the place and as often as the place counts, damps the vibration of what
   // sticks. It cannot reverse the sliding.
   double step = 0;                       // s; 0: an implicit or static step
+  double portion = 1;                    // of that resistance
   std::array<double, 4> inverse_mass{};  // 1/kg; 0: the corner is held or driven
   // Factors in these of what else resists at the corners, see Force::resists.
   std::array<double, 4> crowd{1, 1, 1, 1};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <string>
 
@@ -342,6 +343,7 @@ Scene Scene::with_corners(const std::function<Triangle(const TriangleRow&)>& cor
             sheet_[std::size_t(triangles_[std::size_t(from.first_triangle) + i].nodes[k])];
   }
   out.interactions_ = interactions_;
+  out.spots_ = spots_;
   out.partners_ = partners_;
   return out;
 }
@@ -405,18 +407,47 @@ void Scene::meet(int first, int second, const ContactLaw& law, double friction, 
   interactions_.push_back(std::move(it));
 }
 
+void Scene::spread(std::size_t interaction, std::vector<std::int8_t> parts) {
+  for (const std::int8_t n : parts) spots_ = std::max(spots_, std::int32_t(n) * n);
+  const auto room = std::numeric_limits<std::int32_t>::max() - std::int64_t(reference_.size());
+  if (std::int64_t(triangles_.size()) * spots_ > room)
+    refuse("too many triangles for contact points inside them: " + std::to_string(triangles_.size()) +
+           " with " + std::to_string(spots_) + " each");
+  interactions_[interaction].parts = std::move(parts);
+}
+
+// The middles of the parts: those with an edge on the same side as the triangle first, row by row, and then
+// those between them.
+Spot Scene::spot(std::int32_t triangle, int parts, int k) const {
+  const int upright = parts * (parts + 1) / 2;
+  const bool between = k >= upright;
+  int left = between ? k - upright : k, row = 0;
+  for (int width = between ? parts - 1 : parts; left >= width; --width, ++row) left -= width;
+  const int add = between ? 2 : 1, i = 3 * left + add, j = 3 * row + add;
+  return {triangles_[std::size_t(triangle)].nodes,
+          {std::int16_t(3 * parts - i - j), std::int16_t(i), std::int16_t(j)}};
+}
+
+std::array<std::int32_t, 4> Scene::with_nodes(const std::array<std::int32_t, 4>& points) const {
+  if (!is_spot(points[0])) return points;
+  const Triangle& nodes = triangles_[std::size_t(triangle_of_spot(points[0]))].nodes;
+  return {nodes[0], nodes[1], nodes[2], points[1]};
+}
+
 Vec3 Scene::warp_at(const Interaction& it, const std::array<std::int32_t, 4>& points,
                     std::span<const Vec3> x) const {
   const auto& own = surfaces_[std::size_t(it.first)].points;
+  const auto warp = [&](std::int32_t t) {
+    const auto& corner = triangles_[std::size_t(t)].nodes;
+    const auto& [a, b] = it.warp[std::size_t(t)];
+    const Vec3& from = x[std::size_t(corner[0])];
+    return Vec3(a * (x[std::size_t(corner[1])] - from) + b * (x[std::size_t(corner[2])] - from));
+  };
+  if (is_spot(points[0])) return warp(triangle_of_spot(points[0]));
   for (const std::int32_t p : points) {
     if (p < 0 || !std::binary_search(own.begin(), own.end(), p)) continue;
-    for (const std::int32_t t : triangles_at_point(p)) {
-      const auto& corner = triangles_[std::size_t(t)].nodes;
-      const auto& [a, b] = it.warp[std::size_t(t)];
-      const Vec3& from = x[std::size_t(corner[0])];
-      if (triangles_[std::size_t(t)].surface == it.first)
-        return a * (x[std::size_t(corner[1])] - from) + b * (x[std::size_t(corner[2])] - from);
-    }
+    for (const std::int32_t t : triangles_at_point(p))
+      if (triangles_[std::size_t(t)].surface == it.first) return warp(t);
   }
   return Vec3::Zero();
 }

@@ -75,9 +75,25 @@ struct Interaction {
   // follows them. Empty without friction by direction.
   std::vector<std::array<double, 2>> warp = {};
   bool rubs() const { return sticking > 0 || loss > 0 || viscous > 0; }
+  // Contact points inside the facets of the first surface, a cloth, on the second, a ball or a rod: each of
+  // its triangles is divided into parts[i]^2 of equal area, and has a point in the middle of each. 0: it has
+  // none, and its nodes and edges take part. Empty: no triangle has any. See Scene::spread.
+  std::vector<std::int8_t> parts = {};
   // Opening of overlaps at the start: for each point the share, 0 to 1, of the law's lengths with which it
   // begins; two edges begin with the smallest share of their ends. Empty: nothing is opened.
   std::vector<double> opening = {};
+};
+
+// A contact point inside a triangle: its corners, and the weight of each as a share of the sum of all three.
+struct Spot {
+  std::array<std::int32_t, 3> node{-1, -1, -1};
+  std::array<std::int16_t, 3> part{};
+  bool any() const { return node[0] >= 0; }
+  double weight(std::size_t k) const { return part[k] / double(part[0] + part[1] + part[2]); }
+  Vec3 of(std::span<const Vec3> x) const {
+    return weight(0) * x[std::size_t(node[0])] + weight(1) * x[std::size_t(node[1])] +
+           weight(2) * x[std::size_t(node[2])];
+  }
 };
 
 class Scene {
@@ -114,6 +130,21 @@ class Scene {
   // The direction of the warp at a pair: that of the first triangle at the pair's first point on the cloth.
   Vec3 warp_at(const Interaction& it, const std::array<std::int32_t, 4>& points,
                std::span<const Vec3> x) const;
+
+  // Contact points inside facets, see Interaction::parts; at most most_parts a triangle.
+  static constexpr int most_parts = 64;
+  void spread(std::size_t interaction, std::vector<std::int8_t> parts);
+  // Point `k` of the parts^2 of a triangle, and its number, which follows those of all other points.
+  Spot spot(std::int32_t triangle, int parts, int k) const;
+  std::int32_t spot_number(std::int32_t triangle, int k) const {
+    return std::int32_t(reference_.size()) + triangle * spots_ + k;
+  }
+  bool is_spot(std::int32_t point) const { return point >= std::int32_t(reference_.size()); }
+  std::int32_t triangle_of_spot(std::int32_t point) const {
+    return (point - std::int32_t(reference_.size())) / spots_;
+  }
+  // The points of a pair, with the corners of its triangle in place of a contact point inside it.
+  std::array<std::int32_t, 4> with_nodes(const std::array<std::int32_t, 4>& points) const;
 
   // Another law; of another gap only before a Contact searches the scene.
   void replace_law(std::size_t interaction, const ContactLaw& law) { interactions_[interaction].law = law; }
@@ -184,6 +215,7 @@ class Scene {
   std::vector<TriangleRow> triangles_;
   std::vector<std::vector<std::int32_t>> at_edge_, at_point_;
   std::vector<Interaction> interactions_;
+  std::int32_t spots_ = 1;  // at most in a triangle
 };
 
 }  // namespace fabricsh::contact

@@ -11,6 +11,8 @@ constexpr double neighbour_share = 0.9;  // of their reference distance, as the 
 constexpr double crossing_share = 0.5;   // share of the area of two crossing edges, see contact.md
 constexpr double faces_reach = 3;    // mean edges: in the reference, how far crack faces are apart at most
 constexpr double same_place = 1e-9;  // mean edges
+// The weight of facets and edges that are on guard only, as a share of that of a contact point inside.
+constexpr double on_guard = 0.01;
 constexpr double shared = 0.5;  // weight where both surfaces have facets: two cloths press from both sides
 
 using Rows = std::vector<Candidate>;
@@ -193,7 +195,11 @@ class Search {
   // What a pair begins with where overlaps are opened: its point's share, or the smallest of its edges' ends.
   static double start(const Candidate& row, const std::vector<double>& opening) {
     if (opening.empty()) return 1;
-    double least = opening[std::size_t(row.point[0])];
+    double least = 1;
+    if (row.spot.any())
+      for (const std::int32_t p : row.spot.node) least = std::min(least, opening[std::size_t(p)]);
+    else
+      least = opening[std::size_t(row.point[0])];
     if (row.pair.kind == PairKind::edges || row.pair.kind == PairKind::wrap)
       for (const std::int32_t p : row.point) least = std::min(least, opening[std::size_t(p)]);
     return least;
@@ -321,6 +327,7 @@ class Search {
       row.interaction = std::int32_t(i);
       row.pair.offset = shape.radius;
       nodes(it, sheet, shape, row, out);
+      spots(it, sheet, shape, row, out);
       if (shape.shape == Shape::rod) wraps(it, sheet, v, row, out);
       if (shape.shape != Shape::wall)
         for (std::int32_t k = 0; k < shape.vertices; ++k) facets(it, sheet, v + k, row, out);
@@ -373,8 +380,61 @@ class Search {
       Candidate found = row;
       found.point[0] = p;
       for (std::int32_t k = 0; k < shape.vertices; ++k) found.point[std::size_t(k + 1)] = v + k;
-      found.pair.area = (wall ? 1 : shared) * scene_.area(p);
+      found.pair.area = wall ? scene_.area(p) : node_area(it, sheet, p);
       keep(found, it.law, rows);
+    });
+  }
+
+  // The number of parts of a triangle with contact points inside it for an interaction with a ball or a rod.
+  int parts(const Interaction& it, const Surface& sheet, std::int32_t t) const {
+    return it.parts.empty() ? 0 : it.parts[std::size_t(t - sheet.first_triangle)];
+  }
+  // The areas of nodes, edges and facets without those triangles. In these nodes, edges and facets stay on
+  // guard: they keep what is between the contact points from coming nearer to the body than these may.
+  double node_area(const Interaction& it, const Surface& sheet, std::int32_t p) const {
+    if (it.parts.empty()) return shared * scene_.area(p);
+    double area = 0;
+    for (const std::int32_t t : scene_.triangles_at_point(p))
+      if (scene_.triangles()[std::size_t(t)].surface == it.first) area += facet_area(it, sheet, t) / 3;
+    return area;
+  }
+  double facet_area(const Interaction& it, const Surface& sheet, std::int32_t t) const {
+    const int n = parts(it, sheet, t);
+    const double area = scene_.triangles()[std::size_t(t)].area;
+    return n == 0 ? shared * area : on_guard * area / (n * n);
+  }
+  double edge_area(const Interaction& it, const Surface& sheet, std::int32_t e) const {
+    if (it.parts.empty()) return shared * scene_.edges()[std::size_t(e)].area;
+    double area = 0;
+    for (const std::int32_t t : scene_.triangles_at_edge(e)) area += facet_area(it, sheet, t) / 3;
+    return area;
+  }
+
+  // Facets and edges tell what passes on a way, so that contact points are left out there.
+  void spots(const Interaction& it, const Surface& sheet, const Surface& shape, Candidate row,
+             Rows& out) const {
+    if (it.parts.empty() || !by_.empty()) return;
+    const std::int32_t v = shape.first_vertex;
+    row.pair.kind = shape.shape == Shape::rod ? PairKind::segment : PairKind::centre;
+    for (std::int32_t k = 0; k < shape.vertices; ++k) row.point[std::size_t(k + 1)] = v + k;
+    const double reach = it.law.gap() + shape.radius + skin_;
+    join(std::size_t(sheet.triangles), out, [&](std::size_t i, std::vector<std::int32_t>&, Rows& rows) {
+      const auto t = sheet.first_triangle + std::int32_t(i);
+      const int n = parts(it, sheet, t);
+      if (n == 0) return;
+      const Triangle& c = scene_.triangles()[std::size_t(t)].nodes;
+      const Vec3 middle = (at(c[0]) + at(c[1]) + at(c[2])) / 3;
+      double far = 0;
+      for (const std::int32_t p : c) far = std::max(far, (at(p) - middle).squaredNorm());
+      far = reach + std::sqrt(far);
+      if (squared_point_segment(middle, at(v), at(v + shape.vertices - 1)) > far * far) return;
+      Candidate found = row;
+      found.pair.area = scene_.triangles()[std::size_t(t)].area / (n * n);
+      for (int k = 0; k < n * n; ++k) {
+        found.spot = scene_.spot(t, n, k);
+        found.point[0] = scene_.spot_number(t, k);
+        keep(found, it.law, rows);
+      }
     });
   }
 
@@ -386,7 +446,7 @@ class Search {
       if (!box.meets(box_of({e.a, e.b}, 0))) return;
       Candidate found = row;
       found.point = {e.a, e.b, v, v + 1};
-      found.pair.area = shared * e.area;
+      found.pair.area = edge_area(it, sheet, sheet.first_edge + std::int32_t(i));
       keep(found, it.law, rows);
     });
   }
@@ -399,7 +459,7 @@ class Search {
       if (!box.meets(box_of({t.nodes[0], t.nodes[1], t.nodes[2]}, 0))) return;
       Candidate found = row;
       found.point = {v, t.nodes[0], t.nodes[1], t.nodes[2]};
-      found.pair.area = shared * t.area;
+      found.pair.area = facet_area(it, sheet, sheet.first_triangle + std::int32_t(i));
       keep(found, it.law, rows);
     });
   }
@@ -424,7 +484,9 @@ std::vector<Candidate> find_pairs(const Scene& scene, std::span<const Vec3> x, d
 
 Corners corners_of(const Candidate& candidate, std::span<const Vec3> x) {
   Corners out;
-  for (std::size_t i = 0; i < 4; ++i)
+  std::size_t i = 0;
+  if (candidate.spot.any()) out[i++] = candidate.spot.of(x);
+  for (; i < 4; ++i)
     out[i] = candidate.point[i] < 0 ? Vec3(Vec3::Zero()) : x[std::size_t(candidate.point[i])];
   return out;
 }

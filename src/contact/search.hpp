@@ -8,6 +8,7 @@ struct Candidate {
   std::array<std::int32_t, 4> point{-1, -1, -1, -1};  // corners; -1: none
   std::int32_t interaction = 0;
   Pair pair;
+  Spot spot;                 // where the first corner is a contact point inside a facet
   double whole = 1;          // pair.scale where nothing is being opened
   double start = 1;          // share of it to begin with, where an overlap is (Interaction::opening)
   bool crack_faces = false;  // whether its sides were joined before; see Scene::set_apart

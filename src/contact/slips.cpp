@@ -108,7 +108,8 @@ Slip Contact::slip_of(std::size_t i, std::span<const Vec3> x, const Way& way) {
     slip.along = scene_->warp_at(it, c.point, x);
   }
   slip.turn = of_body(c, way.turn);
-  for (std::size_t k = 0; k < 4; ++k)
+  if (c.spot.any()) slip.moved[0] = c.spot.of(x) - c.spot.of(way.start);
+  for (std::size_t k = c.spot.any() ? 1 : 0; k < 4; ++k)
     if (const auto p = c.point[k]; p >= 0) slip.moved[k] = x[std::size_t(p)] - way.start[std::size_t(p)];
   if (const Held* held = held_by(i)) {
     slip.held = held->slip;
@@ -121,7 +122,21 @@ Slip Contact::slip_of(std::size_t i, std::span<const Vec3> x, const Way& way) {
   if (way.inverse_mass.empty()) return slip;
   slip.step = way.dt;
   const double images = 1u << std::popcount(planes_of(c, way.planes));
-  for (std::size_t k = 0; k < 4; ++k)
+  if (c.spot.any()) {
+    // Many resist at its nodes: each as its part of a facet has it.
+    slip.portion = c.pair.area / scene_->triangles()[std::size_t(scene_->triangle_of_spot(c.point[0]))].area;
+    double alone = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto p = std::size_t(c.spot.node[k]);
+      const double share = c.spot.weight(k) * c.spot.weight(k) * way.inverse_mass[p];
+      alone += share;
+      slip.inverse_mass[0] +=
+          share * (rubbing_at_.empty() ? 1 : std::max(1.0, rubbing_at_[p] / most_resistance));
+    }
+    if (alone > 0) slip.crowd[0] = slip.inverse_mass[0] / alone;
+    slip.inverse_mass[0] *= images;
+  }
+  for (std::size_t k = c.spot.any() ? 1 : 0; k < 4; ++k)
     if (const auto p = c.point[k]; p >= 0) {
       if (!rubbing_at_.empty()) slip.crowd[k] = std::max(1.0, rubbing_at_[std::size_t(p)] / most_resistance);
       slip.inverse_mass[k] = images * way.inverse_mass[std::size_t(p)] * slip.crowd[k];
@@ -134,7 +149,7 @@ std::array<double, 4> Contact::resists(const Candidate& c, const Force& force, c
   std::array<double, 4> out = force.resists;
   if (way.planes.empty()) return out;
   const unsigned own = planes_of(c, way.planes);
-  for (std::size_t k = 0; k < 4; ++k)
+  for (std::size_t k = c.spot.any() ? 1 : 0; k < 4; ++k)
     if (const auto p = c.point[k]; p >= 0)
       out[k] *= 1u << std::popcount(way.planes[std::size_t(p)] & ~own & 7u);
   return out;
@@ -167,8 +182,7 @@ void Contact::note_slips(std::span<const Vec3> x, const Way& way) {
   slip_at_.resize(in_use_.size());
   std::vector<std::uint32_t> next(first_slip_.begin(), first_slip_.end() - 1);
   for (std::size_t k = 0; k < in_use_.size(); ++k)
-    if (active_[in_use_[k]] == rubbing)
-      slip_at_[k] = next[row_of_[std::size_t(inner_[in_use_[k]].point[0])]]++;
+    if (active_[in_use_[k]] == rubbing) slip_at_[k] = next[first_row_of(in_use_[k])]++;
   const bool many = held.size() > 256;
 #pragma omp parallel for schedule(static) if (many)
   for (std::size_t k = 0; k < in_use_.size(); ++k) {
@@ -194,12 +208,20 @@ void Contact::note_slips(std::span<const Vec3> x, const Way& way) {
 
 void Contact::count_rubbing(bool come) {
   rubbing_at_.resize(scene_->reference().size());
+  const auto count = [&](std::int32_t p, double resists) {
+    double& all = rubbing_at_[std::size_t(p)];
+    all = come ? all + resists : 0;
+  };
   for (const Held& h : held_)
     for (std::size_t k = 0; k < 4; ++k)
-      if (const auto p = h.point[k]; p >= 0) {
-        double& all = rubbing_at_[std::size_t(p)];
-        all = come ? all + h.resists[k] : 0;
-      }
+      if (h.point[k] < 0)
+        continue;
+      else if (!scene_->is_spot(h.point[k]))
+        count(h.point[k], h.resists[k]);
+      else
+        for (const std::int32_t p :
+             scene_->triangles()[std::size_t(scene_->triangle_of_spot(h.point[k]))].nodes)
+          count(p, h.resists[k]);
 }
 
 Contact::Rubbing Contact::held_friction() const {
@@ -214,7 +236,7 @@ Contact::Rubbing Contact::held_friction() const {
     all.of_sliding += force;
     if (force > largest) {
       largest = force;
-      all.most = h.point;
+      all.most = scene_->with_nodes(h.point);
     }
   }
   return all;

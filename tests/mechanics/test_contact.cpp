@@ -14,11 +14,13 @@ using test::svk;
 
 namespace {
 
-// Two sheets, one a little above the other, over a ball.
+// Two sheets, one a little above the other, over a ball; or over one or a rod that is small against the
+// elements.
+enum class Under { ball, small_ball, thin_rod };
 struct Pile {
   std::shared_ptr<model::Model> model;
   model::RigidPointer ball;
-  explicit Pile(double friction, const model::Displacement& moved = {}) {
+  explicit Pile(double friction, const model::Displacement& moved = {}, Under under = Under::ball) {
     const double t = svk().thickness;
     const auto sheet = [&](double side, int n, const Vec3& origin) {
       auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(side, side, n, n));
@@ -32,8 +34,14 @@ struct Pile {
     bodies.push_back({"high", sheet(0.02, 3, Vec3(0.004, 0.006, 0.97 * t)), svk(), options, {}});
     model = std::make_shared<model::Model>(std::move(bodies));
     model->fix("low.left", model::parse_freedoms("x y z rotation"));
-    ball = std::make_shared<const model::Rigid>(model::Sphere{0.02, Vec3(0.014, 0.013, -0.02 - 0.47 * t)},
-                                                std::nullopt, "", "sphere");
+    const double z = -(under == Under::ball ? 0.02 + 0.47 * t : 0.006 + 0.4 * t);
+    if (under == Under::thin_rod)
+      ball = std::make_shared<const model::Rigid>(
+          model::Cylinder{0.006, Vec3(-0.01, 0.011, z), Vec3(0.05, 0.016, z)}, std::nullopt, "", "cylinder");
+    else
+      ball = std::make_shared<const model::Rigid>(
+          model::Sphere{under == Under::ball ? 0.02 : 0.006, Vec3(0.014, 0.013, z)}, std::nullopt, "",
+          "sphere");
     model->contact({{{"", ball}, {"all", nullptr}}, friction});
     model->contact({{{"low", nullptr}, {"high", nullptr}}, friction, 1.0 * t, 1e9});
     if (moved[0] || moved[1] || moved[2]) model->move({ball, moved, std::nullopt});
@@ -62,8 +70,9 @@ std::vector<double> internal_at(mechanics::Assembly& a, const std::vector<double
 }  // namespace
 
 TEST_CASE("contact: the term's tangent is the derivative of its forces, with friction and without") {
+  const auto under = GENERATE(Under::ball, Under::small_ball, Under::thin_rod);
   for (const double friction : {0.0, 0.3}) {
-    const Pile pile(friction);
+    const Pile pile(friction, {}, under);
     mechanics::Assembly a(*pile.model);
     CHECK(a.terms().symmetric() == (friction == 0));
     const auto n = static_cast<std::size_t>(a.dofs().unknowns());

@@ -198,6 +198,7 @@ Contacts::Contacts(const model::Model& model, const Configuration& configuration
   }
   find_warps();
   follow_elements();
+  spread_points();
   sew_scene();
   moves_ = bodies_.any_free() || bodies_.any_driven();
   open_overlaps();
@@ -310,13 +311,14 @@ std::vector<std::string> Contacts::describe() const {
                       " N/m (default), no friction");
       continue;
     }
-    lines.push_back(m.names + ": from a gap of " + number(it.law.gap()) + " m" +
-                    (m.follows ? " (default: a twentieth of the elements, or the room at the start)" : "") +
-                    ", floor " + number(it.law.floor()) + " m, " + stiffness_words(m, it.law) +
-                    ", friction " + number(it.friction) +
-                    (it.sticking > it.friction ? ", static " + number(it.sticking) : "") +
-                    (it.across < 0 ? "" : " along the warp, " + number(it.across) + " across") +
-                    (it.viscous > 0 ? ", film of " + number(it.viscous) + " Pa s/m" : ""));
+    lines.push_back(
+        m.names + ": from a gap of " + number(it.law.gap()) + " m" +
+        (m.follows ? " (default: a twentieth of the elements, or the room at the start)" : "") + ", floor " +
+        number(it.law.floor()) + " m, " + stiffness_words(m, it.law) + ", friction " + number(it.friction) +
+        (it.sticking > it.friction ? ", static " + number(it.sticking) : "") +
+        (it.across < 0 ? "" : " along the warp, " + number(it.across) + " across") +
+        (it.viscous > 0 ? ", film of " + number(it.viscous) + " Pa s/m" : "") +
+        (m.spacing > 0 ? ", at points inside the elements, " + number(m.spacing) + " m apart" : ""));
     if (m.near > 0)
       lines.back() += "; " + std::to_string(m.near) + (m.near == 1 ? " point is" : " points are") +
                       " nearer than that at the start, the nearest by " + number(it.law.gap() - m.nearest) +
@@ -384,8 +386,9 @@ void Contacts::open_overlaps() {
     const double whole = c.whole * scene_.interactions()[static_cast<std::size_t>(c.interaction)].law.gap(),
                  gap = contact::gap_of(c, contact::corners_of(c, scene_.reference()));
     const bool edges = c.pair.kind == contact::PairKind::edges || c.pair.kind == contact::PairKind::wrap;
-    for (std::size_t k = 0; k < (edges ? 4u : 1u); ++k)
-      if (double& s = share[static_cast<std::size_t>(c.point[k])]; c.point[k] >= 0)
+    const auto points = scene_.with_nodes(c.point);
+    for (std::size_t k = 0; k < (edges ? 4u : c.spot.any() ? 3u : 1u); ++k)
+      if (double& s = share[static_cast<std::size_t>(points[k])]; points[k] >= 0)
         s = std::min(s, gap / whole);
   }
   for (std::size_t i = 0; i < meetings_.size(); ++i) {
@@ -640,7 +643,7 @@ void Contacts::prepare_tangent(const Trial& trial) {
   if (known) return;
   const double skin = edge_ / 3;
   for (const auto& candidate : contact::find_pairs(scene_, x_, skin))
-    add(candidate.point, [&](std::int64_t pair) { pairs_.push_back(pair); });
+    add(scene_.with_nodes(candidate.point), [&](std::int64_t pair) { pairs_.push_back(pair); });
   std::sort(pairs_.begin(), pairs_.end());
   pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
 }

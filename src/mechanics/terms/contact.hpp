@@ -165,6 +165,7 @@ class Contacts final : public Term, public StepLimiter, public OwnUnknowns, publ
     std::optional<double> settle;  // s
     std::size_t near = 0;          // points that start too near
     double nearest = 0;            // m: the smallest share of it times the gap
+    double spacing = 0;            // m, of contact points inside the elements; 0: there are none
   };
   struct Block {
     std::array<std::int32_t, 4> point;
@@ -207,6 +208,7 @@ class Contacts final : public Term, public StepLimiter, public OwnUnknowns, publ
   Stopped stopped_by(std::size_t meeting) const;
   double side_of_elements(int sheet) const;
   void follow_elements();
+  void spread_points();
   double carried_by_bodies(double share, bool guarded) const;
   void soften(bool measured);
   void open_overlaps();

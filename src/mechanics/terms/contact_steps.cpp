@@ -6,6 +6,7 @@
 
 #include "contact/intersect.hpp"
 #include "mechanics/terms/contact.hpp"
+#include "mechanics/terms/contact_points.hpp"
 
 namespace fabricsh::mechanics {
 
@@ -23,16 +24,18 @@ double Contacts::share_of_cloth() const { return contact_step_of_cloth; }
 // facets about one node of the largest area, or the patch that a depth of the range of contact makes.
 double Contacts::carried_by_bodies(double share, bool guarded) const {
   double least = std::numeric_limits<double>::infinity();
-  for (const auto& it : scene_.interactions()) {
+  for (std::size_t i = 0; i < meetings_.size(); ++i) {
+    const auto& it = scene_.interactions()[i];
     double inverse = 0;
     for (const int side : {it.first, it.second})
       if (side >= static_cast<int>(sheets_.size()))
         inverse += bodies_.inverse_mass_pressed(side - sheets_.size());
     if (!(inverse > 0)) continue;
     const double range = it.law.gap() - it.law.floor(), radius = scene_.surfaces()[it.second].radius;
+    const double ease = meetings_[i].given ? 1 : eased(scene_, it);
     double area = it.rigid ? 1 : 2 * std::numbers::pi * radius * range;
     for (const std::int32_t p : scene_.surfaces()[it.first].points)
-      if (!it.rigid) area = std::max(area, kAboutNode * scene_.area(p));
+      if (!it.rigid) area = std::max(area, kAboutNode * scene_.area(p) / ease);
     const double stiffness =
         guarded ? it.law(it.law.floor() + std::min(trial_.gap, range)).stiffness : it.law.stiffest();
     least = std::min(least, share / (area * stiffness * inverse));
@@ -42,8 +45,9 @@ double Contacts::carried_by_bodies(double share, bool guarded) const {
 
 double Contacts::largest_step(bool scaled) const {
   double stiffest = 0;
-  for (const auto& it : scene_.interactions())
-    if (!it.rigid) stiffest = std::max(stiffest, it.law.stiffest());
+  for (std::size_t i = 0; i < meetings_.size(); ++i)
+    if (const auto& it = scene_.interactions()[i]; !it.rigid)
+      stiffest = std::max(stiffest, it.law.stiffest() / (meetings_[i].given ? 1 : eased(scene_, it)));
   return std::min({scaled ? step_ : contact_step_of_cloth * cloth_.stable_step(false),
                    std::sqrt(carried_stiffness * least_areal_ / stiffest), bodies_.stable_step(),
                    carried_by_bodies(carried_stiffness, false)});
@@ -59,7 +63,8 @@ double Contacts::weakest_share(const contact::Interaction& it) const {
   for (const std::int32_t p : sheet.points) most = std::max(most, scene_.area(p));
   if (other.shape == contact::Shape::wall) return 0.5;
   if (other.shape == contact::Shape::cloth) return 1.0 / 3;
-  if (other.shape != contact::Shape::solid) return 1.0 / 12;
+  if (other.shape != contact::Shape::solid)
+    return it.parts.empty() ? 1.0 / 12 : std::min(1.0 / 12, area_as_flat(scene_, it) / (3 * most));
   double least = sheet.mean_area;
   for (const std::int32_t p : other.points) least = std::min(least, scene_.area(p));
   return least / 2 / (3 * most);
@@ -129,8 +134,10 @@ std::vector<Contacts::DrawnThrough> Contacts::drawn_through() const {
 
 double Contacts::largest_contact_step() const {
   double stiffest = 0;
-  for (const auto& it : scene_.interactions())
-    if (!it.rigid) stiffest = std::max(stiffest, it.law(it.law.floor() + trial_.gap).stiffness);
+  for (std::size_t i = 0; i < meetings_.size(); ++i)
+    if (const auto& it = scene_.interactions()[i]; !it.rigid)
+      stiffest = std::max(stiffest, it.law(it.law.floor() + trial_.gap).stiffness /
+                                        (meetings_[i].given ? 1 : eased(scene_, it)));
   return std::min({std::sqrt(kInGuard * least_areal_ / stiffest), carried_by_bodies(kInGuard, true),
                    bodies_.stable_step()});
 }

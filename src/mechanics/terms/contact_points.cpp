@@ -1,0 +1,79 @@
+// Contact points inside the elements: how many, and what an explicit step carries there.
+#include "mechanics/terms/contact_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "mechanics/terms/contact.hpp"
+
+namespace fabricsh::mechanics {
+
+namespace {
+
+constexpr double kOfSide = 1.2;    // of the root of an element's area: the largest radius with points
+constexpr double kOfPatch = 0.75;  // half of the width that is pressed, as the distance of the points
+
+// m2, of the smallest element with points inside; 0 where any has none.
+double smallest_element(const contact::Scene& scene, const contact::Interaction& it) {
+  if (it.parts.empty() || std::find(it.parts.begin(), it.parts.end(), 0) != it.parts.end()) return 0;
+  const auto first =
+      static_cast<std::size_t>(scene.surfaces()[static_cast<std::size_t>(it.first)].first_triangle);
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t t = 0; t < it.parts.size(); ++t)
+    least = std::min(least, 2 * scene.triangles()[first + t].area);
+  return least;
+}
+
+// m2: what is pressed of a flat element, at most, if none of it is pressed farther than the range of contact.
+double patch(const contact::Scene& scene, const contact::Interaction& it) {
+  const auto& body = scene.surfaces()[static_cast<std::size_t>(it.second)];
+  const double twice = 2 * body.radius * (it.law.gap() - it.law.floor());
+  if (body.shape == contact::Shape::ball) return std::numbers::pi * twice;
+  return 2 * std::sqrt(twice * smallest_element(scene, it));
+}
+
+}  // namespace
+
+double eased(const contact::Scene& scene, const contact::Interaction& it) {
+  constexpr double about_node = 0.75;  // of an element: the least area whose mass a node in a sheet has
+  const double element = smallest_element(scene, it);
+  return element > 0 ? std::max(1.0, about_node * element / patch(scene, it)) : 1;
+}
+
+double area_as_flat(const contact::Scene& scene, const contact::Interaction& it) {
+  const bool ball = scene.surfaces()[static_cast<std::size_t>(it.second)].shape == contact::Shape::ball;
+  return (ball ? 1.0 / 3 : 8.0 / 15) * patch(scene, it);
+}
+
+// Balls and rods that are small against the elements press between the nodes, or on one node alone. There the
+// law is integrated over the surface, by points inside the elements: so near to each other that a quarter of
+// the way from gap to floor presses several of them. Larger bodies keep nodes, edges and facets.
+void Contacts::spread_points() {
+  for (std::size_t i = 0; i < meetings_.size(); ++i) {
+    const auto& it = scene_.interactions()[i];
+    const auto& body = scene_.surfaces()[static_cast<std::size_t>(it.second)];
+    if (it.rigid || (body.shape != contact::Shape::ball && body.shape != contact::Shape::rod)) continue;
+    const double range = it.law.gap() - it.law.floor(),
+                 apart = kOfPatch * std::sqrt((body.radius + it.law.gap()) * range / 2);
+    const auto& sheet = scene_.surfaces()[static_cast<std::size_t>(it.first)];
+    std::vector<std::int8_t> parts(static_cast<std::size_t>(sheet.triangles), 0);
+    for (std::size_t t = 0; t < parts.size(); ++t) {
+      const auto& row = scene_.triangles()[static_cast<std::size_t>(sheet.first_triangle) + t];
+      if (body.radius > kOfSide * std::sqrt(2 * row.area)) continue;
+      double longest = 0;
+      for (const std::int32_t e : row.edge_row)
+        longest = std::max(longest, scene_.edges()[static_cast<std::size_t>(e)].length);
+      const double wanted = std::ceil(longest / (std::numbers::sqrt2 * apart)),
+                   n = std::clamp(wanted, 1.0, static_cast<double>(contact::Scene::most_parts));
+      parts[t] = static_cast<std::int8_t>(n);
+      meetings_[i].spacing = std::max(meetings_[i].spacing, longest / (std::numbers::sqrt2 * n));
+    }
+    if (!(meetings_[i].spacing > 0)) continue;
+    scene_.spread(i, std::move(parts));
+    meetings_[i].carried *= eased(scene_, it);
+  }
+}
+
+}  // namespace fabricsh::mechanics

@@ -1,0 +1,15 @@
+// Contact points inside the elements, for balls and rods that are small against them.
+#pragma once
+#include "contact/scene.hpp"
+
+namespace fabricsh::mechanics {
+
+// How much stiffer than what presses whole elements such a contact may be in an explicit step: the area of
+// the smallest element over the largest that a body presses of one. 1 without points in all elements.
+double eased(const contact::Scene& scene, const contact::Interaction& it);
+
+// m2: the area that would take the same energy if it were pressed flat through the range of contact as the
+// patch that such a body presses of one element.
+double area_as_flat(const contact::Scene& scene, const contact::Interaction& it);
+
+}  // namespace fabricsh::mechanics

@@ -1,0 +1,47 @@
+-- A ball and a rod that press inside the elements, with friction: the same bits on one and two threads, and when the process is killed and the
+-- deck goes on from its checkpoint; in statics, implicit and explicit motion.
+local check = dofile((arg[0]:gsub("[^/]*$", "common/check.lua")))
+local file = assert(io.open("position_bits_deck.lua", "wb"))
+file:write [[
+local fabric = require "fabric"
+local scheme, dies = arg[1], arg[2] == "dies"
+local card = fabric.card("blend", { bending = "estimated" })
+local mesh = fabric.mesh.rectangle { width = 0.05, height = 0.04, nx = 8, ny = 7, triangles = scheme == "implicit" }
+local m = fabric.model { mesh = mesh, card = card, warp = 0, points = 1 }
+m:fix("boundary", "x y z")
+local h = card.thickness / 2
+local ball = fabric.rigid.sphere { radius = 0.004, centre = { 0.0262, 0.0217, 0.004 + h - 1e-6 }, mass = scheme == "implicit" and 0.002 or nil }
+local rod = fabric.rigid.cylinder { radius = 0.003, from = { 0.011, -0.01, -0.003 - h - 2e-6 }, to = { 0.018, 0.05, -0.003 - h - 2e-6 } }
+m:contact { between = { ball, "all" }, friction = 0.3 }:contact { between = { rod, "all" }, friction = 0.2 }
+local T = scheme == "static" and 1 or 3e-4
+m:move(rod, { x = fabric.ramp(5e-5, T), z = fabric.ramp(4e-5, T) })
+if scheme == "implicit" then m:velocity(ball, { x = 0.3, z = -0.3, spin = { 0, 200, 0 } }) else m:move(ball, { x = fabric.ramp(1e-4, T), z = fabric.ramp(-2e-4, T) }) end
+local a = scheme == "static" and fabric.static { model = m, duration = T, step = 0.34 }
+  or fabric.dynamic { model = m, duration = T, scheme = scheme, step = scheme == "implicit" and 5e-5 or nil }
+a:every(T / 3, function(run) if dies and run.time > 0.6 * T and run.time < 0.9 * T then os.exit(9, false) end end)
+a:checkpoint("position_bits.ckpt", { every = T / 100 })
+a:solve()
+assert(a.energy.friction > 0 and a.energy.contact > 0, a.energy.friction)
+for _, name in ipairs { "position", "director", "S", "contact_pressure" } do
+  for _, row in ipairs(a:field(name)) do
+    for _, x in ipairs(type(row) == "table" and row or { row }) do io.write(("%a "):format(x)) end
+  end
+end
+for _, body in ipairs { ball, rod } do for _, x in ipairs { a:reaction(body) } do io.write(("%a "):format(x)) end end
+for _, name in ipairs { "stored", "contact", "stick", "friction", "external" } do io.write(("%a "):format(a.energy[name])) end
+]]
+file:close()
+local function program(words) return check.shell(("'%s' --quiet %s 2>position_bits.log"):format(arg[-1], words)) end
+for _, scheme in ipairs { "static", "implicit", "explicit" } do
+  os.remove "position_bits.ckpt"
+  local code, first = program("--threads 1 position_bits_deck.lua " .. scheme)
+  assert(code == 0 and #first > 5000, scheme .. ": " .. code)
+  local _, two = program("--threads 2 position_bits_deck.lua " .. scheme)
+  assert(two == first, scheme .. ", 2 threads")
+  os.remove "position_bits.ckpt"
+  code = program("--threads 2 position_bits_deck.lua " .. scheme .. " dies")
+  assert(code == 9, scheme .. ": " .. code)
+  local _, again = program("--threads 1 --restart position_bits.ckpt position_bits_deck.lua " .. scheme)
+  assert(again == first, scheme .. ", after a restart")
+  print(("%s: the same %d bytes with 1 and 2 threads and after a restart"):format(scheme, #first))
+end
