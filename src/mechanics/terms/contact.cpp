@@ -9,6 +9,7 @@
 #include "geometry/box.hpp"
 #include "geometry/node_view.hpp"
 #include "law/compression.hpp"
+#include "mechanics/terms/contact_points.hpp"
 
 namespace fabricsh::mechanics {
 
@@ -318,7 +319,8 @@ std::vector<std::string> Contacts::describe() const {
         (it.sticking > it.friction ? ", static " + number(it.sticking) : "") +
         (it.across < 0 ? "" : " along the warp, " + number(it.across) + " across") +
         (it.viscous > 0 ? ", film of " + number(it.viscous) + " Pa s/m" : "") +
-        (m.spacing > 0 ? ", at points inside the elements, " + number(m.spacing) + " m apart" : ""));
+        (m.spacing > 0 ? ", at points inside the elements, " + number(m.spacing) + " m apart" : "") +
+        dependence_words(scene_, it));
     if (m.near > 0)
       lines.back() += "; " + std::to_string(m.near) + (m.near == 1 ? " point is" : " points are") +
                       " nearer than that at the start, the nearest by " + number(it.law.gap() - m.nearest) +

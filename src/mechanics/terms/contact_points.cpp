@@ -6,13 +6,15 @@
 #include <limits>
 #include <numbers>
 
+#include "base/number.hpp"
 #include "mechanics/terms/contact.hpp"
 
 namespace fabricsh::mechanics {
 
 namespace {
 
-constexpr double kOfSide = 1.2;    // of the root of an element's area: the largest radius with points
+constexpr double kOfSide =
+    1.2 * (1 + 1e-9);              // of the root of an element's area: the largest radius with points
 constexpr double kOfPatch = 0.75;  // half of the width that is pressed, as the distance of the points
 
 // m2, of the smallest element with points inside; 0 where any has none.
@@ -47,8 +49,34 @@ double area_as_flat(const contact::Scene& scene, const contact::Interaction& it)
   return (ball ? 1.0 / 3 : 8.0 / 15) * patch(scene, it);
 }
 
+// Factors as measured on held flat cloth of squares, see share/doc/contact.md: of a rod along a row of nodes,
+// and of a ball on a node, against the law's integral.
+std::string dependence_words(const contact::Scene& scene, const contact::Interaction& it) {
+  constexpr double rod_on_nodes = 2.4, ball_on_node = 8, least = 1.1;
+  const auto& body = scene.surfaces()[static_cast<std::size_t>(it.second)];
+  const bool ball = body.shape == contact::Shape::ball;
+  if (it.rigid || (!ball && body.shape != contact::Shape::rod)) return "";
+  const auto& sheet = scene.surfaces()[static_cast<std::size_t>(it.first)];
+  double sum = 0, count = 0;
+  for (std::size_t t = 0; t < static_cast<std::size_t>(sheet.triangles); ++t) {
+    if (!it.parts.empty() && it.parts[t] != 0) continue;
+    sum += std::sqrt(2 * scene.triangles()[static_cast<std::size_t>(sheet.first_triangle) + t].area);
+    ++count;
+  }
+  const double width = 2 * std::sqrt(body.radius * (it.law.gap() - it.law.floor()));
+  const double wide = count > 0 ? sum / count / width : 0;
+  const double factor = ball ? ball_on_node * wide * wide : rod_on_nodes * wide;
+  if (!(factor > least)) return "";
+  const double unit = std::pow(10, std::floor(std::log10(factor)) - 1);
+  return "; its force on cloth that stays flat there depends on where the nodes lie, up to some " +
+         number(unit * std::round(factor / unit)) +
+         " times that of the law: half of the range presses a width of " + number(width, 2) +
+         " m (cloth that lies around it is pressed by the law; elements of at least " +
+         number(body.radius / kOfSide, 2) + " m have points inside)";
+}
+
 // Balls and rods that are small against the elements press between the nodes, or on one node alone. There the
-// law is integrated over the surface, by points inside the elements: so near to each other that a quarter of
+// law is integrated over the surface, by points inside the elements: so near to each other that an eighth of
 // the way from gap to floor presses several of them. Larger bodies keep nodes, edges and facets.
 void Contacts::spread_points() {
   for (std::size_t i = 0; i < meetings_.size(); ++i) {
@@ -56,7 +84,7 @@ void Contacts::spread_points() {
     const auto& body = scene_.surfaces()[static_cast<std::size_t>(it.second)];
     if (it.rigid || (body.shape != contact::Shape::ball && body.shape != contact::Shape::rod)) continue;
     const double range = it.law.gap() - it.law.floor(),
-                 apart = kOfPatch * std::sqrt((body.radius + it.law.gap()) * range / 2);
+                 apart = kOfPatch * std::sqrt((body.radius + it.law.gap()) * range / 4);
     const auto& sheet = scene_.surfaces()[static_cast<std::size_t>(it.first)];
     std::vector<std::int8_t> parts(static_cast<std::size_t>(sheet.triangles), 0);
     for (std::size_t t = 0; t < parts.size(); ++t) {

@@ -1,5 +1,7 @@
 // Contact points inside the elements, for balls and rods that are small against them.
 #pragma once
+#include <string>
+
 #include "contact/scene.hpp"
 
 namespace fabricsh::mechanics {
@@ -11,5 +13,9 @@ double eased(const contact::Scene& scene, const contact::Interaction& it);
 // m2: the area that would take the same energy if it were pressed flat through the range of contact as the
 // patch that such a body presses of one element.
 double area_as_flat(const contact::Scene& scene, const contact::Interaction& it);
+
+// Words on how far the force of a ball or a rod depends on where it lies against nodes, where elements
+// without points inside are wider than what it presses of flat cloth; or none.
+std::string dependence_words(const contact::Scene& scene, const contact::Interaction& it);
 
 }  // namespace fabricsh::mechanics
