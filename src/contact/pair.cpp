@@ -221,6 +221,8 @@ bool is_far(const Pair& pair, const Corners& x, double reach) {
     const double height = normal.dot(x[0] - x[1]);
     return height > 0 && height * height > far * normal.squaredNorm();
   }
+  if (pair.kind == PairKind::centre) return (x[0] - x[1]).squaredNorm() > far;
+  if (pair.kind == PairKind::segment) return squared_point_segment(x[0], x[1], x[2]) > far;
   if (pair.kind == PairKind::facet) return squared_point_triangle(x[0], x[1], x[2], x[3]) > far;
   return pair.kind == PairKind::edges && squared_crossing(x[0], x[1], x[2], x[3]) > far;
 }

@@ -14,8 +14,9 @@ namespace fabricsh::mechanics {
 namespace {
 
 constexpr double kOfSide =
-    1.2 * (1 + 1e-9);              // of the root of an element's area: the largest radius with points
-constexpr double kOfPatch = 0.75;  // half of the width that is pressed, as the distance of the points
+    1.2 * (1 + 1e-9);  // of the root of an element's area: the largest radius with points
+// Half of the width that is pressed, as the distance of the points: along a rod there are many of them.
+constexpr double kOfPatch = 0.75, kOfRods = 1;
 
 // m2, of the smallest element with points inside; 0 where any has none.
 double smallest_element(const contact::Scene& scene, const contact::Interaction& it) {
@@ -84,7 +85,8 @@ void Contacts::spread_points() {
     const auto& body = scene_.surfaces()[static_cast<std::size_t>(it.second)];
     if (it.rigid || (body.shape != contact::Shape::ball && body.shape != contact::Shape::rod)) continue;
     const double range = it.law.gap() - it.law.floor(),
-                 apart = kOfPatch * std::sqrt((body.radius + it.law.gap()) * range / 4);
+                 apart = (body.shape == contact::Shape::rod ? kOfRods : kOfPatch) *
+                         std::sqrt((body.radius + it.law.gap()) * range / 4);
     const auto& sheet = scene_.surfaces()[static_cast<std::size_t>(it.first)];
     std::vector<std::int8_t> parts(static_cast<std::size_t>(sheet.triangles), 0);
     for (std::size_t t = 0; t < parts.size(); ++t) {
