@@ -10,6 +10,7 @@
 #include "mechanics/terms/contact.hpp"
 #include "mechanics/terms/directors.hpp"
 #include "mechanics/terms/gas.hpp"
+#include "mechanics/terms/hinges.hpp"
 #include "mechanics/terms/loads.hpp"
 #include "mechanics/terms/seams.hpp"
 #include "mechanics/terms/tears.hpp"
@@ -37,6 +38,7 @@ Assembly::Assembly(const model::Model& model)
   if (!model.loads<model::MomentLoad>().empty()) make<Moments>(model);
   if (!model.loads<model::GroundSpring>().empty()) make<Springs>(model);
   if (!model.bands().empty()) make<EdgeBands>(model);
+  if (Hinges::possible(model)) make<Hinges>(model, std::as_const(configuration_));
   if (!model.gases().empty()) make<Gas>(model);
   if (model.interactions().any()) make<Contacts>(model, std::as_const(configuration_), cloth, dofs_);
   force_x_.assign(3 * configuration_.nodes(), 0);

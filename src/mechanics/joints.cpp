@@ -22,7 +22,7 @@ double distance_to(const Vec3& x, const Vec3& a, const Vec3& b) {
 }  // namespace
 
 Joints::Joints(const mesh::Mesh& mesh) : mesh_(mesh) {
-  if (!mesh.whole) return;
+  if (!mesh.whole || mesh.hinged) return;
   std::vector<char> several(mesh.whole->nodes.size(), 0);
   for (std::size_t n = several.size(); n < mesh.nodes.size(); ++n)
     several[static_cast<std::size_t>(mesh.place[n])] = 1;

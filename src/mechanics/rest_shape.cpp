@@ -112,10 +112,11 @@ double RestShape::size(Index element) const {
 
 // Where supports turned a director of the mesh into a plane, that of the stress-free shape follows.
 void RestShape::take_shape() {
+  const mesh::Mesh& known = mesh_.hinged ? mesh_ : mesh_.uncut();  // the nodes that have normals of their own
   mesh::Mesh free;
-  free.elements = mesh_.uncut().elements;
-  for (Index n = 0; n < static_cast<Index>(mesh_.uncut().nodes.size()); ++n)
-    free.nodes.push_back(model_.rest_node(n));
+  free.elements = known.elements;
+  for (Index n = 0; n < static_cast<Index>(known.nodes.size()); ++n)
+    free.nodes.push_back(model_.rest_node(mesh_.place_of(n)));
   const std::vector<Vec3> normals = mesh::node_normals(free);
   const auto normal_of_mesh = mesh::node_normals(mesh_);
   shape_.resize(mesh_.elements.size());
@@ -128,7 +129,8 @@ void RestShape::take_shape() {
     Shape placed{};
     for (std::size_t a = 0; a < static_cast<std::size_t>(n); ++a) {
       const auto own = node(e, static_cast<int>(a));
-      const auto place = static_cast<std::size_t>(mesh_.place_of(static_cast<Index>(own)));
+      const auto place =
+          mesh_.hinged ? own : static_cast<std::size_t>(mesh_.place_of(static_cast<Index>(own)));
       placed.X[a] = mesh_.nodes[own];
       placed.D[a] = directors_[own];
       shape.X[a] = free.nodes[place];
@@ -161,17 +163,19 @@ void RestShape::lay_flat(Index element) {
   for (Vec3& x : unbent_[i].X) x -= normal.dot(x - middle) * normal;
 }
 
-// At a crease the director of the sheet halves the angle of its sides: towards each it is turned by half.
+// At a crease that is no hinge the director of the sheet halves the angle of its sides: towards each it is
+// turned by half.
 void RestShape::take_creases() {
   std::map<Index, std::vector<std::pair<Vec3, double>>>
       at;  // per place: ways along the crease, and its angle
-  for (const model::CreaseEdge& edge : model::crease_edges(model_)) {
+  auto edges = model::crease_edges(model_);
+  std::erase_if(edges, [](const model::CreaseEdge& edge) { return edge.stiffness.has_value(); });
+  for (const model::CreaseEdge& edge : edges) {
     const Vec3 way = (model_.rest_node(edge.to) - model_.rest_node(edge.from)).normalized();
     at[edge.from].emplace_back(way, edge.angle);
     at[edge.to].emplace_back(-way, edge.angle);
   }
   if (at.empty()) return;
-  const auto edges = model::crease_edges(model_);
   for (Index e = 0; e < static_cast<Index>(shape_.size()); ++e) {
     const auto i = static_cast<std::size_t>(e);
     const int n = corners(mesh_.elements[i]);
@@ -242,7 +246,7 @@ Vec3 RestShape::warp(Index element, const Vec3& X, const Vec3& n) const {
 }
 
 std::vector<Vec3> directors_of_folded(const mesh::Mesh& mesh) {
-  if (mesh.whole) {  // all nodes at a place have the director of the sheet there
+  if (mesh.whole && !mesh.hinged) {  // all nodes at a place have the director of the sheet there
     const std::vector<Vec3> of_places = directors_of_folded(*mesh.whole);
     std::vector<Vec3> all;
     for (const Index place : mesh.place) all.push_back(of_places[static_cast<std::size_t>(place)]);

@@ -43,9 +43,10 @@ struct Mesh {
   };
   std::vector<Part> parts;
 
-  // For a mesh made by split_corners() (corners.hpp): the mesh without its further nodes, whose sets it has;
-  // and for each node the one of that mesh at the same place.
+  // For a mesh made by split_corners() or split_sides() (corners.hpp): the mesh without its further nodes,
+  // whose sets it has; and for each node the one of that mesh at the same place.
   std::shared_ptr<const Mesh> whole;
+  bool hinged = false;  // made by split_sides(): each side of a hinge has normals of its own
   std::vector<Index> place;
   const Mesh& uncut() const { return whole ? *whole : *this; }
   Index place_of(Index node) const { return place.empty() ? node : place[static_cast<std::size_t>(node)]; }

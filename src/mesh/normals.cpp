@@ -5,7 +5,7 @@
 namespace fabricsh::mesh {
 
 std::vector<Vec3> node_normals(const Mesh& mesh) {
-  if (mesh.whole) {  // all nodes at a place have the normal of the sheet there
+  if (mesh.whole && !mesh.hinged) {  // all nodes at a place have the normal of the sheet there
     const std::vector<Vec3> of_places = node_normals(*mesh.whole);
     std::vector<Vec3> normals;
     for (const Index place : mesh.place) normals.push_back(of_places[static_cast<std::size_t>(place)]);

@@ -336,7 +336,10 @@ Fingerprint fingerprint(const Model& model, double duration) {
     add("reference", reference_text(model), [&](PartCollector& part) { add_reference(part, model); });
   if (!model.creases().empty())
     add("creases", "", [&](PartCollector& part) {
-      for (const CreaseEdge& edge : crease_edges(model)) part.add(edge.from, edge.to, edge.angle);
+      for (const CreaseEdge& edge : crease_edges(model)) {
+        part.add(edge.from, edge.to, edge.angle);
+        if (edge.stiffness) part.add(*edge.stiffness);
+      }
     });
   if (!model.strengths().empty())
     add("strengths", "", [&](PartCollector& part) {

@@ -360,7 +360,11 @@ std::vector<Index> Model::elements_of_zones() const {
 }
 
 void Model::divide_zones() {
-  if (!zones_.empty() && !mesh_->whole) mesh_ = mesh::split_corners(mesh_, elements_of_zones());
+  if (mesh_->whole) return;
+  if (!zones_.empty())
+    mesh_ = mesh::split_corners(mesh_, elements_of_zones());
+  else if (const auto hinges = hinge_edges(*this); !hinges.empty())
+    mesh_ = mesh::split_sides(mesh_, hinges);
 }
 
 // The nodes of a periodic tie pair by their places, of which each has only one node.
@@ -591,6 +595,7 @@ void Model::validate() const {
       if (h) h->value(0);
   if (!mesh_->whole) {
     check_zones();
+    check_hinges(*this);
     work_out_ties(*this);
     work_out_seams(*this);
     for (const EdgeBand& b : bands_of_edges_) chain_of(*mesh_, b.set);

@@ -7,7 +7,9 @@
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "geometry/box.hpp"
+#include "mesh/edges.hpp"
 #include "model/model.hpp"
+#include "model/rest_mesh.hpp"
 
 namespace fabricsh::model {
 
@@ -85,7 +87,7 @@ std::vector<CreaseEdge> edges_of(const Model& model, const CreaseGiven& crease) 
     if (elements < 2)
       throw Error("crease: the edge between nodes " + std::to_string(i + 1) + " and " +
                   std::to_string(j + 1) + " is one of the boundary: expected edges with cloth on both sides");
-    found.push_back({i, j, crease.angle * std::numbers::pi / 180});
+    found.push_back({i, j, crease.angle * std::numbers::pi / 180, crease.stiffness});
     for (const Index n : {i, j})
       if (++count[n] > 2)
         throw Error("crease: " + (crease.set.empty() ? "the line" : "set '" + crease.set + "'") +
@@ -105,21 +107,77 @@ std::vector<CreaseEdge> edges_of(const Model& model, const CreaseGiven& crease) 
 
 std::vector<CreaseEdge> crease_edges(const Model& model) {
   std::vector<CreaseEdge> all;
-  std::map<Index, int> count;
+  std::map<Index, int> count, plain;  // of the edges at a place, and of those that are no hinges
   std::map<Edge, int> seen;
   for (const CreaseGiven& crease : model.creases())
     for (const CreaseEdge& edge : edges_of(model, crease)) {
       if (++seen[{edge.from, edge.to}] > 1)
         throw Error("crease: the edge between nodes " + std::to_string(edge.from + 1) + " and " +
                     std::to_string(edge.to + 1) + " is in two creases: expected one angle");
-      for (const Index n : {edge.from, edge.to})
-        if (++count[n] > 2)
+      for (const Index n : {edge.from, edge.to}) {
+        plain[n] += edge.stiffness ? 0 : 1;
+        if (++count[n] > 2 && plain[n] > 0)
           throw Error("crease: creases meet at node " + std::to_string(n + 1) + " at " +
                       place_text(model.rest_node(n)) +
-                      ": expected creases that do not cross, since a node has one director");
+                      ": expected creases that do not cross, or that all have a 'stiffness', since without "
+                      "it a node has one director");
+      }
       all.push_back(edge);
     }
   return all;
+}
+
+std::vector<std::pair<Index, Index>> hinge_edges(const Model& model) {
+  std::vector<std::pair<Index, Index>> hinges;
+  for (const CreaseEdge& edge : crease_edges(model))
+    if (edge.stiffness) hinges.emplace_back(edge.from, edge.to);
+  return hinges;
+}
+
+namespace {
+
+[[noreturn]] void refuse_hinge(const std::string& why) {
+  throw Error("crease: field 'stiffness': expected a model " + why);
+}
+
+}  // namespace
+
+void check_hinges(const Model& model) {
+  const auto hinges = hinge_edges(model);
+  if (hinges.empty()) return;
+  if (model.membrane()) refuse_hinge("whose cloth bends, got a membrane");
+  if (!model.zones().empty()) refuse_hinge("without tearable zones");
+  const mesh::Mesh& mesh = model.mesh().uncut();
+  std::map<Index, bool> at;
+  std::map<Edge, bool> sides;
+  for (const auto& edge : hinges) {
+    sides[edge] = true;
+    at[edge.first] = at[edge.second] = true;
+  }
+  const auto check = [&](const std::string& set, const std::string& what) {
+    for (const Index n : mesh.set(set))
+      if (at.contains(n))
+        refuse_hinge("whose hinges stay away from " + what + ", got node " + std::to_string(n + 1) + " at " +
+                     place_text(model.rest_node(n)) + " of set '" + set + "'");
+  };
+  for (const auto& seam : model.seams())
+    for (const std::string& set : {seam.first, seam.second}) check(set, "seams");
+  for (const auto& tie : model.ties())
+    if (tie.kind == TieKind::periodic)
+      for (const std::string& set : {tie.set, tie.partner}) check(set, "periodic ties");
+  mesh::for_each_edge(mesh::edges(mesh), [&](const mesh::Edge* begin, const mesh::Edge* end) {
+    if (!sides.contains({begin->first, begin->second})) return;
+    if (end - begin != 2 || begin[0].forward == begin[1].forward)
+      refuse_hinge("whose hinges have two sides with normals on one side of the sheet, got " +
+                   std::to_string(end - begin) + " elements at the edge between nodes " +
+                   std::to_string(begin->first + 1) + " and " + std::to_string(begin->second + 1));
+  });
+}
+
+mesh::Mesh rest_mesh(const Model& model) {
+  mesh::Mesh mesh = model.mesh().uncut();
+  for (std::size_t n = 0; n < mesh.nodes.size(); ++n) mesh.nodes[n] = model.rest_node(static_cast<Index>(n));
+  return mesh;
 }
 
 // The parts of a joined mesh follow each other, and so do their stress-free shapes.

@@ -31,17 +31,21 @@ std::string rest_text(const ReferenceGiven& given);
 
 // Along the edges of the stress-free shape between the nodes of a set, or on a line through its places. The
 // normals of both sides are at rest if they differ by the angle; it is positive where they lean towards each
-// other.
+// other. With a stiffness it is a hinge: each side has a director of its own, and the moment between them is
+// that times the angle less the one at rest.
 struct CreaseGiven {
   std::string set;
-  std::vector<Vec3> line;  // m
-  double angle = 0;        // degrees
+  std::vector<Vec3> line;                // m
+  double angle = 0;                      // degrees
+  std::optional<double> stiffness = {};  // N/rad, that is N m/rad per metre of crease; none: it is no hinge
 };
 
-// One edge of a crease: nodes of the mesh without its tearable zones, and the angle, rad.
+// One edge of a crease: nodes of the mesh without further nodes, the angle, rad, and the stiffness of a
+// hinge.
 struct CreaseEdge {
   mesh::Index from, to;
   double angle;
+  std::optional<double> stiffness;
 };
 
 // "model: field 'reference': ..." unless the mesh has the elements of the other.
@@ -49,7 +53,12 @@ void check_reference(const std::string& of, const mesh::Mesh& mesh, const mesh::
 
 // Errors: no edge of the mesh on the line; a set with more than a line of edges.
 std::vector<CreaseEdge> edges_of(const Model& model, const CreaseGiven& crease);
-// Of all creases. Error: creases that meet in more than one line.
+// Of all creases. Error: creases that meet in more than one line and are not all hinges.
 std::vector<CreaseEdge> crease_edges(const Model& model);
+// Of those that are hinges, the places at both ends.
+std::vector<std::pair<mesh::Index, mesh::Index>> hinge_edges(const Model& model);
+// Errors: hinges in a membrane, beside tearable zones, seams or periodic ties; sides that do not face one
+// way.
+void check_hinges(const Model& model);
 
 }  // namespace fabricsh::model

@@ -10,6 +10,7 @@
 #include "base/number.hpp"
 #include "mesh/edges.hpp"
 #include "model/model.hpp"
+#include "model/rest_mesh.hpp"
 
 namespace fabricsh::model {
 
@@ -125,10 +126,11 @@ double distance(const mesh::Mesh& mesh, const Stitch& stitch) {
 
 class Matching {
  public:
-  Matching(const mesh::Mesh& mesh, const Seam& seam, std::size_t which)
-      : mesh_(mesh), seam_(seam), which_(which) {
+  // rest: the same in its stress-free shape, in which the edges have their lengths.
+  Matching(const mesh::Mesh& mesh, const mesh::Mesh& rest, const Seam& seam, std::size_t which)
+      : mesh_(mesh), rest_(rest), seam_(seam), which_(which) {
     if (seam.first == seam.second) refuse(seam, "an edge cannot be sewn to itself: expected two edges");
-    EdgeChain a = chain_of(mesh, seam.first), b = chain_of(mesh, seam.second);
+    EdgeChain a = chain_of(rest, seam.first), b = chain_of(rest, seam.second);
     if (a.ring != b.ring)
       refuse(seam, "set '" + (a.ring ? seam.first : seam.second) +
                        "' is a ring and the other is not: expected two lines or two rings");
@@ -145,7 +147,7 @@ class Matching {
   }
 
   std::vector<Stitch> stitches() {
-    const std::vector<Stitch> plain = matched(coarse_), other = matched(turned(mesh_, coarse_));
+    const std::vector<Stitch> plain = matched(coarse_), other = matched(turned(rest_, coarse_));
     const double as_is = apart(plain), the_other = apart(other);
     const bool equal = std::abs(as_is - the_other) <= kEqual * (as_is + the_other);
     if (equal && !seam_.reverse)
@@ -220,8 +222,8 @@ class Matching {
         at = i;
         other = j;
       }
-    fine_ = from(mesh_, std::move(fine_), at);
-    coarse_ = from(mesh_, std::move(coarse_), other);
+    fine_ = from(rest_, std::move(fine_), at);
+    coarse_ = from(rest_, std::move(coarse_), other);
   }
   // Both edges may meet in a node, as at the tip of a dart, but nowhere else.
   void check_shared(const std::vector<Stitch>& stitches) const {
@@ -241,7 +243,7 @@ class Matching {
                           "or a time in which they are drawn together (field 'over', s)");
   }
 
-  const mesh::Mesh& mesh_;
+  const mesh::Mesh &mesh_, &rest_;
   const Seam& seam_;
   std::size_t which_;
   bool swapped_ = false;  // the second edge has more nodes
@@ -297,8 +299,10 @@ EdgeChain chain_of(const mesh::Mesh& mesh, const std::string& set) {
 
 std::vector<Stitch> work_out_seams(const Model& model) {
   std::vector<Stitch> all;
+  if (model.seams().empty()) return all;
+  const mesh::Mesh rest = rest_mesh(model);
   for (std::size_t i = 0; i < model.seams().size(); ++i) {
-    auto own = Matching(model.mesh().uncut(), model.seams()[i], i).stitches();
+    auto own = Matching(model.mesh().uncut(), rest, model.seams()[i], i).stitches();
     all.insert(all.end(), own.begin(), own.end());
   }
   check_nodes(model, all);

@@ -132,6 +132,7 @@ class Builder {
           break;
       }
     }
+    if (mesh_.hinged) join_sides();
   }
 
   Ties finish() {
@@ -201,6 +202,14 @@ class Builder {
       if (tie.freedoms.rotation) follow(b[i], 3, {{a[i], 1}});
     }
   }
+  // The sides of a hinge share their place, which supports may hold.
+  void join_sides() {
+    for (mesh::Index n = 0; n < static_cast<mesh::Index>(mesh_.nodes.size()); ++n)
+      for (int c = 0; c < 3 && mesh_.place_of(n) != n && !in_body_.contains(n); ++c) {
+        const Leads leads{{mesh_.place_of(n), 1}};
+        if (!first_.emplace(Key(n, c), leads).second) again_.emplace_back(Key(n, c), leads);
+      }
+  }
   // Replaces leads that are followers themselves by their leads, until none is.
   Leads resolved(int component, const Leads& leads, int depth = 0) const {
     if (depth > 100) tie_clash(leads.front().node, std::string(kNames[component]) + " is tied in a circle");
@@ -237,7 +246,7 @@ class Builder {
 }  // namespace
 
 Ties work_out_ties(const Model& model) {
-  if (model.ties().empty()) return {};
+  if (model.ties().empty() && !model.mesh().hinged) return {};
   return Builder(model).finish();
 }
 

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "geometry/node_view.hpp"
+#include "mesh/corners.hpp"
 #include "mesh/edges.hpp"
 
 namespace fabricsh::run {
@@ -20,13 +21,6 @@ Vec3 area_vector(const std::array<mesh::Index, 4>& e, std::span<const double> x)
 
 double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
-// The node of an element at this place of the mesh without further nodes.
-mesh::Index node_at(const mesh::Mesh& mesh, mesh::Index element, mesh::Index place) {
-  for (const mesh::Index n : mesh.elements[static_cast<std::size_t>(element)])
-    if (n >= 0 && mesh.place_of(n) == place) return n;
-  return -1;
-}
-
 }  // namespace
 
 Folds::Folds(const mesh::Mesh& mesh) : mesh_(mesh) {
@@ -35,8 +29,8 @@ Folds::Folds(const mesh::Mesh& mesh) : mesh_(mesh) {
     Hinge h{begin[0].element, begin[1].element, {}, {}};
     const mesh::Index places[] = {begin->first, begin->second};
     for (int i = 0; i < 2; ++i) {
-      h.ends[i] = node_at(mesh, h.element, places[i]);
-      h.other_ends[i] = node_at(mesh, h.other, places[i]);
+      h.ends[i] = mesh::node_at(mesh, h.element, places[i]);
+      h.other_ends[i] = mesh::node_at(mesh, h.other, places[i]);
     }
     hinges_.push_back(h);
   });

@@ -148,7 +148,7 @@ class Linearised {
   static std::shared_ptr<model::Model> compiled(const std::shared_ptr<model::Model>& model) {
     model->validate();
     model->divide_zones();
-    if (!model->zones().empty()) model->seal();  // its mesh is another one from here on
+    if (model->mesh().whole) model->seal();  // its mesh is another one from here on
     return model;
   }
   void refuse_bodies() const {

@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "base/suggest.hpp"
 #include "mechanics/terms/contact.hpp"
+#include "mechanics/terms/hinges.hpp"
 #include "mechanics/terms/tears.hpp"
 #include "run/recovery.hpp"
 #include "run/run.hpp"
@@ -86,6 +87,20 @@ struct ResultFieldTable {
          "1 where a joint of a tearable zone is open, or a seam has been opened or has burst; 0 elsewhere",
          {"joint_open"},
          values});
+    rows.back().usual = false;
+  }
+  void creased() {
+    const auto values = [](const Run& run, mesh::Index i, const std::string&, double* out) {
+      const auto* const hinges = run.assembly().terms().find<mechanics::Hinges>();
+      *out = hinges != nullptr ? hinges->angle_at(i) : 0;
+    };
+    rows.push_back({"crease_angle",
+                    "degrees",
+                    FieldShape::scalar,
+                    FieldPlace::node,
+                    "angle at creases with a stiffness, the largest at the node; 0 elsewhere",
+                    {"crease_angle"},
+                    values});
     rows.back().usual = false;
   }
   void average(std::string name, std::string unit, FieldShape shape, std::string sentence, Names components,
@@ -223,6 +238,7 @@ ResultFieldTable make_table() {
       "contact_pressure", "Pa",
       "normal pressure of contact, without friction; that on the front and that on the back of a sheet added",
       &mechanics::Contacts::pressure);
+  t.creased();
   t.joined();
   t.torn("rupture_warp", 0);
   t.torn("rupture_weft", 1);

@@ -33,7 +33,7 @@ constexpr double kBeyondTested = 1.02;
 std::string zones_text(const model::Model& model) {
   constexpr double bytes = 1e3;  // of a node, measured; one in a run of 1e5 elements
   const mesh::Mesh& mesh = model.mesh();
-  if (!mesh.whole) return {};
+  if (!mesh.whole || mesh.hinged) return {};
   const auto further = mesh.nodes.size() - mesh.whole->nodes.size();
   return "tearable zones: " + std::to_string(further) + " further nodes at the corners of elements, about " +
          number(1e-6 * bytes * static_cast<double>(further), 2) + " MB" +

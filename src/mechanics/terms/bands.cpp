@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/node_view.hpp"
+#include "model/rest_mesh.hpp"
 
 namespace fabricsh::mechanics {
 
@@ -14,8 +15,9 @@ constexpr double kTaut = 1e-9;  // a strain above minus this is one of a taut ba
 }  // namespace
 
 EdgeBands::EdgeBands(const model::Model& model) : bands_(model.bands()) {
+  const mesh::Mesh rest = model::rest_mesh(model);
   for (std::size_t i = 0; i < bands_.size(); ++i) {
-    const model::EdgeChain chain = model::chain_of(model.mesh().uncut(), bands_[i].set);
+    const model::EdgeChain chain = model::chain_of(rest, bands_[i].set);
     const std::size_t count = chain.nodes.size();
     for (std::size_t k = 0; k + (chain.ring ? 0 : 1) < count; ++k) {
       const bool last = k + 1 == count;

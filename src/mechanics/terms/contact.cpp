@@ -31,7 +31,12 @@ Vec3 centre_of(const model::Model& model) {
   return centre;
 }
 
-// Of surfaces whose corners are the leaders of joints.
+// The point of contact of a node: the leader of its joint, or the place that the sides of a hinge share.
+Index point_of(Index node, const mesh::Mesh& mesh, const Joints& joints) {
+  return mesh.hinged ? mesh.place_of(node) : joints.leader(node);
+}
+
+// Of surfaces whose corners are these points.
 contact::Scene scene_of(const model::Model& model, const model::Surfaces& surfaces, const Joints& joints) {
   const auto& mesh = model.mesh();
   contact::Scene scene(mesh.nodes);
@@ -41,7 +46,7 @@ contact::Scene scene_of(const model::Model& model, const model::Surfaces& surfac
     for (const Index e : elements) {
       rows.push_back(mesh.elements[e]);
       for (Index& n : rows.back())
-        if (n >= 0) n = joints.leader(n);
+        if (n >= 0) n = point_of(n, mesh, joints);
     }
     scene.add_cloth(rows, centre);
   }
@@ -768,8 +773,12 @@ Contacts::NearestPair Contacts::nearest() const {
   return {found.gap, found.point};
 }
 
-double Contacts::gap(Index node) const { return read().at_points.gap[joints_.leader(node)]; }
+double Contacts::gap(Index node) const {
+  return read().at_points.gap[point_of(node, model_.mesh(), joints_)];
+}
 
-double Contacts::pressure(Index node) const { return read().at_points.pressure[joints_.leader(node)]; }
+double Contacts::pressure(Index node) const {
+  return read().at_points.pressure[point_of(node, model_.mesh(), joints_)];
+}
 
 }  // namespace fabricsh::mechanics

@@ -13,7 +13,8 @@ namespace fabricsh::mechanics {
 void Contacts::find_masses() {
   inverse_mass_.assign(x_.size(), 0);
   std::vector<double> mass(nodes_, 0);
-  for (std::size_t n = 0; n < nodes_; ++n) mass[joints_.leader(static_cast<Index>(n))] += cloth_.mass()[n];
+  for (std::size_t n = 0; n < nodes_; ++n)
+    mass[model_.mesh().hinged ? model_.mesh().place_of(n) : joints_.leader(n)] += cloth_.mass()[n];
   for (std::size_t n = 0; n < nodes_; ++n) {
     const auto& eq = freedoms_.nodes[n].equation;
     const bool moves = std::any_of(eq.begin(), eq.begin() + 3, [](Index e) { return e >= 0 || e == tied; });

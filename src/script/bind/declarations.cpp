@@ -174,7 +174,9 @@ void add_supports(const Model& m, Rows& rows) {
   for (const auto& s : m.strengths())
     rows.row("strength", s.set).number("factor", s.factor).number("modulus", s.modulus);
   for (const auto& c : m.creases())
-    rows.row("crease", c.set.empty() ? "a line" : c.set).number("angle", c.angle);
+    rows.row("crease", c.set.empty() ? "a line" : c.set)
+        .number("angle", c.angle)
+        .number("stiffness", c.stiffness);
   for (const auto& b : m.bands())
     rows.row("band", b.set).number("stiffness", b.stiffness).number("ease", b.ease).number("over", b.over);
   for (const auto& s : m.seams())

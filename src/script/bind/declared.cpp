@@ -184,7 +184,9 @@ void add_supports(const Model& m, std::vector<Declared>& all) {
                              (s.modulus > 0 ? ", Weibull modulus " + brief_number(s.modulus) : ""));
   DeclaredRows creased(all, "crease", DeclarationKind::crease);
   for (const auto& c : m.creases())
-    creased.add(c.set.empty() ? "line" : c.set, "at rest at " + brief_number(c.angle) + " degrees");
+    creased.add(c.set.empty() ? "line" : c.set,
+                "at rest at " + brief_number(c.angle) + " degrees" +
+                    (c.stiffness ? ", " + brief_number(*c.stiffness) + " N/rad" : ""));
   DeclaredRows banded(all, "band", DeclarationKind::band);
   for (const auto& b : m.bands())
     banded.add(b.set, brief_number(b.stiffness) + " N, " + brief_number(100 * b.ease) + " % shorter" +

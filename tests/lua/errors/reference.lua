@@ -68,7 +68,29 @@ wrong("fabric.static", "model:crease{ line={ {0, 0.0254, 0}, {0.0254, 0.0254, 0}
 wrong("fabric.static", "local m = fabric.mesh.rectangle{ width=0.04, height=0.04, nx=2, ny=2 } "
   .. "local both = fabric.model{ mesh=m, card=card }:crease{ line={ {0.02, 0, 0}, {0.02, 0.04, 0} }, angle=90 }:crease{ line={ {0, 0.02, 0}, {0.04, 0.02, 0} }, angle=90 } "
   .. "fabric.static{ model=both, duration=1 }",
-  "deck.lua:1: static: crease: creases meet at node 5 at (0.02, 0.02, 0) m: expected creases that do not cross, since a node has one director")
+  "deck.lua:1: static: crease: creases meet at node 5 at (0.02, 0.02, 0) m: expected creases that do not cross, or that all have a 'stiffness', since without it a node has one director")
+
+-- Creases that are hinges.
+wrong("model:crease", "model:crease{ set='left', angle=90, stiffness=-1 }",
+  "deck.lua:1: crease: field 'stiffness': expected a number from 0 to 1e+06 in N/rad, got -1")
+wrong("model:crease", "model:crease{ set='left', angle=90, stiffness='soft' }",
+  "deck.lua:1: crease: field 'stiffness': expected a number from 0 to 1e+06 in N/rad, got 'soft'")
+local hinge = ":crease{ line={ {0, 0.0254, 0}, {0.0254, 0.0254, 0} }, angle=90, stiffness=1e-3 } "
+wrong("fabric.static", "local m = fabric.model{ mesh=mesh, card=card, membrane=true }" .. hinge .. "fabric.static{ model=m, duration=1 }",
+  "deck.lua:1: static: crease: field 'stiffness': expected a model whose cloth bends, got a membrane")
+wrong("fabric.static", "local m = fabric.model{ mesh=mesh, card=card }" .. hinge .. "m:tearable 'all' fabric.static{ model=m, duration=1 }",
+  "deck.lua:1: static: crease: field 'stiffness': expected a model without tearable zones")
+wrong("fabric.static", "local m = fabric.model{ mesh=mesh, card=card }" .. hinge
+  .. "m:tie('periodic', 'left', 'right', 'x') fabric.static{ model=m, duration=1 }",
+  "deck.lua:1: static: crease: field 'stiffness': expected a model whose hinges stay away from periodic ties, got node 3 at (0, 0.0254, 0) m of set 'left'")
+wrong("fabric.static", "local m = fabric.model{ bodies={ { name='a', mesh=mesh, card=card }, "
+  .. "{ name='b', mesh=fabric.mesh.rectangle{ width=0.0254, height=0.0762, nx=1, ny=3, origin={0.0254, 0} }, card=card } } }" .. hinge
+  .. "m:seam{ 'a.right', 'b.left', over=1 } fabric.static{ model=m, duration=1 }",
+  "deck.lua:1: static: crease: field 'stiffness': expected a model whose hinges stay away from seams, got node 4 at (0.0254, 0.0254, 0) m of set 'a.right'")
+wrong("fabric.static", "local m = fabric.mesh.rectangle{ width=0.04, height=0.04, nx=2, ny=2 } "
+  .. "local both = fabric.model{ mesh=m, card=card }:crease{ line={ {0.02, 0, 0}, {0.02, 0.04, 0} }, angle=90 }:crease{ line={ {0, 0.02, 0}, {0.04, 0.02, 0} }, angle=90, stiffness=1 } "
+  .. "fabric.static{ model=both, duration=1 }",
+  "deck.lua:1: static: crease: creases meet at node 5 at (0.02, 0.02, 0) m: expected creases that do not cross, or that all have a 'stiffness', since without it a node has one director")
 
 -- fabric.lab.form_finding
 wrong("fabric.lab.form_finding", "fabric.lab.form_finding{ mseh=mesh }",

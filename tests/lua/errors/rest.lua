@@ -113,7 +113,7 @@ wrong("fabric.render", "fabric.render{ file='x.png', run={} }",
 wrong("fabric.render", "fabric.render{ file='x.png', run={ 5 } }",
   "deck.lua:1: render: field 'run': expected an analysis at place 1, got 5")
 wrong("fabric.render", "fabric.render{ file='x', field='noen' }",
-  "deck.lua:1: render: field 'field': got 'noen', did you mean 'none'? Expected one of 62 names, 'none' to 'region' (help, or reference.md, lists them)")
+  "deck.lua:1: render: field 'field': got 'noen', did you mean 'none'? Expected one of 63 names, 'none' to 'region' (help, or reference.md, lists them)")
 wrong("fabric.render", "fabric.render{ file='x', factor='1' }",
   "deck.lua:1: render: field 'factor': expected a number, got '1'")
 wrong("fabric.render", "fabric.render{ file='x', range={1, 'two'} }",
@@ -185,7 +185,7 @@ wrong("fabric.plot", "fabric.plot{ file='x.doc', curves={ {x={1, 2}, y={1, 2}} }
 wrong("fabric.render", "fabric.render{ file='x.png' }",
   "deck.lua:1: render: field 'vtu': expected either vtu or run, got neither")
 wrong("fabric.render", "fabric.render{ file='x.png', vtu='none.vtu', field='S1' }",
-  "deck.lua:1: render: field 'field': got 'S1', did you mean 'S11'? Expected one of 62 names, 'none' to 'region' (help, or reference.md, lists them)")
+  "deck.lua:1: render: field 'field': got 'S1', did you mean 'S11'? Expected one of 63 names, 'none' to 'region' (help, or reference.md, lists them)")
 wrong("lua", "error()",
   "nil")
 wrong("lua", "error 'a text'",

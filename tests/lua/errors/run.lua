@@ -39,9 +39,9 @@ wrong("analysis:every", "run:every(1, 'f')",
 
 -- analysis:field
 wrong("analysis:field", "run:field()",
-  "deck.lua:1: field: argument 'name': expected one of 70 names, 'rupture_warp' to 'error' (help, or reference.md, lists them), got nil (missing, or a misspelt variable)")
+  "deck.lua:1: field: argument 'name': expected one of 71 names, 'rupture_warp' to 'error' (help, or reference.md, lists them), got nil (missing, or a misspelt variable)")
 wrong("analysis:field", "run:field('storde')",
-  "deck.lua:1: field: argument 'name': got 'storde', did you mean 'stored'? Expected one of 70 names, 'rupture_warp' to 'error' (help, or reference.md, lists them)")
+  "deck.lua:1: field: argument 'name': got 'storde', did you mean 'stored'? Expected one of 71 names, 'rupture_warp' to 'error' (help, or reference.md, lists them)")
 
 wrong("analysis:field", "run:field('S11', 5)",
   "deck.lua:1: field: argument 'options': expected a table {at, region}, got 5")
@@ -62,9 +62,9 @@ wrong("analysis:field", "run:field('region', { at='nodes' })",
 
 -- analysis:mean
 wrong("analysis:mean", "run:mean()",
-  "deck.lua:1: mean: argument 'name': expected one of 56 names, 'rupture_warp' to 'joint_open' (help, or reference.md, lists them), got nil (missing, or a misspelt variable)")
+  "deck.lua:1: mean: argument 'name': expected one of 57 names, 'rupture_warp' to 'joint_open' (help, or reference.md, lists them), got nil (missing, or a misspelt variable)")
 wrong("analysis:mean", "run:mean('storde')",
-  "deck.lua:1: mean: argument 'name': got 'storde', did you mean 'stored'? Expected one of 56 names, 'rupture_warp' to 'joint_open' (help, or reference.md, lists them)")
+  "deck.lua:1: mean: argument 'name': got 'storde', did you mean 'stored'? Expected one of 57 names, 'rupture_warp' to 'joint_open' (help, or reference.md, lists them)")
 wrong("analysis:mean", "run:mean('E11', 7)",
   "deck.lua:1: mean: argument 'set': expected a string, got 7")
 
@@ -245,7 +245,7 @@ wrong("analysis:event", "run:event{ value=function() return 'x' end } run:solve(
 wrong("analysis:advance", "run:advance(0.5):advance(0.25)",
   "deck.lua:1: advance: expected a time from 0.5 s, where the run is, got 0.25 s (restore(snapshot) goes back)")
 wrong("analysis:mean", "run:mean 'S1'",
-  "deck.lua:1: mean: argument 'name': got 'S1', did you mean 'S11'? Expected one of 56 names, 'rupture_warp' to 'joint_open' (help, or reference.md, lists them)")
+  "deck.lua:1: mean: argument 'name': got 'S1', did you mean 'S11'? Expected one of 57 names, 'rupture_warp' to 'joint_open' (help, or reference.md, lists them)")
 wrong("analysis:mean", "run:mean('S11', 'bottom')",
   "deck.lua:1: mean: set 'bottom' holds no whole element")
 wrong("analysis:node", "run:node(99)",
