@@ -202,7 +202,7 @@ class AbaqusReader {
         if (!parse_fortran(fields[i + k], x[static_cast<Eigen::Index>(k)]))
           source_.fail("element " + std::to_string(rest_element_) + ": expected a coordinate, got " +
                        in_quotes(fields[i + k]));
-      mesh_.rest_corner("INITIAL CONDITIONS, TYPE=REF COORDINATE", place_, rest_element_, rest_corner_++, x);
+      mesh_.rest_corner("*INITIAL CONDITIONS, TYPE=REF COORDINATE", place_, rest_element_, rest_corner_++, x);
     }
   }
 

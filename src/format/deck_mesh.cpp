@@ -90,6 +90,7 @@ void DeckMesh::collect(const Members& members) {
 void DeckMesh::add_sets() {
   for (const auto& [key, set] : node_sets_) builder_.add_to_set(set.name, set.numbers);
   for (const auto& [key, set] : element_sets_) {
+    if (set.name.empty()) continue;
     Numbers nodes;
     for (const std::int64_t number : set.numbers) {
       const DeckElement& e = elements_.at(number);
@@ -114,21 +115,37 @@ void DeckMesh::pass_over(const std::string& statement, std::size_t place) {
 
 void DeckMesh::rest_node(const std::string& keyword, std::size_t place, std::int64_t number,
                          const Vec3& position) {
+  add_rest(keyword, place, {-1, number, position, place});
+}
+
+DeckMesh::RestCorner& DeckMesh::add_rest(const std::string& keyword, std::size_t place,
+                                         const RestCorner& corner) {
   if (rest_.empty()) rest_keyword_ = keyword, rest_place_ = place;
-  rest_.push_back({-1, number, position, place});
+  return rest_.emplace_back(corner);
+}
+
+void DeckMesh::rest_element(const std::string& keyword, std::size_t place, std::int64_t element,
+                            const std::vector<std::int64_t>& nodes) {
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    add_rest(keyword, place, {element, static_cast<std::int64_t>(i), Vec3::Zero(), place}).like = nodes[i];
 }
 
 void DeckMesh::rest_corner(const std::string& keyword, std::size_t place, std::int64_t element,
                            std::size_t corner, const Vec3& position) {
-  if (rest_.empty()) rest_keyword_ = keyword, rest_place_ = place;
-  rest_.push_back({element, static_cast<std::int64_t>(corner), position, place});
+  add_rest(keyword, place, {element, static_cast<std::int64_t>(corner), position, place});
 }
 
-// Nodes that it does not name stay where they are. Where it is given element by element, elements have to
-// agree about the nodes that they share.
+// Nodes that it does not name stay where they are. Where it is given element by element, or part by part,
+// these have to agree about the nodes that they share.
 void DeckMesh::take_rest() {
   constexpr double same = 1e-6;  // of the size of the shape
   std::vector<Vec3> all;
+  for (RestCorner& one : rest_) {
+    if (one.like < 0) continue;
+    if (!builder_.has_node(one.like))
+      fail_at(one.place, "node " + std::to_string(one.like) + " is not in the file");
+    one.position = builder_.position(one.like);
+  }
   for (const RestCorner& one : rest_) all.push_back(one.position);
   const double near = same * box_of(all).size().norm();
   std::unordered_map<std::int64_t, Vec3> at;
@@ -143,24 +160,28 @@ void DeckMesh::take_rest() {
     }
     if (!builder_.has_node(node)) fail_at(one.place, "node " + std::to_string(node) + " is not in the file");
     const auto [place, is_new] = at.emplace(node, one.position);
-    if (!is_new && one.element >= 0 && (place->second - one.position).norm() > near)
-      fail_at(one.place, "*" + rest_keyword_ + ": element " + std::to_string(one.element) + " has node " +
-                             std::to_string(node) +
-                             " at another place than an element before: expected one shape of all elements");
+    if (!is_new && (place->second - one.position).norm() > near)
+      fail_at(one.place,
+              rest_keyword_ + ": " +
+                  (one.element >= 0 ? "element " + std::to_string(one.element) + " has node " +
+                                          std::to_string(node) + " at another place than an element before"
+                                    : "node " + std::to_string(node) + " has another place before") +
+                  ": expected one shape of all elements");
     builder_.move_node(node, one.position);
   }
 }
 
 mesh::Mesh DeckMesh::finish(bool at_rest, std::vector<std::string>* remarks) {
   if (at_rest && rest_.empty())
-    throw Error(source_.name() +
-                ": field 'reference': the file has no stress-free shape that is read "
-                "(*AIRBAG_REFERENCE_GEOMETRY, *INITIAL_FOAM_REFERENCE_GEOMETRY; *INITIAL CONDITIONS, "
-                "TYPE=REF COORDINATE)");
+    throw Error(
+        source_.name() +
+        ": field 'reference': the file has no stress-free shape that is read "
+        "(*AIRBAG_REFERENCE_GEOMETRY, *AIRBAG_SHELL_REFERENCE_GEOMETRY, *INITIAL_FOAM_REFERENCE_GEOMETRY; "
+        "*INITIAL CONDITIONS, TYPE=REF COORDINATE; /XREF, /EREF)");
   if (at_rest) take_rest();
   if (!at_rest && !rest_.empty() && remarks != nullptr) {
     source_.move_to(rest_place_);
-    remarks->push_back(source_.at_place("*" + rest_keyword_ +
+    remarks->push_back(source_.at_place(rest_keyword_ +
                                         " gives a stress-free shape, which this mesh leaves out: "
                                         "fabric.mesh.read{ file=..., reference=true } reads it, for "
                                         "reference= of a model"));

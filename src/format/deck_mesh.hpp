@@ -37,14 +37,17 @@ class DeckMesh {
 
   void add_node(std::int64_t number, const Vec3& position) { builder_.add_node(number, position); }
   bool has_node(std::int64_t number) const { return builder_.has_node(number); }
-  // The place of a node in the stress-free shape that the deck gives with a keyword; by its number, or as a
-  // corner of an element, from 0.
+  // The place of a node in the stress-free shape that the deck gives with a keyword ("/XREF"); by its number,
+  // or as a corner of an element, from 0; or of all corners of an element by other nodes that are there.
   void rest_node(const std::string& keyword, std::size_t place, std::int64_t number, const Vec3& position);
   void rest_corner(const std::string& keyword, std::size_t place, std::int64_t element, std::size_t corner,
                    const Vec3& position);
+  void rest_element(const std::string& keyword, std::size_t place, std::int64_t element,
+                    const std::vector<std::int64_t>& nodes);
   // 1 to 4 nodes, which are looked up when all of the deck is read; fewer than 3 count for sets alone.
   void add_element(std::int64_t number, std::size_t place, const std::vector<std::int64_t>& corners);
-  // The set as it will be called; the first spelling of a key stays.
+  // The set as it will be called; the first spelling of a key stays. A set of elements without a name is for
+  // other sets alone.
   void name_set(const std::string& key, Of of, const std::string& name);
   void add(Members members) { members_.push_back(std::move(members)); }
   void add(const std::string& set, Of of, std::size_t place, std::int64_t number);
@@ -70,8 +73,10 @@ class DeckMesh {
     std::int64_t corner;
     Vec3 position;
     std::size_t place;
+    std::int64_t like = -1;  // the node whose position it is
   };
   void take_rest();
+  RestCorner& add_rest(const std::string& keyword, std::size_t place, const RestCorner& corner);
   [[noreturn]] void fail_at(std::size_t place, const std::string& why);
   Numbers of_range(const Members& members, const NumberRange& range);
   void collect(const Members& members);

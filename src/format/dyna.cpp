@@ -91,6 +91,9 @@ class DynaReader {
       open_set(word, Of::nodes, word.substr(8));
     } else if (begins(word, "SET_SHELL")) {
       open_set(word, Of::elements, word.substr(9));
+    } else if (begins(word, "AIRBAG_SHELL_REFERENCE_GEOMETRY")) {
+      open_rest(word);
+      elementwise_ = true;
     } else if (begins(word, "AIRBAG_REFERENCE_GEOMETRY") || begins(word, "INITIAL_FOAM_REFERENCE_GEOMETRY")) {
       open_rest(word);
     } else {
@@ -101,7 +104,8 @@ class DynaReader {
 
   // Cards with the birth time or a curve come first, and one with scales.
   void open_rest(const std::string& word) {
-    rest_ = word;
+    rest_ = "*" + word;
+    elementwise_ = false;
     scaled_ = word.find("_ID") != word.npos;
     skip_ = word.find("_BIRTH") != word.npos || word.find("_RAMP") != word.npos ? 1 : 0;
     card_ = &DynaReader::rest;
@@ -112,8 +116,19 @@ class DynaReader {
       --skip_;
       return;
     }
+    if (elementwise_) return rest_shell(card);
     const auto f = fields(card, {8, 16, 16, 16});
     mesh_.rest_node(rest_, place_, whole(f[0], "the number of a node"), coordinates(f));
+  }
+  // The element, its part and the nodes at whose places its own have no stress.
+  void rest_shell(std::string_view card) {
+    const auto f = fields(card, {8, 8, 8, 8, 8, 8});
+    if (f.size() < 5) source_.fail("expected element, part and 3 or 4 nodes, got " + in_quotes(card));
+    std::vector<std::int64_t> nodes;
+    for (std::size_t i = 2; i < std::min<std::size_t>(f.size(), 6); ++i)
+      nodes.push_back(whole(f[i], "the number of a node"));
+    nodes.resize(nodes.size() < 4 || nodes[3] == 0 || nodes[3] == nodes[2] ? 3 : 4);
+    mesh_.rest_element(rest_, place_, whole(f[0], "the number of an element"), nodes);
   }
   void rest_scales(std::string_view card) {
     scaled_ = false;
@@ -121,7 +136,7 @@ class DynaReader {
     for (std::size_t i = 1; i < std::min<std::size_t>(f.size(), 4); ++i) {
       double scale = 1;
       if (f[i].empty() || (parse_fortran(f[i], scale) && (scale == 1 || scale == 0))) continue;
-      leave_out(rest_, "is scaled");
+      leave_out(rest_.substr(1), "is scaled");
       card_ = nullptr;
       return;
     }
@@ -132,7 +147,6 @@ class DynaReader {
   }
 
   void refuse(const std::string& word) const {
-    if (begins(word, "AIRBAG_SHELL_REFERENCE_GEOMETRY")) leave_out(word, "gives elements other nodes");
     if (begins(word, "INCLUDE"))
       source_.fail(
           "*" + word +
@@ -283,7 +297,8 @@ class DynaReader {
   bool all_long_ = false, long_ = false, titled_ = false;
   int more_ = 0, skip_ = 0;  // cards behind that of an element, which hold nothing of the mesh
   std::string set_, title_, rest_;
-  bool scaled_ = false;  // the next card has the scales of a stress-free shape
+  bool elementwise_ = false;  // that shape is given by other nodes of the elements
+  bool scaled_ = false;       // the next card has the scales of a stress-free shape
   Remarks* remarks_ = nullptr;
   Of of_ = Of::nodes;
   std::map<std::int64_t, std::vector<std::int64_t>> parts_;  // elements of each

@@ -22,6 +22,10 @@ class MeshBuilder {
   void add_node(std::int64_t number, const Vec3& position);
   // To another place. The node must exist. Error: a coordinate that is not finite.
   void move_node(std::int64_t number, const Vec3& position);
+  // Of a node that must exist.
+  const Vec3& position(std::int64_t number) const {
+    return mesh_.nodes[static_cast<std::size_t>(places_.at(number))];
+  }
   bool has_node(std::int64_t number) const { return places_.contains(number); }
   std::size_t nodes() const { return mesh_.nodes.size(); }
   std::size_t elements() const { return mesh_.elements.size(); }

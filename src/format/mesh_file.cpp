@@ -71,7 +71,7 @@ constexpr MeshFormat forms[] = {
     {".inp", read_abaqus, write_text<abaqus_text>, read_abaqus_at_rest},
     {".k", read_dyna, write_text<dyna_text>, read_dyna_at_rest},
     {".key", read_dyna, nullptr, read_dyna_at_rest},
-    {".rad", nullptr, write_text<radioss_text>},
+    {".rad", read_radioss, write_text<radioss_text>, read_radioss_at_rest},
 };
 
 // The endings of the forms that have the function, ".obj, .stl or .ply".
@@ -128,6 +128,12 @@ mesh::Mesh read_mesh(const std::string& path, Remarks* remarks) {
 
 mesh::Mesh read_mesh_at_rest(const std::string& path, Remarks* remarks) {
   return read_by(function_of(path, &MeshFormat::read_at_rest, "read a stress-free shape of"), path, remarks);
+}
+
+bool states_units(const std::string& path) {
+  if (ending(path) != ".rad") return false;
+  const std::string bytes = read_file(path);
+  return bytes.starts_with("/BEGIN") || bytes.find("\n/BEGIN") != bytes.npos;
 }
 
 void write_mesh(const std::string& path, const mesh::Mesh& mesh) {

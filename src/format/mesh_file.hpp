@@ -12,20 +12,23 @@ namespace fabricsh::format {
 
 // .msh (Gmsh 2 and 4.1, text and binary; physical groups become sets), .vtu and .vtk (integer arrays become
 // sets), .obj (groups become sets), .inp of Abaqus and CalculiX, .k of LS-DYNA (sets of nodes and of
-// elements; parts, if there are several), .stl (equal vertices are joined; solids, if there are several),
-// .ply. Reads triangles and quadrilaterals; lines and points are used for sets only. Nodes that no element
-// uses are dropped; the sets all and boundary are added if missing. What a file can legally lack, but one
-// that was cut short lacks as well, is said in the remarks: the *END of a .k, *END STEP and the like of an
-// .inp, the end of the last line of an .inp or .obj. So is what was passed over or changed (statements of an
-// .obj, facets without area of an .stl, faces of many corners cut into triangles), and a size that no cloth
-// has.
+// elements; parts, if there are several), .rad of OpenRadioss (groups; parts as well; lengths in the units
+// that it states, else in m), .stl (equal vertices are joined; solids, if there are several), .ply. Reads
+// triangles and quadrilaterals; lines and points are used for sets only. Nodes that no element uses are
+// dropped; the sets all and boundary are added if missing. What a file can legally lack, but one that was cut
+// short lacks as well, is said in the remarks: the *END of a .k, the /END of a .rad, *END STEP and the like
+// of an .inp, the end of the last line of an .inp or .obj. So is what was passed over or changed (statements
+// of an .obj, facets without area of an .stl, faces of many corners cut into triangles), and a size that no
+// cloth has.
 using Remarks = std::vector<std::string>;
 inline constexpr const char* no_line_end =
     "the last line has no end; if the file was cut short, part of the mesh is missing";
 mesh::Mesh read_mesh(const std::string& path, Remarks* remarks = nullptr);
-// The same mesh in the stress-free shape that an .inp or a .k has beside it; read_mesh names such a shape in
-// a remark. Error: there is none.
+// The same mesh in the stress-free shape that an .inp, a .k or a .rad has beside it; read_mesh names such a
+// shape in a remark. Error: there is none.
 mesh::Mesh read_mesh_at_rest(const std::string& path, Remarks* remarks = nullptr);
+// Whether the file states what its lengths are, so that they are m when it has been read: a .rad with /BEGIN.
+bool states_units(const std::string& path);
 // With sets of nodes: .vtu (point arrays of 0 and 1), .msh (Gmsh 4.1 text: physical points), .inp, .k, .rad;
 // the surface alone: .obj, .ply, .stl.
 void write_mesh(const std::string& path, const mesh::Mesh& mesh);
@@ -42,6 +45,8 @@ mesh::Mesh read_abaqus(const std::string& name, std::string_view bytes, Remarks*
 mesh::Mesh read_dyna(const std::string& name, std::string_view bytes, Remarks* remarks = nullptr);
 mesh::Mesh read_abaqus_at_rest(const std::string& name, std::string_view bytes, Remarks* remarks = nullptr);
 mesh::Mesh read_dyna_at_rest(const std::string& name, std::string_view bytes, Remarks* remarks = nullptr);
+mesh::Mesh read_radioss(const std::string& name, std::string_view bytes, Remarks* remarks = nullptr);
+mesh::Mesh read_radioss_at_rest(const std::string& name, std::string_view bytes, Remarks* remarks = nullptr);
 mesh::Mesh read_stl(const std::string& name, std::string_view bytes, Remarks* remarks = nullptr);
 mesh::Mesh read_ply(const std::string& name, std::string_view bytes, Remarks* remarks = nullptr);
 std::string gmsh_text(const mesh::Mesh& mesh);

@@ -85,6 +85,54 @@ inline const std::string dyna =
     "*SET_SHELL_LIST_GENERATE_TITLE\nplate\n         1\n         1         2\n"
     "*PART\nsheet\n         7         1         1\n*END\nanything\n";
 
+// With groups of nodes, ranges, parts and shells, and what belongs to the problem.
+inline const std::string radioss =
+    "#RADIOSS STARTER\n"
+    "# a plate\n"
+    "/BEGIN\n"
+    "plate\n"
+    "      2022         0\n"
+    "                  kg                   m                   s\n"
+    "                  kg                   m                   s\n"
+    "/TITLE\n"
+    "a plate\n"
+    "/NODE\n"
+    "        10                   0                   0                   0\n"
+    "        11                   1                   0\n"
+    "        12                  2.                  0.             1.25D-1\n"
+    "        13                   0                   1                   0\n"
+    "        14                   1                   1                   0\n"
+    "        15                   2                   1  0.3333333333333333\n"
+    "        16                   3                  .5                   0\n"
+    "        99                   5                   5                   5\n"
+    "$ shells\n"
+    "/SHELL/7\n"
+    "         1        10        11        14        13\n"
+    "         2        11        12        15        14                  0.               0.001\n"
+    "/SH3N/7\n"
+    "         3        12        16        15\n"
+    "/PART/7\n"
+    "sheet\n"
+    "         1         1         0\n"
+    "/GRNOD/NODE/1\n"
+    "left\n"
+    "        10        13\n"
+    "/GRNOD/PART/3\n"
+    "all\n"
+    "         7\n"
+    "/GRSHEL/SHEL/2\n"
+    "plate\n"
+    "         1\n"
+    "         2\n"
+    "/GRNOD/GENE/4\n"
+    "boundary\n"
+    "        10        16\n"
+    "/MAT/ELAST/1\n"
+    "cloth\n"
+    "                1e-6\n"
+    "/END\n"
+    "anything\n";
+
 // Bytes one after the other, as a program on this machine or on one of the other kind writes them.
 struct Bytes {
   bool reversed = false;
@@ -158,7 +206,8 @@ inline std::map<std::string, std::string> every() {
               {"4-reversed.msh", gmsh_4_binary(true)},
               {"plate.obj", obj},
               {"plate.inp", abaqus},
-              {"plate.k", dyna}});
+              {"plate.k", dyna},
+              {"plate.rad", radioss}});
   return all;
 }
 

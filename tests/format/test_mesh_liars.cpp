@@ -20,6 +20,7 @@ mesh::Mesh read(const std::string& name, const std::string& bytes, Remarks* rema
   if (name.ends_with(".obj")) return read_obj(name, bytes, remarks);
   if (name.ends_with(".inp")) return read_abaqus(name, bytes, remarks);
   if (name.ends_with(".k")) return read_dyna(name, bytes, remarks);
+  if (name.ends_with(".rad")) return read_radioss(name, bytes, remarks);
   if (name.ends_with(".stl")) return read_stl(name, bytes);
   return name.ends_with(".vtu") ? read_vtu(name, bytes) : read_legacy_vtk(name, bytes);
 }
@@ -77,6 +78,7 @@ const std::string& base(const std::string& name) {
   if (name == "x.obj") return samples::obj;
   if (name == "x.inp") return samples::abaqus;
   if (name == "x.k") return samples::dyna;
+  if (name == "x.rad") return samples::radioss;
   if (name == "x.stl") return samples::stl;
   return name == "x.vtu" ? xml : grid;
 }
@@ -84,7 +86,7 @@ const std::string& base(const std::string& name) {
 }  // namespace
 
 TEST_CASE("the samples are good before they are spoilt", "[files]") {
-  for (const char* name : {"2.msh", "4.msh", "x.obj", "x.inp", "x.k", "x.stl", "x.vtu", "x.vtk"})
+  for (const char* name : {"2.msh", "4.msh", "x.obj", "x.inp", "x.k", "x.rad", "x.stl", "x.vtu", "x.vtk"})
     check_valid(read(name, base(name)));
 }
 
@@ -172,6 +174,33 @@ TEST_CASE("liars are told by name and line", "[files]") {
        "x.k:24: *SET_NODE_ADD: expected *SET_NODE or *SET_SHELL with"},
       {"x.k", "        10        13         0", "        10        77         0",
        "x.k:27: node 77 is not in the file"},
+      {"x.rad", "        14                   1                   1                   0",
+       "        14                   1                 one                   0",
+       "x.rad:15: node 14: expected a coordinate, got 'one' in columns 31 to 50"},
+      {"x.rad", "         1        10        11        14        13",
+       "         1        10        11        14        77",
+       "x.rad:21: element 1: node 77 is not in the file"},
+      {"x.rad", "         3        12        16        15", "         3        12        16",
+       "x.rad:24: expected element and 3 nodes, got"},
+      {"x.rad", "         3        12        16        15", "         1        12        16        15",
+       "x.rad:24: element 1 is defined twice"},
+      {"x.rad", "/MAT/ELAST", "/BRICK", "x.rad:41: /BRICK: expected /SHELL and /SH3N, and no other elements"},
+      {"x.rad", "/MAT/ELAST", "/TRANSFORM", "/TRANSFORM makes or moves nodes"},
+      {"x.rad", "/MAT/ELAST", "/", "a submodel (//), which is not read"},
+      {"x.rad", "$ shells", "#include more.inc", "x.rad:19: #include takes lines from another file"},
+      {"x.rad", "                  kg                   m                   s",
+       "                  kg                 ell                   s",
+       "x.rad:6: expected a unit of length, m with a prefix or a number of metres, got 'ell'"},
+      {"x.rad", "                  kg                   m                   s",
+       "                  kg                   m", "x.rad:6: expected units of mass, length and time, got"},
+      {"x.rad", "      2022         0", "        44         0",
+       "x.rad:5: expected a deck of version 51 of the format or later, got 44"},
+      {"x.rad", "/NODE\n", "/NODE/5\n", "x.rad:10: /NODE has units of its own (/UNIT/5)"},
+      {"x.rad", "/TITLE", "/BEGIN", "expected /BEGIN once, before all nodes"},
+      {"x.rad", "        10        13\n", "        10       -13\n",
+       "x.rad:30: the group takes members away (-13)"},
+      {"x.rad", "        10        13\n", "        10        77\n", "x.rad:30: node 77 is not in the file"},
+      {"x.rad", "all\n         7\n", "all\n         9\n", "x.rad:33: there is no set 'part 9' of elements"},
       {"x.stl", "vertex 1 0 0", "vertex 1 0 x", "x.stl:5: expected a coordinate, a number, got 'x'"},
       {"x.stl", "endfacet\nendsolid one", "endfacet\nend one",
        "x.stl:9: expected facet or endsolid, got 'end'"},
@@ -273,10 +302,14 @@ std::string said_of(const std::string& name, const std::string& bytes) {
 }
 
 TEST_CASE("a deck that was cut short is refused or remarked on", "[files]") {
-  for (const char* name : {"x.obj", "x.inp", "x.k"}) CHECK(said_of(name, base(name)).empty());
+  for (const char* name : {"x.obj", "x.inp", "x.k", "x.rad"}) CHECK(said_of(name, base(name)).empty());
   for (std::size_t n = 1; n < base("x.k").find("*END") + 4; ++n) {
     INFO("x.k: " << n);
     CHECK(said_of("x.k", base("x.k").substr(0, n)).starts_with("x.k:"));
+  }
+  for (std::size_t n = 1; n < base("x.rad").find("/END") + 4; ++n) {
+    INFO("x.rad: " << n);
+    CHECK(said_of("x.rad", base("x.rad").substr(0, n)).starts_with("x.rad:"));
   }
   // These two need no last line: what ends between two lines is a file, outside of what the first has to
   // close.
@@ -321,6 +354,13 @@ TEST_CASE("what is said of a deck that ends early, and of one that need not end 
       "*KEYWORD $ 1\n*NODE $ 2\n1,0,0,0\n2,1,0,0\n3,0,1,0\n*ELEMENT_SHELL $ 3\n1,1,1,2,3\n*END";
   CHECK(said_of("x.k", remarked).empty());
   CHECK(said_of("x.k", k + "\n*END\nanything").empty());
+  const std::string rad =
+      "/NODE\n         1\n         2                   1\n         3                   1" +
+      std::string(19, ' ') + "1\n/SH3N/1\n         1         1         2         3";
+  CHECK(said_of("x.rad", rad) == "x.rad:6: the last line has no end" + part);
+  CHECK(said_of("x.rad", rad + "\n").empty());
+  CHECK(
+      said_of("x.rad", "/BEGIN\nx\n\n\n\n" + rad + "\n").starts_with("x.rad:12: the file ends without /END"));
   CHECK(said_of("x.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3") ==
         "x.obj:5: the last line has no end" + part);
   CHECK(said_of("x.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n# half a com") ==
@@ -371,7 +411,7 @@ TEST_CASE("an .stl or a frame of a series with any one byte changed is an error 
 
 TEST_CASE("no mesh at all", "[files]") {
   const ScratchFolder folder;
-  for (const char* name : {"x.msh", "x.obj", "x.inp", "x.k", "x.stl", "x.vtu", "x.vtk"}) {
+  for (const char* name : {"x.msh", "x.obj", "x.inp", "x.k", "x.rad", "x.stl", "x.vtu", "x.vtk"}) {
     INFO(name);
     system::write_file(folder / name, "", system::Sync::no);
     CHECK(message_of([&] { read_mesh(folder / name); }) == folder / name + ": the file is empty");
@@ -389,7 +429,7 @@ TEST_CASE("no mesh at all", "[files]") {
 // Address space far below what any of the claims would take; a plain std::bad_alloc would fail the test.
 TEST_CASE("huge counts allocate nothing", "[files]") {
   const std::string huge = "999999999999";
-  for (const char* name : {"2.msh", "4.msh", "x.inp", "x.k", "x.vtk", "x.vtu"}) {
+  for (const char* name : {"2.msh", "4.msh", "x.inp", "x.k", "x.rad", "x.vtk", "x.vtu"}) {
     const std::string& text = base(name);
     for (std::size_t i = 0; i < text.size(); ++i) {
       if (text[i] < '0' || text[i] > '9' || (i > 0 && text[i - 1] >= '0' && text[i - 1] <= '9')) continue;

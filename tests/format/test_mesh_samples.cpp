@@ -181,7 +181,8 @@ TEST_CASE("a mesh that is written in columns reads back as far as they hold digi
   auto m = mesh::cylinder({.radius = 1.0 / 3, .length = 1, .around = 5, .along = 2});
   m.nodes[3].x() = -1.0 / 3e-7;
   // 15 characters: 8 digits beside -, . and e-17; 20: 13 beside e-300 as well.
-  for (const auto& [name, off] : {std::pair{"x.k", 1e-8}, std::pair{"x.inp", 1e-13}}) {
+  for (const auto& [name, off] :
+       {std::pair{"x.k", 1e-8}, std::pair{"x.inp", 1e-13}, std::pair{"x.rad", 1e-12}}) {
     write_mesh(folder / name, m);
     const auto back = read_mesh(folder / name);
     REQUIRE(back.nodes.size() == m.nodes.size());
@@ -413,13 +414,49 @@ TEST_CASE("LS-DYNA: parts are sets where there are several", "[files]") {
   CHECK(m.set("set_9") == mesh::NodeSet{1, 3});
 }
 
+TEST_CASE("OpenRadioss: lengths in the units of the deck, groups of groups", "[files]") {
+  const auto field = [](int width, const std::string& text) {
+    return std::string(static_cast<std::size_t>(width) - text.size(), ' ') + text;
+  };
+  const auto ints = [&](std::initializer_list<int> numbers) {
+    std::string line;
+    for (const int number : numbers) line += field(10, std::to_string(number));
+    return line + "\n";
+  };
+  const std::string mesh = "/NODE\n" + ints({1}) + ints({2}).substr(0, 10) + field(20, "250.") + "\n" +
+                           ints({4}).substr(0, 10) + field(20, "0.25E3") + field(20, "500") + "\n/SHELL/1\n" +
+                           ints({9, 1, 2, 4, 4}) + "/GRSHEL/GEN_INCR/5\n\n" + ints({7, 11, 2}) +
+                           "/GRNOD/GRSHEL/1\nshells\n" + ints({5}) + "/GRNOD/GRNOD/2\nboth\n" + ints({3, 1}) +
+                           "/GRNOD/NODE/3\ntwo\n" + ints({2}) + "/PART/1\n\n" + ints({1}) + "/END\n";
+  const auto begin = [&](const std::string& first, const std::string& second) {
+    return "#RADIOSS STARTER\n/BEGIN\nx\n" + ints({2022, 0}) + first + "\n" + second + "\n";
+  };
+  const std::string work = field(20, "kg") + field(20, "cm") + field(20, "ms");
+  for (const auto& [text, length] :
+       {std::pair{mesh, 1.0}, std::pair{begin("Mg mm s", work) + mesh, 1e-3},
+        std::pair{begin("", work) + mesh, 1e-2}, std::pair{begin("1 0.0254 1", work) + mesh, 0.0254}}) {
+    const auto m = read_radioss("x.rad", text);
+    CHECK(m.nodes[1] == Vec3(length * 250, 0, 0));
+    CHECK(m.nodes[2] == Vec3(length * 250, length * 500, 0));
+    CHECK(m.elements == std::vector<std::array<mesh::Index, 4>>{{0, 1, 2, -1}});
+    CHECK(m.set("two") == mesh::NodeSet{1});
+    CHECK(m.set("group_5") == mesh::NodeSet{0, 1, 2});
+    CHECK(m.set("both") == mesh::NodeSet{0, 1, 2});
+    CHECK(m.set("shells") == mesh::NodeSet{0, 1, 2});
+  }
+  auto circle = mesh;
+  circle.replace(circle.find("/GRNOD/NODE/3"), 13, "/GRNOD/GRNOD/3");
+  says(message_of([&] { read_radioss("x.rad", circle); }),
+       "group 'nodes 3' is made of others further down: expected groups in the order in which they are used");
+}
+
 TEST_CASE("names that cannot be written or read by their ending", "[files]") {
   const ScratchFolder folder;
   const auto m = samples::plate();
   says(message_of([&] { write_mesh(folder / "x.step", m); }),
        "expected a name that ends in .msh, .vtu, .obj, .stl, .ply, .inp, .k or .rad");
-  says(message_of([&] { read_mesh("x.rad"); }),
-       "expected a name that ends in .msh, .vtu, .vtk, .obj, .stl, .ply, .inp, .k or .key");
+  says(message_of([&] { read_mesh("x.igs"); }),
+       "expected a name that ends in .msh, .vtu, .vtk, .obj, .stl, .ply, .inp, .k, .key or .rad");
   says(message_of([&] { read_mesh(folder / "none.msh"); }), "No such file or directory");
   says(message_of([&] { read_mesh("/dev/null/x.msh"); }), "Not a directory");
   std::filesystem::create_directory(folder / "folder.msh");

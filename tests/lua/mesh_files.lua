@@ -49,7 +49,7 @@ assert(inches.nodes[3][1] == 0.0254 and inches.nodes[3][2] == 0.0254 and #inches
 
 -- Errors name the file and its line.
 refused("read: cannot read 'none.msh': No such file or directory", fabric.mesh.read, "none.msh")
-refused("expected a name that ends in .msh, .vtu, .vtk, .obj, .stl, .ply, .inp, .k or .key", fabric.mesh.read, "mesh.rad")
+refused("expected a name that ends in .msh, .vtu, .vtk, .obj, .stl, .ply, .inp, .k, .key or .rad", fabric.mesh.read, "mesh.igs")
 refused("bad.obj:2: expected three coordinates", fabric.mesh.read, write("bad.obj", "v 0 0 0\nv 1 0\n"))
 refused("bad.msh: the file is empty", fabric.mesh.read, write("bad.msh", ""))
 refused("bad.vtu:1: expected <VTKFile>, got <html>", fabric.mesh.read, write("bad.vtu", "<html></html>"))

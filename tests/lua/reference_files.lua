@@ -38,6 +38,42 @@ for name, text in pairs { plain = shape:format("", ""), birth = shape:format("_B
   check("folded with the strain of its height, " .. name, fabric.static { model = m, duration = 1, step = 1 }:element(2).E22, E)
 end
 
+-- The same by other nodes at whose places the elements have no stress.
+local apart = write("bag.k", (dyna:gsub("\n%*ELEMENT_SHELL", [[
+
+      11             0.0             0.0             0.0
+      12             0.1             0.0             0.0
+      13             0.1            0.05             0.0
+      14             0.0            0.05             0.0
+      15             0.1             0.1             0.0
+      16             0.0             0.1             0.0%0]]):format [[
+*AIRBAG_SHELL_REFERENCE_GEOMETRY
+       1       1      11      12      13      14
+       2       1      14      13      15      16]]))
+check("elements by other nodes, k", fabric.mesh.read { file = apart, reference = true }.nodes[5][2], 0.1)
+check("placed, of these", fabric.mesh.read(apart).nodes[5][3], 0.001)
+check("nodes of the mesh alone", #fabric.mesh.read(apart).nodes, 6)
+
+local function node(n, x, y, z) return ("%10d%20s%20s%20s\n"):format(n, x, y, z) end
+local function radioss(shape)
+  return "#RADIOSS STARTER\n/BEGIN\nbag\n      2022         0\n" .. ("%20s%20s%20s\n"):format("kg", "mm", "ms"):rep(2) .. "/NODE\n"
+    .. node(1, 0, 0, 0) .. node(2, 100, 0, 0) .. node(3, 100, 50, 0) .. node(4, 0, 50, 0) .. node(5, 100, 0, 1) .. node(6, 0, 0, 1)
+    .. node(25, 100, 100, 0) .. node(26, 0, 100, 0) .. "/SHELL/1\n" .. ("%10d%10d%10d%10d%10d\n"):format(1, 1, 2, 3, 4)
+    .. "/SHELL/2\n" .. ("%10d%10d%10d%10d%10d\n"):format(2, 4, 3, 5, 6) .. shape .. "/END\n"
+end
+-- A node that is not of the part does not count.
+local nodes = "/XREF/2\nthe flat bag\n       100\n" .. node(5, 100, 100, 0) .. node(6, 0, 100, 0) .. node(1, 7, 7, 7)
+local shells = "/EREF/SHELL/2\n\n" .. ("%10d%10d%10d%10d%10d\n"):format(2, 4, 3, 25, 26)
+for name, text in pairs { XREF = nodes, ["XREF without steps"] = nodes:gsub(" +100\n", "", 1), EREF = shells } do
+  local rad = write("bag.rad", radioss(text))
+  local there, open = fabric.mesh.read(rad), fabric.mesh.read { file = rad, reference = true }
+  check("place, " .. name, there.nodes[5][3], 0.001)
+  check("where it is free, " .. name, open.nodes[5][2], 0.1)
+  check("height there, " .. name, 1 + open.nodes[6][3], 1)
+  check("where it says nothing, " .. name, open.nodes[1][1] + 1, 1)
+  check("parts, " .. name, #there:set "part_2", 4)
+end
+
 local abaqus = [[
 *NODE
 1, 0, 0, 0
@@ -67,6 +103,12 @@ local function fails(words, name, text)
 end
 fails("element 2 has node 3 at another place than an element before: expected one shape of all elements", "roof.inp", abaqus:format "0.12")
 fails("the file has no stress-free shape that is read", "bag.k", dyna:format "")
+fails("bag.rad: field 'reference': the file has no stress-free shape that is read", "bag.rad", radioss "/REFSTA\nbagRS0\n")
+fails("/XREF: node 3 has another place before: expected one shape of all elements", "bag.rad",
+  radioss("/XREF/1\n\n\n" .. node(3, 100, 50, 0) .. "/XREF/2\n\n\n" .. node(3, 90, 50, 0)))
+fails("bag.rad:22: node 27 is not in the file", "bag.rad", radioss(shells:gsub("26\n", "27\n")))
+local ok, message = pcall(fabric.mesh.read, { file = write("bag.rad", radioss(nodes)), units = "mm" })
+assert(not ok and tostring(message):find("argument 'units': expected none, since bag.rad states its own (/BEGIN), got 'mm'", 1, true), tostring(message))
 
 -- The remark of the mesh that is read without it.
 local pipe = io.popen(("'%s' -e \"require 'fabric'.mesh.read '%s'\" 2>&1"):format(arg[-1], write("bag.k", dyna:format(shape:format("", "")))))

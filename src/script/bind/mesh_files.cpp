@@ -194,19 +194,21 @@ Entry read_row() {
               "ends in " + format::read_endings() + "; a bare name may be a mesh shipped with the program"),
        value_("join", boolean, "make one node of those at one place (within 1e-6 of the mesh's size)")
            .or_else(false),
-       value_(
-           "reference", boolean,
-           "the same mesh in the stress-free shape that an .inp or a .k has beside it, for reference= of a "
-           "model")
+       value_("reference", boolean,
+              "the same mesh in the stress-free shape that an .inp, a .k or a .rad has beside it, for "
+              "reference= of a model")
            .or_else(false),
-       value_("units", text, "of the file's lengths; default m, with a warning where that would be odd")
+       value_("units", text,
+              "of the file's lengths; default m, with a warning where that would be odd; none for a .rad "
+              "whose /BEGIN states them")
            .one_of({"m", "cm", "mm", "inch"})
            .optional()},
       "Reads a mesh of triangles and quadrilaterals; its lengths are m afterwards: Gmsh 2 and 4.1, VTK's "
       ".vtu and legacy "
       ".vtk, Wavefront .obj, .stl and .ply (text and binary; equal vertices of an .stl are joined), .inp of "
       "Abaqus and CalculiX, "
-      ".k of LS-DYNA. Physical groups and groups become node sets, sets of elements those of their nodes; so "
+      ".k of LS-DYNA, .rad of OpenRadioss' starter. Physical groups and groups become node sets, sets of "
+      "elements those of their nodes; so "
       "do integer arrays: those of 0 and 1 by their name, others as name_value; parts and solids where there "
       "are several. Nodes in no element are left out; the sets all and boundary are added. Also "
       "with named fields: fabric.mesh.read{ file=, join=true }.",
@@ -318,6 +320,9 @@ std::string list_of(const std::vector<Mesh::PassedOver>& all) {
 }  // namespace
 
 Mesh read_mesh_file(const Call& call, const std::string& path, bool at_rest, double unit) {
+  if (unit > 0 && format::states_units(path))
+    call.refuse("units", "expected none, since " + path + " states its own (/BEGIN), got '" +
+                             call.text("units") + "'");
   format::Remarks remarks;
   Mesh mesh = at_rest ? format::read_mesh_at_rest(path, &remarks) : format::read_mesh(path, &remarks);
   if (unit > 0) {

@@ -200,8 +200,8 @@ wrong("mesh:orient", "mesh:orient{1, 0}",
   "deck.lua:1: orient: argument 'direction': expected {x, y, z}, got 2 numbers")
 wrong("fabric.mesh.read", "fabric.mesh.read 'none.msh'",
   "deck.lua:1: read: cannot read 'none.msh': No such file or directory")
-wrong("fabric.mesh.read", "fabric.mesh.read 'none.rad'",
-  "deck.lua:1: read: cannot read 'none.rad': expected a name that ends in .msh, .vtu, .vtk, .obj, .stl, .ply, .inp, .k or .key")
+wrong("fabric.mesh.read", "fabric.mesh.read 'none.igs'",
+  "deck.lua:1: read: cannot read 'none.igs': expected a name that ends in .msh, .vtu, .vtk, .obj, .stl, .ply, .inp, .k, .key or .rad")
 wrong("mesh:write", "mesh:write 'mesh.step'",
   "deck.lua:1: write: cannot write 'mesh.step': expected a name that ends in .msh, .vtu, .obj, .stl, .ply, .inp, .k or .rad")
 

@@ -120,4 +120,4 @@ wrong("fabric.lab.form_finding", "fabric.lab.form_finding{ mesh=mesh, prestress=
 wrong("fabric.mesh.read", "fabric.mesh.read('disc.msh', false, 3)",
   "deck.lua:1: read: argument 'reference': expected true or false, got 3")
 wrong("fabric.mesh.read", "fabric.mesh.read{ file='none.msh', reference=true }",
-  "deck.lua:1: read: cannot read a stress-free shape of 'none.msh': expected a name that ends in .inp, .k or .key")
+  "deck.lua:1: read: cannot read a stress-free shape of 'none.msh': expected a name that ends in .inp, .k, .key or .rad")
