@@ -3,6 +3,9 @@
 // (contact/scene.hpp).
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
 
 #include "geometry/node_view.hpp"
 #include "mechanics/terms/contact.hpp"
@@ -71,17 +74,38 @@ std::vector<double> Contacts::crack_faces() const {
   return apart;
 }
 
-// The points that seams hold together.
+// The points that seams hold together. Where seams meet, as those of four panels under an arm, all nodes that
+// become one joint are held together, also those that no stitch of their own connects.
 void Contacts::sew_scene() {
   if (dofs_.stitches().empty()) return;
-  std::vector<std::vector<std::int32_t>> partners(nodes_);
+  std::vector<Index> first(nodes_);
+  std::iota(first.begin(), first.end(), Index{0});
+  const auto root = [&](Index n) {
+    while (first[n] != n) n = first[n];
+    return n;
+  };
   for (const auto& stitch : dofs_.stitches())
-    for (const auto& lead : stitch.leads) {
-      partners[stitch.node].push_back(static_cast<std::int32_t>(lead.node));
-      partners[lead.node].push_back(static_cast<std::int32_t>(stitch.node));
+    if (stitch.leads.size() == 1) {
+      const Index a = root(stitch.node), b = root(stitch.leads[0].node);
+      first[std::max(a, b)] = std::min(a, b);
     }
-  for (auto& of_node : partners) std::sort(of_node.begin(), of_node.end());
-  scene_.sew(std::move(partners));
+  std::map<Index, std::vector<Index>> joints;
+  for (const auto& stitch : dofs_.stitches()) {
+    joints[root(stitch.node)].push_back(stitch.node);
+    for (const auto& lead : stitch.leads) joints[root(lead.node)].push_back(lead.node);
+  }
+  std::vector<std::set<std::int32_t>> partners(nodes_);
+  for (const auto& stitch : dofs_.stitches())
+    for (const auto& lead : stitch.leads)
+      for (const Index a : joints[root(stitch.node)])
+        for (const Index b : joints[root(lead.node)]) {
+          if (a == b) continue;
+          partners[a].insert(static_cast<std::int32_t>(b));
+          partners[b].insert(static_cast<std::int32_t>(a));
+        }
+  std::vector<std::vector<std::int32_t>> sorted;
+  for (const auto& of_node : partners) sorted.emplace_back(of_node.begin(), of_node.end());
+  scene_.sew(std::move(sorted));
 }
 
 // As crack_faces(), of seams that have parted.
