@@ -12,6 +12,7 @@
 #include "geometry/node_view.hpp"
 #include "mechanics/terms/contact.hpp"
 #include "mechanics/terms/damping.hpp"
+#include "mechanics/terms/seams.hpp"
 #include "run/explicit.hpp"
 #include "run/flat.hpp"
 #include "run/implicit.hpp"
@@ -28,7 +29,8 @@ constexpr double kYoungPart = 0.1;      // of the duration of an implicit run, a
 constexpr double kYoungLimit = 10;      // factor on the limit for implicit steps until then
 constexpr double kWarning = 1e-3;       // created energy over the external work
 constexpr double kShortWarning = 1e-2;  // the same at the end of a run of fewer than kYoung explicit steps
-constexpr double kHeavy = 0.05;  // fraction of the kinetic energy in scaled rotary inertia that is tolerated
+constexpr double kHeavy = 0.05;   // fraction of the kinetic energy in scaled rotary inertia that is tolerated
+constexpr int kLooksForRest = 8;  // in the window of rest
 constexpr double kRateStep = 1e-6;  // s, for differences of prescribed motions
 
 void refuse(const char* field, const char* expected, double got) {
@@ -65,6 +67,9 @@ void check_options(const DynamicOptions& o) {
   if (hht != 0 && (o.gamma != 0.5 || o.beta))
     refuse("hht", "0 beside gamma or beta, which it sets itself", hht);
   if (o.spectral_radius) check_radius(o);
+  if (o.until_rest && !(o.until_rest->window < o.duration))
+    refuse("until_rest.window", ("less than the duration, " + number(o.duration) + " s").c_str(),
+           o.until_rest->window);
 }
 
 // The options, checked, with what those that stand for another one set.
@@ -98,6 +103,40 @@ Dynamic::Dynamic(std::shared_ptr<model::Model> model, const DynamicOptions& opti
     assembly_->terms().add(std::make_unique<StiffnessDamping>(*assembly_, options_.stiffness_damping));
   stable_ = assembly_->terms().stable_step(scaled_);
   smallest_ = assembly_->cloth().smallest_size();
+  if (options_.until_rest) every(options_.until_rest->window / kLooksForRest, [this](Run&) { watch_rest(); });
+}
+
+bool Dynamic::is_calm(const EnergyAccount& e) const {
+  return e.stored > 0 && e.kinetic <= options_.until_rest->calm * e.stored;
+}
+
+// What only turns around is not calm for as long as the window.
+void Dynamic::watch_rest() {
+  if (now_.rested) return;
+  if (!is_calm(energy()) || (seams_ != nullptr && seams_->draws())) {
+    now_.calm_since = -1;
+    return;
+  }
+  if (now_.calm_since < 0) now_.calm_since = time();
+  if (time() - now_.calm_since < options_.until_rest->window * (1 - 1e-9)) return;
+  now_.rested = true;
+  stop("at rest");
+}
+
+void Dynamic::report_unrest(const EnergyAccount& e) {
+  if (!options_.until_rest || now_.rested) return;
+  std::string why;
+  if (seams_ != nullptr && seams_->draws()) why = "seams are still drawn together";
+  if (!is_calm(e))
+    why += (why.empty() ? "" : ", ") + std::string("the kinetic energy is ") +
+           number(e.stored > 0 ? e.kinetic / e.stored : e.kinetic, 3) +
+           (e.stored > 0 ? " of that stored" : " J, and none is stored") + " (calm is up to " +
+           number(options_.until_rest->calm) + ")";
+  if (why.empty())
+    why = "it has been calm for " + number(time() - std::max(now_.calm_since, began()), 3) + " s only, of " +
+          number(options_.until_rest->window) + " s";
+  warn("rest", "warning: dynamic: not at rest at the end, " + number(time()) + " s: " + why +
+                   "; a longer duration or more damping would do");
 }
 
 std::string Dynamic::method() const {
@@ -109,6 +148,8 @@ std::string Dynamic::method() const {
        << ", scaled inertia " << scaled_ << ", line search " << o.line_search << ", force " << o.force
        << solver_text(o.solver);
   if (o.spectral_radius) text << ", spectral radius " << number(*o.spectral_radius);
+  if (o.until_rest)
+    text << ", until rest " << number(o.until_rest->calm) << " for " << number(o.until_rest->window) << " s";
   if (o.linear != Symmetry::automatic) text << ", linear " << static_cast<int>(o.linear);
   return text.str();
 }
@@ -400,6 +441,7 @@ void Dynamic::check() {
     watch_guard(e);
     watch_pressed(e);
     watch_inertia();
+    report_unrest(e);
   }
   const double scale = ledger_scale(e);
   const bool swings = options_.hht.value_or(0) != 0 || options_.beta || options_.spectral_radius ||

@@ -22,6 +22,12 @@ inline constexpr double kDampingAlpha = -0.2;
 // or with gamma = 1.
 enum class Damping { none, hht, strong };
 
+// The run ends when all seams that are drawn have closed, and the kinetic energy has been at most `calm` of
+// the energy stored for as long as the window.
+struct UntilRest {
+  double calm = 1e-2, window = 0.02;  // window: s
+};
+
 // Described by the rows of dynamic_options(), in dynamic_options.cpp.
 struct DynamicOptions {
   double duration = 0;              // s, required, positive
@@ -41,7 +47,8 @@ struct DynamicOptions {
   std::optional<bool> scaled = {};  // scale up rotary inertia; default: explicit yes, implicit no
   bool force = false;               // accept a step above the stable one
   double ledger_limit = 0.05;       // created energy over external work at which the run stops
-  double tolerance = 1e-8;          // implicit; this and the following as in StaticOptions
+  std::optional<UntilRest> until_rest = {};
+  double tolerance = 1e-8;  // implicit; this and the following as in StaticOptions
   int max_iterations = 30, max_cuts = 12;
   bool line_search = true;
   Symmetry linear = Symmetry::automatic;    // implicit
@@ -133,9 +140,11 @@ class Dynamic : public Run {
     double kinetic = 0, scaled = 0;  // J, the largest so far; its part in scaled rotary inertia
     mesh::Index began = -1;          // element in which energy was created at the first warning
     std::int64_t touched = -1;       // committed steps when a moved body first touched; -1: not yet
-    double forgiven = 0;  // the ledger's error over its scale when steps were shortened for a turning
-    int short_steps = 0;  // steps that contact has made much shorter
-    int flat_looks = 0;   // how often it was asked whether a flat sheet is stable
+    double forgiven = 0;     // the ledger's error over its scale when steps were shortened for a turning
+    int short_steps = 0;     // steps that contact has made much shorter
+    int flat_looks = 0;      // how often it was asked whether a flat sheet is stable
+    double calm_since = -1;  // s; -1: it is not calm
+    bool rested = false;     // it has ended at rest before
     void keep_reported(const DynamicState& then) {
       reported_error |= then.reported_error, reported_split |= then.reported_split;
       reported_jump |= then.reported_jump, reported_scaled |= then.reported_scaled;
@@ -144,7 +153,7 @@ class Dynamic : public Run {
     void keep(Archive& archive) {
       archive(step, loss, driven_kinetic_at_0, next_check, steps, looked, reported_error, reported_split,
               reported_jump, reported_scaled, was_over, damping, settling, settles, surplus, base, kinetic,
-              scaled, began, touched, forgiven, short_steps, flat_looks);
+              scaled, began, touched, forgiven, short_steps, flat_looks, calm_since, rested);
     }
   } now_;
 
@@ -152,6 +161,9 @@ class Dynamic : public Run {
   mesh::Index suspect() const;
   void watch_flat(const EnergyAccount& energies);
   void watch_inertia();
+  void watch_rest();
+  void report_unrest(const EnergyAccount& energies);
+  bool is_calm(const EnergyAccount& energies) const;
   void weigh_inertia(double kinetic, double scaled);  // records the part of scaled rotary inertia, J
   bool is_end(double time) const;
   double next_look(double after) const;  // s, when the ledger is looked at next

@@ -33,6 +33,17 @@ field::FieldOf<O> damping_row() {
       .optional();
 }
 
+field::FieldOf<O> rest_row() {
+  using field::number;
+  const std::vector<field::FieldOf<UntilRest>> rows = field::with_defaults<UntilRest>(
+      {number("calm", &UntilRest::calm, "", positive, "kinetic energy over the energy stored"),
+       number("window", &UntilRest::window, "s", positive, "how long it has to be that calm")});
+  return field::group("until_rest", &O::until_rest, rows,
+                      "end where all rests: when every seam that is drawn has closed and the kinetic energy "
+                      "has been at most calm= of that stored for window=; a.stopped is then 'at rest', and "
+                      "solve() goes on to the duration, which it may take at most");
+}
+
 }  // namespace
 
 const std::vector<field::FieldOf<DynamicOptions>>& dynamic_options() {
@@ -59,6 +70,7 @@ const std::vector<field::FieldOf<DynamicOptions>>& dynamic_options() {
            "rule): what is faster than the steps dies within them"),
       linear_row<O>("implicit: "),
       damping_row(),
+      rest_row(),
       inertia_row(),
       flag("force", &O::force, "take the step even above the stable one"),
       number("ledger_limit", &O::ledger_limit, "", positive,

@@ -48,7 +48,7 @@ Explicit::Explicit(std::shared_ptr<model::Model> model, const DynamicOptions& op
   check_stable_step(undamped);
   choose_step();
   report_step_bound();
-  report_drawn_seams();
+  lead_drawn_seams();
   farthest_ = {smallest_, std::numbers::pi / 2};
   list_unknowns();
   set_motion(initial_rates());  // to be read before the first step
@@ -114,10 +114,11 @@ void Explicit::report_step_bound() {
 }
 
 // Each edge has half of the speed at which the gap closes. Time shortens it in proportion.
-void Explicit::report_drawn_seams() {
+void Explicit::lead_drawn_seams() {
   if (contact_ == nullptr || seams_ == nullptr) return;
   for (const auto& through : contact_->drawn_through()) {
     const double speed = seams_->closing_speed(through.stitch) / 2;
+    seams_->lead_around(through.stitch, *contact_, 2 * std::min(speed, through.stopped));
     if (speed <= through.stopped) continue;
     const model::Seam& seam = assembly_->dofs().seams()[assembly_->dofs().stitches()[through.stitch].seam];
     warn("seam", "warning: dynamic: the straight way of the seam " + seam.name() + " passes through the " +
@@ -125,7 +126,8 @@ void Explicit::report_drawn_seams() {
                      " m/s, and contact stops cloth that comes with " + number(through.stopped, 3) +
                      " m/s anywhere on it: expected 'over' of at least " +
                      number(*seam.over * speed / through.stopped, 2) +
-                     " s, or more 'thickness' of m:contact, got " + number(*seam.over) + " s");
+                     " s, or more 'thickness' of m:contact, got " + number(*seam.over) +
+                     " s; it is drawn no faster than that, and closes when its edges meet");
   }
 }
 
@@ -273,12 +275,15 @@ void Explicit::report_guard() {
 void Explicit::report_cost() {
   const double step = std::ldexp(now_.step, -block_.halved), left = duration_ - committed_time();
   const auto nearest = contact_->nearest();
+  const std::string caught = caught_text();
   warn("guard", "dynamic: contact has kept the step at " + number(step) + " s, " +
                     number(std::ldexp(1.0, block_.halved)) + " times as short as planned, for " +
                     std::to_string(kCostlySteps) + " steps by time " + number(committed_time()) + " s (" +
                     contact_->words(nearest.point) + ", " + number(nearest.gap) +
                     " m above the smallest distance): if that lasts, the " + number(left) +
-                    " s that are left take " + number(left / step, 2) + " more");
+                    " s that are left take " + number(left / step, 2) + " more, in place of " +
+                    number(left / now_.step, 2) + (caught.empty() ? "" : "; " + caught) + ".\nTry: " +
+                    (caught.empty() ? "" : "a longer field 'over' of m:seam; or ") + against_passing() + ".");
 }
 
 void Explicit::split() {

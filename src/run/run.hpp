@@ -292,6 +292,8 @@ class Run {
   std::unique_ptr<mechanics::Assembly> assembly_;
   mechanics::Tears* tears_ = nullptr;  // null: no yarns of the model can break
   mechanics::Seams* seams_ = nullptr;  // null: the model has no seams
+  std::string seam_name(std::size_t stitch) const;
+  std::string caught_text() const;  // of a seam that should be closer by now; empty: none
   std::function<void()> poll_;
   std::vector<double> dead_;  // N, 3 per node, dead loads at the trial time
   std::vector<StepReport> reports_;

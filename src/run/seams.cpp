@@ -32,6 +32,12 @@ void Run::resew(mechanics::Sewn next, double within) {
 
 void Run::sew() {
   if (seams_ == nullptr) return;
+  if (const auto stuck = seams_->stuck())
+    warn("seam", "warning: " + std::string(kind()) + ": the time of the seam " + seam_name(stuck->stitch) +
+                     " is over, and at " + number(time()) + " s it does not close: it is " +
+                     number(stuck->gap, 3) + " m apart about " + place_text(stuck->at) +
+                     ", and comes no nearer: a body, folds or friction hold its edges; a longer 'over' of "
+                     "m:seam, pieces that start nearer or larger, or more 'thickness' of m:contact would do");
   try {
     mechanics::Sewn next = seams_->due(time());
     if (next == assembly_->dofs().sewn()) return;
@@ -49,6 +55,21 @@ void Run::sew() {
                           time()),
          text);
   }
+}
+
+std::string Run::seam_name(std::size_t stitch) const {
+  const auto& dofs = assembly_->dofs();
+  return dofs.seams()[dofs.stitches()[stitch].seam].name();
+}
+
+// What holds a seam that should be closer by now; empty: none is behind.
+std::string Run::caught_text() const {
+  if (seams_ == nullptr) return {};
+  const auto lagging = seams_->lagging();
+  if (!lagging || lagging->gap - lagging->wanted < kMeet * assembly_->dofs().length()) return {};
+  return "the seam " + seam_name(lagging->stitch) + " is caught: it is " + number(lagging->gap, 3) +
+         " m apart about " + place_text(lagging->at) + ", where " + number(lagging->wanted, 3) +
+         " m are planned by now";
 }
 
 // In steps that iterate whatever bursts with a stitch does so in the same state, as in tears.

@@ -28,6 +28,7 @@ constexpr WarningKind kinds[] = {
     {"seam",
      "edges that are sewn had not met when their time was over, or are drawn against a body faster than "
      "contact stops them"},
+    {"rest", "a run that was to end at rest has not come to rest in its time"},
     {"held",
      "the cloth pulls on yarns beyond their strength where a support holds them, and none breaks there"},
     {"dropped", "an initial velocity is dropped along supports"},

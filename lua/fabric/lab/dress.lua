@@ -5,7 +5,8 @@
 -- after, and judges whether the piece rests there: over the last `window`
 --   no node has moved by more than `still`, and
 --   the kinetic energy is below `calm` of the energy that the cloth stores.
--- The time is given and not found, so that the body's motion, which is declared before, follows it, and the same deck makes the same bits.
+-- The time is given and not found, so that the body's motion, which is declared before, follows it, and the same deck makes the same bits. A run
+-- with until_rest= ends earlier where it rests by that rule; then nothing is judged again.
 local define = require "fabric.define"
 local fabric = require "fabric"
 
@@ -34,26 +35,42 @@ local function unrest(t, result)
   return why
 end
 
+local function found(a)
+  local joints, e = a.joints, a.energy
+  local result = { time = a.time, stitches = joints.stitches, open = joints.stitches - joints.closed, stopped = a.stopped }
+  result.kinetic = e.kinetic / math.max(e.stored, 1e-300)
+  result.gap, result.pair = a:gap()
+  return result
+end
+
+-- Ends the run at the time, or before where it rests by its own rule.
+local function rests_before(a, time)
+  if a.time < time * (1 - 1e-12) then a:advance(time) end
+  return a.stopped == "at rest"
+end
+
 -- What is found at the time, and words of what speaks against rest there. A run that is behind the beginning of the window already, and has
 -- no places from there in `state`, is not judged: at_rest is nil.
 local function judged(t, a, state)
   local begins, late = t.at - t.window, nil
   if not state.before and a.time > begins * (1 + 1e-9) then late = a.time end
   if not late then
-    a:advance(begins)
+    if rests_before(a, begins) then
+      local result = found(a)
+      result.at_rest = true
+      return result, {}
+    end
     state.before = state.before or places(a)
   end
-  if a.time < t.at * (1 - 1e-12) then a:advance(t.at) end
-  local joints, e = a.joints, a.energy
-  local result = { time = t.at, stitches = joints.stitches, open = joints.stitches - joints.closed, stopped = a.stopped }
-  result.kinetic = e.kinetic / math.max(e.stored, 1e-300)
-  result.gap, result.pair = a:gap()
+  local rests = rests_before(a, t.at)
+  local result = found(a)
+  if not rests then result.time = t.at end
   if late then
     return result, { ("the run was at %g s already, behind the beginning of the window, %g s: whether it rested is not known; a state= that a:checkpoint keeps would tell"):format(
       late, begins) }
   end
   result.moved, result.node = farthest(state.before, places(a))
-  local why = unrest(t, result)
+  local why = rests and {} or unrest(t, result)
   result.at_rest = #why == 0
   if not result.at_rest then why = { ("not at rest after %g s: %s; a later at=, or more damping would do"):format(t.at, table.concat(why, "; ")) } end
   return result, why
@@ -73,10 +90,10 @@ local function run(t)
   for _, row in ipairs(a.model:list()) do touches = touches or row.kind == "contact" end
   if not touches then fail "the model has no contact: expected m:contact{ between={body, \"all\"} }" end
   local state = t.state or {}
-  if state.dressed and state.dressed.time == t.at then return copy(state.dressed) end -- a run that was taken up behind that time
+  if state.dressed and (state.asked or state.dressed.time) == t.at then return copy(state.dressed) end -- a run that was taken up behind that time
   local result, why = judged(t, a, state)
   if #why > 0 and not fabric.checking() then fabric.warn("dress: " .. table.concat(why, "; ")) end
-  state.dressed, state.before = copy(result), nil -- what a checkpoint keeps is plain, and what is returned gets methods
+  state.dressed, state.asked, state.before = copy(result), t.at, nil -- what a checkpoint keeps is plain, and what is returned gets methods
   return result
 end
 
@@ -91,7 +108,7 @@ define {
     { name = "state", kind = "table", optional = true, sentence = "an empty table to keep what was found in, for `keep` of a:checkpoint, so that a restart knows it" },
   },
   sentence = "Sews pieces around a body and lets them come to rest: runs to the time `at` and judges rest there. A piece that starts through a body is refused when the run is made. "
-    .. "Returns at_rest (without it a warning says why; nil: the run came from a checkpoint behind the window, and it is not known), moved (m, by `node`, in the window), kinetic (over the energy stored), stitches and how many are open (those of a seam with a stiffness of its own stay so), gap (m, the smallest above the floor of contact, of `pair`), and time.",
+    .. "Returns at_rest (without it a warning says why; nil: the run came from a checkpoint behind the window, and it is not known), moved (m, by `node`, in the window), kinetic (over the energy stored), stitches and how many are open (those of a seam with a stiffness of its own stay so), gap (m, the smallest above the floor of contact, of `pair`), and time. A run with until_rest= ends where it rests by that rule, before `at`: then time is earlier, and moved may be nil.",
   example = "local fabric = require 'fabric'\n"
     .. "local mesh = fabric.mesh.rectangle{ width=0.06, height=0.03, nx=6, ny=3, origin={-0.03, -0.015, 0.0002} }\n"
     .. "local m = fabric.model{ mesh=mesh, card=fabric.card 'blend', warp=0 }\n"

@@ -19,7 +19,15 @@ constexpr double kStiff = 0.2;
 constexpr double kDamped = 0.7;  // of their critical damping
 constexpr double kReady = 0.8;   // share of the time of sewing at which the edges are to meet
 constexpr double kLeads = 0.05;  // of that time: how fast a target leads as far as the thread is stretched
-constexpr double kSlow = 0.2;    // of a thread's own frequency: the same, in motion
+constexpr double kHand = 100;  // N/m, the pull of a thread that is led around a body, per length of its edge
+constexpr double kHarder = 3;  // times as much at most, in proportion to the time that it takes
+constexpr double kPresses = 0.1;         // share of the pull against a body that may press on it
+constexpr double kTurned = 3;            // by how much at most what is left of the pull along it is enlarged
+constexpr double kAverage = 1e-3;        // s, over which what presses is averaged
+constexpr double kMeet = 0.01;           // of a mean edge: a seam that is led around a body closes from there
+constexpr double kPatience = 0.25;       // of the time of a late seam, in which its gap has to fall
+constexpr double kNoNearer = 0.98;       // of that gap, at most
+constexpr double kSlow = 0.2;            // of a thread's own frequency: the same, in motion
 constexpr double kStiffestThread = 0.5;  // as for strings of tears: share of m / dt^2 on their way back
 constexpr double kThreadOrigin =
     1e-3;  // and in steps that iterate: of the opening at which they carry nothing more
@@ -60,6 +68,10 @@ void Thread::commit() {
   damping_before = damping;
   lost_before = lost;
   widest_before = widest;
+  for (End& end : ends) {
+    end.x_before = end.x;
+    end.aside_before = end.aside;
+  }
 }
 
 void Thread::rollback() {
@@ -69,13 +81,28 @@ void Thread::rollback() {
   damping = damping_before;
   lost = lost_before;
   widest = widest_before;
+  for (End& end : ends) {
+    end.x = end.x_before;
+    end.aside = end.aside_before;
+  }
 }
 
 void Thread::keep(Archive& archive) {
   for (Vec3* v : {&gap_before, &target_before, &shift_before, &damping_before})
     archive(v->x(), v->y(), v->z());
-  archive(lost_before, widest_before);
+  archive(lost_before, widest_before, speed, most);
+  for (End& end : ends)
+    for (Vec3* v : {&end.x_before, &end.pressed, &end.aside_before}) archive(v->x(), v->y(), v->z());
   if (archive.reading()) rollback();
+}
+
+// It never leads the gap by more than the thread bears, so that an edge that is caught is not torn loose.
+Vec3 Thread::led(const Vec3& wanted, double dt, double most_now) const {
+  const auto towards = [](const Vec3& from, const Vec3& to, double length) {
+    const double way = (to - from).norm();
+    return way > length ? Vec3(from + length / way * (to - from)) : to;
+  };
+  return towards(gap_before, towards(target_before, wanted, speed * dt), most_now / k + speed * dt);
 }
 
 // --- all of them
@@ -111,6 +138,7 @@ Seams::Seams(const model::Model& model, const Configuration& configuration, cons
     around_.push_back(around.at(stitches[i].node));
     breaks_ = breaks_ || has_strength(i);
   }
+  late_.resize(dofs.seams().size());
   burst_.assign(stitches.size(), 0);
   strings_.resize(stitches.size());
   share_.assign(stitches.size(), 0);
@@ -146,18 +174,25 @@ void Seams::pull(const law::Step& step, const Trial& trial, std::size_t i) {
   t.gap = dofs_.gap(dofs_.stitches()[i], trial.configuration.x());
   if (step.dt > 0) {
     const auto& over = seam(i).over;
-    const bool drawing = over && time_before_ < *over;
+    const bool drawing = over && (t.is_led() || time_before_ < *over);
     const bool moves = drawing && trial.motion != nullptr && trial.motion->moves();
     t.shift = t.shift_before;
-    if (over && !seam(i).stiffness) {
+    const Vec3 before = nominal(i, time_before_);
+    const bool follows = !t.is_led() || t.target_before == before - t.shift_before;
+    if (over && !seam(i).stiffness && follows) {
       const double pace = std::min(1 / (kLeads * *over), moves ? t.pace : 1 / step.dt);
-      t.shift += std::min(1.0, pace * step.dt) * (t.gap_before - nominal(i, time_before_));
+      t.shift += std::min(1.0, pace * step.dt) * (t.gap_before - before);
     }
     t.target = nominal(i, trial.time) - t.shift;
+    if (t.is_led()) {
+      const double late = std::clamp(time_before_ / *over, 1.0, kHarder);
+      t.target = t.led(t.target, step.dt, late * t.most);
+    }
     const Vec3 stretch = (t.gap - t.gap_before) - (t.target - t.target_before);
     t.damping = moves ? Vec3(t.c / step.dt * stretch) : Vec3(Vec3::Zero());
     t.lost = t.lost_before + (t.damping + t.damping_before).dot(stretch) / 2;
   }
+  if (t.is_led()) deflect(i, trial.configuration.x());
   t.widest = t.widest_before;
   if (t.strength > 0) t.widest = std::max(t.widest, parting(i, trial.configuration.x()).norm());
 }
@@ -179,6 +214,12 @@ void Seams::put(std::size_t i, const Vec3& force, std::span<double> on_x) const 
   for (const auto& lead : stitch.leads) at(on_x, lead.node) -= lead.weight * force;
 }
 
+void Seams::put_aside(std::size_t i, std::span<double> on_x) const {
+  const auto& stitch = dofs_.stitches()[i];
+  at(on_x, stitch.node) -= threads_[i].ends[0].aside;
+  for (const auto& lead : stitch.leads) at(on_x, lead.node) -= lead.weight * threads_[i].ends[1].aside;
+}
+
 Outcome Seams::add_forces(const law::Step& step, const Trial& trial, Forces& forces) {
   for (std::size_t i = 0; i < threads_.size(); ++i) switch (state(i)) {
       case State::drawn:
@@ -188,6 +229,7 @@ Outcome Seams::add_forces(const law::Step& step, const Trial& trial, Forces& for
           share_[i] =
               dofs_.sewn().parted[i] != 0 ? 0 : threads_[i].k * threads_[i].widest / threads_[i].strength;
         put(i, threads_[i].force(), forces.on_x);
+        if (threads_[i].is_led()) put_aside(i, forces.on_x);
         break;
       case State::burst:
         put(i, -strings_[i].pull(way(i, trial.configuration.x())), forces.on_x);
@@ -268,6 +310,11 @@ StepWork Seams::step_work() const {
     const Vec3 before = t.stiffness() * (t.gap_before - t.target_before) + t.damping_before;
     const Vec3 way = t.target - t.target_before;
     sum += {-(t.force() + before).dot(way) / 2, std::abs((t.force() - before).dot(way)) / 2};
+    for (const Thread::End& end : t.ends) {
+      const Vec3 moved = end.x - end.x_before;
+      sum += {(end.aside + end.aside_before).dot(moved) / 2,
+              std::abs((end.aside - end.aside_before).dot(moved)) / 2};
+    }
   }
   return sum;
 }
@@ -406,10 +453,107 @@ void Seams::decide_turning(Sewn& next) const {
     if (closes[s] != 0 && closed[s] == 0) next.turning[s] = edges.turning(dofs_.seams()[s], s);
 }
 
+double Seams::widest(std::size_t s) const {
+  double most = 0;
+  for (std::size_t i = 0; i < threads_.size(); ++i)
+    if (dofs_.stitches()[i].seam == s && state(i) == State::drawn)
+      most = std::max(most, dofs_.gap(dofs_.stitches()[i], configuration_.x()).norm());
+  return most;
+}
+
+void Seams::lead_around(std::size_t stitch, const AtStepEnd& pressing, double speed) {
+  pressing_ = &pressing;
+  for (std::size_t i = 0; i < threads_.size(); ++i) {
+    const model::Stitch& at_stitch = dofs_.stitches()[i];
+    if (at_stitch.seam != dofs_.stitches()[stitch].seam || seam(i).stiffness) continue;
+    Thread& t = threads_[i];
+    t.speed = speed;
+    t.most = kHand * at_stitch.length;
+    deflect(i, configuration_.x());
+    t.commit();
+  }
+}
+
+// At what the stitch's node is sewn to.
+Vec3 Seams::on_place(std::size_t i, std::span<const Vec3> at_nodes) const {
+  Vec3 sum = Vec3::Zero();
+  for (const auto& lead : dofs_.stitches()[i].leads)
+    sum += lead.weight * at_nodes[static_cast<std::size_t>(lead.node)];
+  return sum;
+}
+
+// A hand that draws cloth over a body does not press it against it, which would hold it by friction: the part
+// of the pull against what presses turns along it. What presses there holds against friction, too.
+void Seams::deflect(std::size_t i, std::span<const double> x) {
+  Thread& t = threads_[i];
+  t.ends[0].x = at(x, dofs_.stitches()[i].node);
+  t.ends[1].x = t.ends[0].x - t.gap;
+  double sign = -1;
+  for (Thread::End& end : t.ends) {
+    const Vec3 pull = sign * t.force();
+    const double pressed = end.pressed.norm(), into = pressed > 0 ? -pull.dot(end.pressed) / pressed : 0;
+    end.aside.setZero();
+    sign = 1;
+    if (!(into > 0)) continue;
+    const double share = std::min(1.0, pressed / (kPresses * into));
+    const Vec3 along = pull + share * into / pressed * end.pressed;
+    end.aside = std::min(kTurned, pull.norm() / std::max(along.norm(), 1e-12 * into)) * along - pull;
+  }
+}
+
+void Seams::average_pressing() {
+  if (pressing_ == nullptr) return;
+  const auto push = pressing_->push();
+  if (push.empty()) return;
+  const double part = std::min(1.0, (configuration_.time() - time_before_) / kAverage);
+  for (std::size_t i = 0; i < threads_.size(); ++i) {
+    if (!threads_[i].is_led() || state(i) != State::drawn) continue;
+    auto& ends = threads_[i].ends;
+    ends[0].pressed += part * (push[static_cast<std::size_t>(dofs_.stitches()[i].node)] - ends[0].pressed);
+    ends[1].pressed += part * (on_place(i, push) - ends[1].pressed);
+  }
+}
+
+bool Seams::draws() const {
+  for (std::size_t i = 0; i < threads_.size(); ++i)
+    if (state(i) == State::drawn) return true;
+  return false;
+}
+
+std::optional<Seams::Lagging> Seams::lagging(std::optional<std::size_t> of_seam) const {
+  std::optional<Lagging> most;
+  for (std::size_t i = 0; i < threads_.size(); ++i) {
+    if (state(i) != State::drawn || !seam(i).over) continue;
+    if (of_seam && *of_seam != dofs_.stitches()[i].seam) continue;
+    const double gap = threads_[i].gap_before.norm(), wanted = nominal(i, time_before_).norm();
+    if (!most || gap - wanted > most->gap - most->wanted)
+      most = Lagging{i, gap, wanted, at(configuration_.x(), dofs_.stitches()[i].node)};
+  }
+  return most;
+}
+
+std::optional<Seams::Lagging> Seams::stuck() {
+  for (std::size_t i = 0; i < threads_.size(); ++i) {
+    if (state(i) != State::drawn || !threads_[i].is_led() || time_before_ < *seam(i).over) continue;
+    const std::size_t s = dofs_.stitches()[i].seam;
+    Late& late = late_[s];
+    if (late.told || (late.since >= 0 && time_before_ < late.since + kPatience * *seam(i).over)) continue;
+    const double gap = widest(s);
+    late.told = late.since >= 0 && gap > kNoNearer * late.gap;
+    if (late.told) return lagging(s);
+    late.since = time_before_;
+    late.gap = gap;
+  }
+  return {};
+}
+
 Sewn Seams::due(double time) const {
   Sewn next = dofs_.sewn();
-  for (std::size_t i = 0; i < threads_.size(); ++i)
-    if (state(i) == State::drawn && time >= *seam(i).over * (1 - 1e-9)) next.closed[i] = 1;
+  for (std::size_t i = 0; i < threads_.size(); ++i) {
+    if (state(i) != State::drawn || time < *seam(i).over * (1 - 1e-9)) continue;
+    if (!threads_[i].is_led() || widest(dofs_.stitches()[i].seam) <= kMeet * dofs_.length())
+      next.closed[i] = 1;
+  }
   if (next != dofs_.sewn()) decide_turning(next);
   return next;
 }
@@ -432,6 +576,7 @@ void Seams::renumbered(Forces& forces) {
 }
 
 void Seams::commit() {
+  average_pressing();
   time_before_ = configuration_.time();
   for (Thread& thread : threads_) thread.commit();
   for (BridgingString& string : strings_) string.committed = string.widest;
@@ -445,7 +590,7 @@ void Seams::rollback() {
 
 void Seams::keep(Archive& archive) {
   for (Thread& thread : threads_) thread.keep(archive);
-  archive(burst_, share_, strings_, time_before_);
+  archive(burst_, share_, strings_, time_before_, late_);
   if (!archive.reading()) return;
   list_joined();
   rollback();

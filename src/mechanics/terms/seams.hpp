@@ -3,10 +3,12 @@
 // has burst they carry what is left of its strength, less and less as the edges part.
 #pragma once
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "mechanics/dofs.hpp"
+#include "mechanics/facets.hpp"
 #include "mechanics/term.hpp"
 #include "mechanics/terms/cloth.hpp"
 #include "mechanics/terms/tears.hpp"
@@ -19,11 +21,12 @@ namespace fabricsh::mechanics {
 // beside it. A seam with a stiffness of its own carries k g up to its strength, and from there less down to
 // none at 2 G / f, back to the origin on unloading.
 struct Thread {
-  double k = 0, c = 0;                                 // N/m; N s/m, of motion alone
-  double pace = 0;                                     // 1/s: the most by which a target leads, in motion
-  double strength = 0, energy = 0;                     // N and J; 0: it does not break
-  Vec3 start = Vec3::Zero();                           // m, gap at the start
-  Vec3 gap = Vec3::Zero(), gap_before = Vec3::Zero();  // m: trial, committed
+  double k = 0, c = 0;              // N/m; N s/m, of motion alone
+  double pace = 0;                  // 1/s: the most by which a target leads, in motion
+  double strength = 0, energy = 0;  // N and J; 0: it does not break
+  double speed = 0, most = 0;       // m/s and N, see Seams::lead_around(); 0: without limit
+  Vec3 start = Vec3::Zero();        // m, gap at the start
+  Vec3 gap = Vec3::Zero(), gap_before = Vec3::Zero();          // m: trial, committed
   Vec3 target = Vec3::Zero(), target_before = Vec3::Zero();    // m
   Vec3 shift = Vec3::Zero(), shift_before = Vec3::Zero();      // m, by which the target leads
   Vec3 damping = Vec3::Zero(), damping_before = Vec3::Zero();  // N
@@ -41,6 +44,17 @@ struct Thread {
   void commit();
   void rollback();
   void keep(Archive& archive);
+  // Of a thread that is led: the two ends, first the node. Where they are, what presses on them, N, averaged
+  // over time, and what the thread does to them beside its force along the straight way, N.
+  struct End {
+    Vec3 x = Vec3::Zero(), x_before = Vec3::Zero();  // m
+    Vec3 pressed = Vec3::Zero();                     // of the committed state
+    Vec3 aside = Vec3::Zero(), aside_before = Vec3::Zero();
+  };
+  std::array<End, 2> ends;
+  bool is_led() const { return most > 0; }
+  // m, where the target may go in a step from where it is, on its way to `wanted`.
+  Vec3 led(const Vec3& wanted, double dt, double most_now) const;
 };
 
 class Seams final : public Term {
@@ -77,6 +91,22 @@ class Seams final : public Term {
   bool has_burst(std::size_t stitch) const;
   // m/s, at which the gap of a stitch closes where its thread draws fastest; 0: it is not drawn.
   double closing_speed(std::size_t stitch) const;
+  // From now on the threads of the seam of this stitch shorten by no more than `speed`, m/s, and pull with no
+  // more than a hand does and along what presses on the edges, a term like contact, so that it leads them
+  // around what lies between them. The seam closes when they meet, at the end of its time or later.
+  void lead_around(std::size_t stitch, const AtStepEnd& pressing, double speed);
+  bool draws() const;  // threads draw edges together
+  // Of the stitches that are drawn, of all seams or of one: that whose gap is most above what is wanted by
+  // now.
+  struct Lagging {
+    std::size_t stitch;
+    double gap, wanted;      // m
+    Vec3 at = Vec3::Zero();  // m, where its node is
+  };
+  std::optional<Lagging> lagging(std::optional<std::size_t> of_seam = {}) const;
+  // The same of a seam that is led around a body and is late, once: if it has not got any closer for a
+  // quarter of its time. To be asked after each step.
+  std::optional<Lagging> stuck();
   // One line for each seam.
   std::vector<std::string> describe() const;
 
@@ -85,12 +115,17 @@ class Seams final : public Term {
   State state(std::size_t stitch) const;
   const model::Seam& seam(std::size_t stitch) const { return dofs_.seams()[dofs_.stitches()[stitch].seam]; }
   bool has_strength(std::size_t stitch) const { return seam(stitch).strength.has_value(); }
-  Vec3 nominal(std::size_t stitch, double time) const;                // m, the gap wanted at a time
+  Vec3 nominal(std::size_t stitch, double time) const;  // m, the gap wanted at a time
+  double widest(std::size_t seam) const;                // m, gap of its stitches
+  Vec3 on_place(std::size_t stitch, std::span<const Vec3> at_nodes) const;
+  void deflect(std::size_t stitch, std::span<const double> x);
+  void average_pressing();
   Vec3 way(std::size_t stitch, std::span<const double> x) const;      // m, of its string from the origin
   Vec3 parting(std::size_t stitch, std::span<const double> x) const;  // m, of the gap, without what presses
   Mat3 tangent(const Trial& trial, std::size_t stitch) const;
   void pull(const law::Step& step, const Trial& trial, std::size_t stitch);
   void put(std::size_t stitch, const Vec3& force, std::span<double> on_x) const;
+  void put_aside(std::size_t stitch, std::span<double> on_x) const;
   void list_joined();
   Vec3 outward(std::size_t stitch, std::span<const double> x) const;
   void spread();
@@ -102,7 +137,14 @@ class Seams final : public Term {
   const Cloth& cloth_;
   const Dofs& dofs_;
   std::vector<Thread> threads_;
-  std::vector<std::uint8_t> burst_;              // per stitch: a string is there
+  std::vector<std::uint8_t> burst_;  // per stitch: a string is there
+  struct Late {
+    double since = -1, gap = 0;  // s, -1: not late; m, its widest gap then
+    bool told = false;
+    void keep(Archive& archive) { archive(since, gap, told); }
+  };
+  const AtStepEnd* pressing_ = nullptr;          // on the edges of seams that are led
+  std::vector<Late> late_;                       // per seam
   std::vector<BridgingString> strings_, ready_;  // per stitch; ready: of stitches that are about to open
   std::vector<std::size_t> ready_at_;
   std::vector<std::vector<Index>> around_;  // per stitch: nodes of the elements at its node

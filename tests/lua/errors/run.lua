@@ -180,6 +180,14 @@ wrong("fabric.dynamic", "fabric.dynamic{ model=held, duration=1, scheme='explict
   "deck.lua:1: dynamic: field 'scheme': expected 'explicit' or 'implicit', got 'explicti', did you mean 'explicit'?")
 wrong("fabric.dynamic", "fabric.dynamic{ model=held, duration=1, damping=5 }",
   "deck.lua:1: dynamic: field 'damping': expected a table {mass, stiffness}, got 5")
+wrong("fabric.dynamic", "fabric.dynamic{ model=held, duration=1, until_rest=true }",
+  "deck.lua:1: dynamic: field 'until_rest': expected a table {calm, window}, got true")
+wrong("fabric.dynamic", "fabric.dynamic{ model=held, duration=1, until_rest={ calm=0 } }",
+  "deck.lua:1: dynamic: field 'until_rest.calm': expected a positive number, got 0")
+wrong("fabric.dynamic", "fabric.dynamic{ model=held, duration=1, until_rest={ windows=0.1 } }",
+  "deck.lua:1: dynamic: unknown field 'until_rest.windows', did you mean 'until_rest.window'?")
+wrong("fabric.dynamic", "fabric.dynamic{ model=held, duration=1, until_rest={ window=1 } }",
+  "deck.lua:1: dynamic: field 'until_rest.window': expected less than the duration, 1 s, got 1")
 wrong("fabric.dynamic", "fabric.dynamic{ model=held, duration=1, force='yes' }",
   "deck.lua:1: dynamic: field 'force': expected true or false, got 'yes'")
 wrong("fabric.dynamic", "fabric.dynamic{ model=held, duration=1, max_iterations=2.5 }",

@@ -1,0 +1,75 @@
+-- A run that ends by itself where all rests: the strip of cloth that falls onto a floor, and a cuff that is sewn around an arm. The same bits after a
+-- restart; solve() goes on; what does not rest in its time is said.
+local fabric = require "fabric"
+local mm = fabric.units.mm
+local card = fabric.card("blend", { bending = "estimated" })
+
+local function sheet(duration, rest)
+  local mesh = fabric.mesh.rectangle { width = 0.07, height = 0.05, nx = 5, ny = 4, origin = { 0, 0, 3 * mm } }
+  local m = fabric.model { mesh = mesh, card = card, points = 1, warp = 0 }
+  local floor = fabric.rigid.plane { point = { 0, 0, 0 }, normal = { 0.1, 0, 1 } }
+  m:contact { between = { floor, "all" }, friction = 0.5 }:gravity { 0, 0, -9.81 }
+  return fabric.dynamic { model = m, duration = duration, damping = { mass = 150 }, until_rest = rest }
+end
+
+local function said(a, code)
+  for _, w in ipairs(a.warnings) do if w.code == code then return w.text end end
+end
+
+-- As a child: the state where it rests, whole or taken up on the way.
+if arg[1] then
+  local a = sheet(2, { calm = 0.05, window = 0.03 })
+  a:checkpoint("rest.ckpt", { every = 1 })
+  if arg[1] == "half" then return a:advance(0.045) end
+  a:solve()
+  assert(a.stopped == "at rest")
+  local rows = { ("%a %a"):format(a.time, a.energy.kinetic) }
+  for i, u in ipairs(a:field "displacement") do rows[i + 1] = ("%a %a %a"):format(u[1], u[2], u[3]) end
+  return print(table.concat(rows, "\n"))
+end
+
+local a = sheet(2, { calm = 0.05, window = 0.03 })
+a:solve()
+print(("at rest at %.4g s, kinetic over stored %.3g"):format(a.time, a.energy.kinetic / a.energy.stored))
+assert(a.stopped == "at rest" and a.time > 0.03 and a.time < 0.5)
+assert(a.energy.kinetic <= 0.05 * a.energy.stored and a.energy.damping > 0 and a.energy.error < 1e-2)
+assert(not said(a, "rest"))
+-- It ends there once; what is left is run when it is asked for.
+local t = a.time
+a:advance(t + 0.05)
+assert(not a.stopped and math.abs(a.time - t - 0.05) < 1e-12)
+
+-- Nothing rests while it falls.
+local short = sheet(0.02, { window = 0.01 })
+short:solve()
+assert(not short.stopped and short.time == 0.02)
+print(said(short, "rest"))
+assert(said(short, "rest"):find("not at rest at the end, 0.02 s: the kinetic energy is", 1, true))
+
+local here = arg[0]
+local function child(options, what)
+  local pipe = assert(io.popen(("'%s' --quiet %s '%s' %s 2>/dev/null"):format(arg[-1], options, here, what)))
+  local text = pipe:read "a"
+  assert(pipe:close(), options .. " " .. what)
+  return text
+end
+local one = child("--threads 1", "whole")
+child("--threads 1", "half")
+assert(#one > 500 and one == child("--threads 2 --restart rest.ckpt", "whole"), "bits after a restart")
+
+-- A cuff that is drawn together around an arm does not rest before it is sewn, however calm it is. fabric.lab.dress ends with the run.
+local function cuff()
+  local r = 30 * mm
+  local arm = fabric.rigid.limb { upper = 0.09, lower = 0.09, radii = { 26 * mm, 26 * mm, 25 * mm }, around = 20, from = { -0.09, 0, 0 }, axis = { 1, 0, 0 }, towards = { 0, 0, 1 }, name = "arm" }
+  local wide = 2 * math.pi * r - 7 * mm
+  local panel = fabric.mesh.panel { size = 14 * mm, grain = 90, outline = { { 0, 0 }, { wide, 0 }, { wide, 56 * mm, name = "right" }, { 0, 56 * mm }, { name = "left" } } }
+  panel:wrap { cylinder = { radius = r, axis = { 1, 0, 0 }, from = { -28 * mm, 0, 0 }, towards = { 0, 0, -1 } } }
+  local m = fabric.model { mesh = panel, card = card, points = 1 }
+  m:gravity { 0, 0, -9.81 }:seam { "left", "right", over = 0.03, hinge = true }:contact { between = { arm, "all" }, friction = 0.3 }
+  return fabric.dynamic { model = m, duration = 0.5, damping = { mass = 100 }, until_rest = { calm = 1e9, window = 5e-3 } }
+end
+local b = cuff()
+local dressed = fabric.lab.dress { analysis = b, at = 0.4 }
+print(("sewn at %.4g s"):format(dressed.time))
+assert(dressed.at_rest and dressed.open == 0 and dressed.time == b.time and dressed.stopped == "at rest")
+assert(b.time >= 0.035 * (1 - 1e-9) and b.time < 0.0365)
