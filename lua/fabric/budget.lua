@@ -10,6 +10,7 @@ local assumed = require "fabric.assumed"
 local random = require "fabric.lab.random"
 local sorted = require "fabric.sorted"
 local convergence = require "fabric.lab.convergence"
+local tests_for = require "fabric.lab.tests_for"
 
 local level, boots = 0.95, 400
 
@@ -30,7 +31,7 @@ end
 -- A part of the card from its confidence band.
 local function band_inputs(t, card, list)
   local draws
-  for _, part in ipairs { "warp", "weft", "shear" } do
+  for _, part in ipairs { "warp", "weft", "shear", "bending", "biaxial" } do
     if card.bands and card.bands[part] then
       draws = draws or card:sample(2 * t.samples, t.seed)
       list[#list + 1] = { name = "card." .. part, range = "its band", put = function(p, i, set)
@@ -314,6 +315,20 @@ local function untold_of(result, names)
   return out
 end
 
+-- What would narrow an interval: the assumptions that make a tenth of the variance and more, the largest first, with the test that would determine each and the width that would then be
+-- left, over the present one; a line each. Inputs of the deck's own are the deck's to know.
+local function narrower_of(result, names)
+  local out = {}
+  for _, name in ipairs(names) do
+    for _, c in ipairs(result.of[name].contributions) do
+      local field = c.source:match "^assumed%.(.*)"
+      local test = field and c.first and c.share >= 0.1 and (tests_for[field] or field == "poisson" and tests_for["warp.poisson"])
+      if test then out[#out + 1] = { name = name, field = field, test = test, width = math.sqrt(math.max(0, 1 - c.share)) } end
+    end
+  end
+  return out
+end
+
 -- What the card's records have against its law, by the words of its provenance (found:card of fabric.lab.identify and pool).
 local function contradictions_of(card)
   local out, provenance = {}, card and card.provenance or {}
@@ -361,6 +376,9 @@ local function text_of(t, result, names)
   end
   for _, words in ipairs(result.untold) do say("%s", words) end
   for _, words in ipairs(result.contradictions) do say("%s", words) end
+  for _, one in ipairs(result.narrower) do
+    say("to narrow %s: %s by %s; with it known the interval would be about %.2g times as wide", one.name, one.field, one.test, one.width)
+  end
   for _, one in ipairs(result.sample_warnings) do say("%s in %d of %d runs: %s", one.code, one.runs, result.runs - 1, one.text) end
   for _, name in ipairs(result.not_varied) do
     local kept = unheld_by(t.card, name)
@@ -388,7 +406,7 @@ local function draw(result, names, file)
     end
     curves[#curves + 1] = ends
     most = math.max(most, #shown)
-    panels[#panels + 1] = { curves = curves, xlabel = ("share of the variance of %s, %%"):format(name), ynames = sources, xrange = { 0, 100 } }
+    panels[#panels + 1] = { curves = curves, xlabel = ("share of the variance of %s, %%"):format(name), ynames = sources, xrange = { 0, 104 } }
   end
   return fabric.plot { panels = panels, file = file, letters = #panels > 1, layout = { #panels, 1 },
     size = { 0.12, math.min(1, #panels * (0.02 + 0.007 * most)) } }
@@ -425,7 +443,7 @@ local function run(t)
     inputs[#inputs + 1] = { name = "specimen", range = "by its seed", put = function(p, i, set) p.specimen = 1 + i + (set - 1) * t.samples end }
   end
   t.shares = t.shares and #inputs > 1
-  local result = { of = {}, value = {}, band = {}, contributions = {}, not_varied = not_varied, runs = 0, failed = 0, warnings = {}, sample_warnings = {}, contradictions = contradictions_of(t.card) }
+  local result = { of = {}, value = {}, band = {}, contributions = {}, not_varied = not_varied, runs = 0, failed = 0, warnings = {}, sample_warnings = {}, narrower = {}, contradictions = contradictions_of(t.card) }
   if fabric.checking() then return result end
   local jobs, numerical = plan(t, inputs)
   local answers = #jobs > 0 and compute(t, jobs, names) or {}
@@ -455,7 +473,7 @@ local function run(t)
     local b = budget_of(t, inputs, base[name], values, rows, result.mesh_errors)
     result.of[name], result.value[name], result.band[name], result.contributions[name] = b, b.value, b.band, b.contributions
   end
-  result.untold = untold_of(result, names)
+  result.untold, result.narrower = untold_of(result, names), narrower_of(result, names)
   for _, words in ipairs(result.untold) do fabric.warn("budget: " .. words) end
   result.warnings = define.warnings(before)
   result.text = text_of(t, result, names)
@@ -480,7 +498,7 @@ define {
     { name = "figure", kind = "text", optional = true, sentence = "a file for a picture of the shares" },
   },
   sentence = "The uncertainty of what a deck computes, after the GUM: the errors of the mesh (Richardson's extrapolation, whose limit is the value) and of the steps, the card's measured bands, what it assumes, and the specimen. Returns by the name of each number value, band {low, high} (95 %) "
-    .. "and contributions { {source, deviation, share, first, total, first_band, total_band, range, why}, ... }, the largest first; text, runs, failed, warnings, sample_warnings (what the samples warned of, once each: code, text, runs), not_varied, untold (lines on numbers of which the meshes or steps do not tell where they go), contradictions (lines on parts of the card whose records contradict the model).",
+    .. "and contributions { {source, deviation, share, first, total, first_band, total_band, range, why}, ... }, the largest first; text, runs, failed, warnings, sample_warnings (what the samples warned of, once each: code, text, runs), not_varied, untold (lines on numbers of which the meshes or steps do not tell where they go), contradictions (lines on parts of the card whose records contradict the model), narrower (what tests would narrow an interval, { name, field, test, width }: the width left over the present one).",
   example = "local b = require 'fabric'.budget{ assumed={ a={0, 2}, b={0, 1} }, samples=256, print=false,\n"
     .. "  run=function(p) return { sum=p.assumed.a + p.assumed.b } end }\n"
     .. "assert(math.abs(b.value.sum - 1.5) < 1e-12 and b.contributions.sum[1].source == 'assumed.a')\n"

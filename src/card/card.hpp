@@ -74,16 +74,24 @@ struct Bending {
   double tested = 0;                       // 1/m, curvature up to which they were measured. 0: not stated
 };
 
-// Confidence bands of measured parameters, in the order loading coefficients (of points: their stresses
-// beyond the origin, Pa), unloading, poisson (shear has no poisson). covariance refers to the same
-// parameters, row by row. Empty: not known.
+// Confidence bands of measured parameters, in the order of their rows: of a yarn loading coefficients (of
+// points: their ordinates beyond the origin), unloading, poisson (shear has no poisson); of the bending warp,
+// weft, twist, then moment and curvature of each friction; of the biaxial spring its four numbers. covariance
+// refers to the same parameters, row by row. Empty: not known.
 struct ParameterBand {
   std::vector<double> low, high, covariance;
 };
 struct ParameterBands {
   double level = 0.95;  // probability that a parameter lies in its band
-  ParameterBand warp, weft, shear;
+  ParameterBand warp, weft, shear, bending, biaxial;
 };
+// The parts in the order in which cards are drawn from their bands.
+inline constexpr std::pair<const char*, ParameterBand ParameterBands::*> banded_parts[] = {
+    {"warp", &ParameterBands::warp},
+    {"weft", &ParameterBands::weft},
+    {"shear", &ParameterBands::shear},
+    {"bending", &ParameterBands::bending},
+    {"biaxial", &ParameterBands::biaxial}};
 
 // The woven law, and those of folders of the room law that take its card in its place.
 #define FABRICSH_NAME(name) name,

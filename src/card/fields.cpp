@@ -133,10 +133,13 @@ Rows<Tested> tested_rows() {
 }
 
 Rows<Biaxial> biaxial_rows() {
-  return {number("alpha", &Biaxial::alpha, "", positive, "weight of E22"),
-          number("offset", &Biaxial::offset, "", not_negative, "strain where it begins").printed("from #"),
-          modulus("loading", &Biaxial::loading, "q of T = q y^2 / 2").printed("# MPa", per_MPa),
-          modulus("unloading", &Biaxial::unloading, "unloading modulus").printed("unloading # MPa", per_MPa)};
+  return {
+      number("alpha", &Biaxial::alpha, "", positive, "weight of E22").band(),
+      number("offset", &Biaxial::offset, "", not_negative, "strain where it begins").band().printed("from #"),
+      modulus("loading", &Biaxial::loading, "q of T = q y^2 / 2").band().printed("# MPa", per_MPa),
+      modulus("unloading", &Biaxial::unloading, "unloading modulus")
+          .band()
+          .printed("unloading # MPa", per_MPa)};
 }
 
 // The rows of a rheological element; a name with a dot stands in the group before it.
@@ -178,8 +181,11 @@ void add_elements(Rows<Woven>& rows) {
 
 Rows<ParameterBand> band_rows() {
   return {
-      numbers("low", &ParameterBand::low, "",
-              "of loading coefficients (of points: their stresses beyond zero strain), unloading, poisson")
+      numbers(
+          "low", &ParameterBand::low, "",
+          "of loading coefficients (of points: their stresses beyond zero strain), unloading, poisson; of "
+          "bending: warp, weft, twist, then moment and curvature of each friction; of the biaxial spring: "
+          "alpha, offset, loading, unloading")
           .unprinted(),
       numbers("high", &ParameterBand::high, "", "of the same parameters").unprinted(),
       numbers("covariance", &ParameterBand::covariance, "", "of the same parameters, row by row")
@@ -196,29 +202,36 @@ FieldOf<ParameterBands> band(const std::string& name, ParameterBand ParameterBan
 // Lists the parts that have confidence bands, and those that do not.
 std::string bands_words(const ParameterBands& bands) {
   std::string with, without;
-  for (const auto& [name, band] :
-       {std::pair{"warp", &bands.warp}, {"weft", &bands.weft}, {"shear", &bands.shear}}) {
-    std::string& list = band->low.empty() ? without : with;
+  bool further = false;  // beside the three parts that each card has
+  for (const auto& [name, place] : banded_parts) {
+    const bool has = !(bands.*place).low.empty(),
+               own = place == &ParameterBands::bending || place == &ParameterBands::biaxial;
+    if (own && !has) continue;
+    further = further || own;
+    std::string& list = has ? with : without;
     list += (list.empty() ? "" : ", ") + std::string(name);
   }
   const std::string of = "of " + fabricsh::number(100 * bands.level, 4) + " % confidence";
-  if (without.empty()) return of;
+  if (without.empty()) return further ? of + " on " + with : of;
   return with.empty() ? "none" : of + " on " + with + ", none on " + without;
 }
 
 Rows<ParameterBands> bands_rows() {
-  return {number("level", &ParameterBands::level, "", Range{0, 1, true, true}, "of confidence")
-              .or_else(0.95)
-              .said(bands_words),
-          band("warp", &ParameterBands::warp), band("weft", &ParameterBands::weft),
-          band("shear", &ParameterBands::shear)};
+  Rows<ParameterBands> rows{
+      number("level", &ParameterBands::level, "", Range{0, 1, true, true}, "of confidence")
+          .or_else(0.95)
+          .said(bands_words)};
+  for (const auto& [name, place] : banded_parts) rows.push_back(band(name, place));
+  return rows;
 }
 
 Rows<BendingFriction> friction_rows(const std::string& side) {
   return {
       number("moment", &BendingFriction::moment, "N", positive, "friction moment per width")
+          .band()
           .printed("friction " + side + " # mN", 1e3),
       number("curvature", &BendingFriction::curvature, "1/m", positive, "curvature over which it builds up")
+          .band()
           .printed("over # 1/m"),
       word("memory", &BendingFriction::memory, {"slip", "fading"},
            "slip: the friction moment grows linearly until it slips; fading: it approaches its limit "
@@ -251,7 +264,7 @@ FieldOf<Bending> rigidity(const std::string& name, double Bending::*place, Curve
                                "width, N, from {0, 0} on")
                .said([=](const Bending& b) { return rigidity_words(name, b.*place, b.*as_curve); });
   f.parts = {"curvature", "moment"};
-  return f;
+  return f.band();
 }
 
 Rows<Bending> bending_rows() {
@@ -259,6 +272,7 @@ Rows<Bending> bending_rows() {
       rigidity("warp", &Bending::warp, &Bending::warp_curve),
       rigidity("weft", &Bending::weft, &Bending::weft_curve),
       number("twist", &Bending::twist, "N.m", not_negative, "twisting rigidity, multiplies 2 kappa12")
+          .band()
           .printed("twist # uN.m", 1e6),
       group("friction_warp", &Bending::friction_warp, friction_rows("warp"),
             "bending hysteresis along the warp"),

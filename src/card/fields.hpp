@@ -19,7 +19,8 @@ inline const FieldTable& fields(const Card& card) { return fields(kind(card)); }
 const Field* find_field(const FieldTable& table, const std::string& path);
 
 // The numbers of a group to which confidence bands refer, in the order of
-// its rows; for a yarn: the coefficients of loading, unloading, poisson.
+// its rows; for a yarn: the coefficients of loading, unloading, poisson. None
+// if the card has no such group.
 std::vector<double> parameters(const Field& group, const Card& card);
 void set_parameters(const Field& group, Card& card, const std::vector<double>& values);
 

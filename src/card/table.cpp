@@ -62,24 +62,39 @@ void visit_numbers(AnyValue& value, const Visit& visit) {
 
 }  // namespace
 
+namespace {
+
+// Calls visit(field) for every field of a group to which bands refer, also of the groups in it that the card
+// has.
+template <class Visit>
+void visit_measured(const Field& group, const Card& card, const Visit& visit) {
+  if (!group.there(card)) return;
+  for (const Field& field : group.rows) {
+    if (field.holds == FieldType::group)
+      visit_measured(field, card, visit);
+    else if (field.measured)
+      visit(field);
+  }
+}
+
+}  // namespace
+
 std::vector<double> parameters(const Field& group, const Card& card) {
   std::vector<double> out;
-  for (const Field& field : group.rows) {
-    if (!field.measured) continue;
+  visit_measured(group, card, [&](const Field& field) {
     const Value value = field.get(card);
     visit_numbers(value, [&](double x) { out.push_back(x); });
-  }
+  });
   return out;
 }
 
 void set_parameters(const Field& group, Card& card, const std::vector<double>& values) {
   auto next = values.begin();
-  for (const Field& field : group.rows) {
-    if (!field.measured) continue;
+  visit_measured(group, card, [&](const Field& field) {
     Value value = field.get(card);
     visit_numbers(value, [&](double& x) { x = *next++; });
     field.set(card, value);
-  }
+  });
 }
 
 std::string at_field(const Card& card, const std::string& path) {

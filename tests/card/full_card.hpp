@@ -59,11 +59,10 @@ inline card::Card full_card(const std::string& kind) {
   detail::fill(card::fields(kind), card, count);
   if (auto* woven = std::get_if<card::Woven>(&card.law)) {
     woven->law = card::LawKind::potential;  // the only one that takes all parts
-    for (const auto& [part, band] :
-         {std::pair{"warp", &woven->bands->warp}, std::pair{"weft", &woven->bands->weft},
-          std::pair{"shear", &woven->bands->shear}}) {
+    for (const auto& [part, place] : card::banded_parts) {
       const std::size_t n = parameters(*card::find_field(card::fields(card), part), card).size();
-      band->low.resize(n), band->high.resize(n), band->covariance.resize(n * n, 0.5);
+      auto& band = *woven->bands.*place;
+      band.low.resize(n), band.high.resize(n), band.covariance.resize(n * n, 0.5);
     }
   }
   return card;

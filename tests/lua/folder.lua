@@ -82,11 +82,11 @@ local function without(pattern)
 end
 local function says(result, field, words) assert((result.card.provenance[field] or "nothing"):find(words, 1, true) == 1, field) end
 local part = without "^bias"
-assert(not part.shear and part.card.warp.loading[1] == clean.card.warp.loading[1] and #part.further == 2)
+assert(not part.shear and part.card.warp.loading[1] == clean.card.warp.loading[1] and #part.further == 3)
 says(part, "shear.loading", "assumed: straight, 0.09 of")
-assert(part.further[1].field == "shear.loading" and part.further[1].test:find "a bias pull")
+assert(part.further[1].field == "bending" and part.further[1].test:find "^cantilevers" and part.further[2].field == "shear.loading" and part.further[2].test:find "a bias pull")
 part = without "^weft"
-assert(not part.weft and #part.further == 5)
+assert(not part.weft and #part.further == 6)
 says(part, "weft.loading", "assumed: as the warp's")
 part = without "markers"
 says(part, "warp.poisson", "assumed: 0.4")
@@ -158,7 +158,7 @@ write("laboratory.lua", about)
 write("bias-1.csv", bias_pull)
 -- a bias pull alone: the yarns go by its shear
 part = without "^warp"
-assert(not part.warp and not part.weft and #part.further == 7)
+assert(not part.warp and not part.weft and #part.further == 8)
 says(part, "warp.loading", "assumed: straight, 11 times the initial modulus in shear")
 says(part, "shear.loading", "fitted to 1 specimen")
 assert(report.write(part, place .. "/out").shear)
@@ -185,6 +185,30 @@ says(part, "warp.poisson", "assumed: 0.1 (0.12 to 2.04 on the shipped cloths), s
 figures = report.write(part, place .. "/out")
 assert(figures.warp.residual < 0.02 and figures.warp.trouble:find "the law at a point takes its place" and report.contradictions(figures)[1] == "warp: " .. figures.warp.trouble)
 assert(part.card.provenance["warp.loading"]:find "1 specimen" and not (part.card.bands and part.card.bands.warp))
+-- cantilevers: bending with its band, in card, table and page; without strips at 45 degrees the twist is assumed, and the test that tells it is named
+with("return {", "return { cantilevers = { warp = { 0.021, 0.022, 0.0215 }, weft = { 0.018, 0.0184 }, bias = { 0.0196, 0.0201 } },")
+part = folder.reduce(place)
+assert(part.card.bands.bending and math.abs(part.card.bending.weft / (9.80665 * 0.2242 * (0.018 ^ 3 + 0.0184 ^ 3) / 2) - 1) < 1e-12 and part.card.bands.bending.low[3] > 0)
+says(part, "bending", "measured: cantilevers, 3 along the warp, 2 along the weft, 2 along the bias")
+for _, f in ipairs(part.further) do assert(not f.field:find "^bending", f.field) end
+local _, table_rows = report.write(part, place .. "/out")
+local last = table_rows[#table_rows]
+assert(last[1] == "bending twist" and last[3]:find "^%S+ to %S+$" and last[4] == "uN.m" and last[5] == "likewise", table.concat(last, " "))
+with("return {", "return { cantilevers = { warp = { 0.021, 0.022 }, weft = { 0.018, 0.0184 } },")
+part = folder.reduce(place)
+assert(part.further[1].field == "bending.twist" and part.further[1].test:find "45 degrees")
+with("return {", "return { bending = { warp = 1e-5, weft = 1e-5, twist = 5e-6 }, cantilevers = { warp = 0.02, weft = 0.02 },")
+refused "laboratory.lua: field 'cantilevers': expected either bending or cantilevers, got both"
+with("return {", "return { cantilevers = { warp = 0.02 },")
+refused "field 'cantilevers': expected strips along warp and weft, got those along one alone"
+with("return {", "return { cantilevers = { warp = 21, weft = 0.02 },")
+refused "field 'cantilevers': expected bending lengths of warp in m, 0.001 to 0.5 (half of the overhang), got 21"
+with("return {", "return { cantilevers = { wrap = 0.02, weft = 0.02 },")
+refused "field 'cantilevers': expected warp, weft and bias, got 'wrap'"
+with("plies = 2,", "")
+refused "laboratory.lua: field 'plies': expected 1 (a strip in two clamps) or 2 (a loop on two pins), got nil"
+write("laboratory.lua", about)
+
 local ok, message = pcall(folder.reduce)
 assert(not ok and message:find("^" .. arg[0]:gsub("%p", "%%%0") .. ":%d+: laboratory: expected the name of a folder, got nil$"), message)
 assert(os.execute("rm -r '" .. place .. "'"))

@@ -135,7 +135,11 @@ function loss.sentences(card, target)
   end
   if card.compression then add "compression: how the cloth is pressed is lost; contact there presses by rules of its own" end
   if card.kind == "woven" and card.damage then add "damage: the softening of yarns that break is lost; nothing written breaks" end
-  if card.kind == "woven" and card.bands then add "bands: the values alone are written" end
+  if card.kind == "woven" and card.bands then
+    local parts = {}
+    for _, part in ipairs { "warp", "weft", "shear", "bending", "biaxial" } do parts[#parts + 1] = card.bands[part] and part or nil end
+    add(("bands%s: the values alone are written"):format(#parts > 0 and " of " .. table.concat(parts, ", ") or ""))
+  end
   return out
 end
 

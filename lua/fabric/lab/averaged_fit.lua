@@ -186,8 +186,14 @@ local function with_misfit(more, operator, E, mean)
   return more
 end
 
--- The form of the card's loading: degree (nil: points), operator, places.
-local function form_of(t, a, mean, half)
+-- The form of the card's loading: degree (nil: points), operator, places. Where the band reaches below zero, points are chosen: most polynomials that are drawn from it would fall somewhere,
+-- while points that are drawn can be made to rise.
+local function form_of(t, a, mean, half, band)
+  if t.degree == "auto" then
+    for g = 1, #mean do
+      if band[g] >= mean[g] then return nil, points_operator(a.E) end
+    end
+  end
   local deviation, peak = {}, mean[#mean]
   for g in ipairs(a.E) do deviation[g] = math.sqrt(half[g] ^ 2 + (0.002 * peak) ^ 2) end
   for _, degree in ipairs(type(t.degree) == "number" and { t.degree } or t.degree == "auto" and { 2, 4, 6 } or {}) do
@@ -260,9 +266,9 @@ function averaged.of(t, curves, earliest)
   local mean = mean_of(a)
   local half = half_widths(a, mean, t.level)
   local near = near_widths(half, #a.specimens, t.level)
-  local degree, operator, places = form_of(t, a, mean, near)
+  local degree, operator, places = form_of(t, a, mean, near, half)
   local out = { degree = degree, tested = a.E[#a.E], text = words_of(a, t), specimens = {}, E = a.E, S = mean, half = half }
-  if not degree then out.text = out.text .. ("\nno polynomial of degree 2, 4 or 6 describes the mean: %d points of a monotone curve instead"):format(ends) end
+  if not degree then out.text = out.text .. ("\nno polynomial of degree 2, 4 or 6 describes the mean and its band: %d points of a monotone curve instead"):format(ends) end
   local miss = type(t.degree) == "number" and missed(applied(operator, mean), a.E, mean, near)
   if miss then out.text = out.text .. "\n" .. miss end
   local lists = {}

@@ -245,6 +245,26 @@ local function viscous_of(t, provenance, source)
   return { shear = { modulus = engineering and shear.modulus / 2 or shear.modulus, time = shear.time } }
 end
 
+-- Bending as cards take it, and the band of a result of fabric.lab.twist.
+local function bending_of(t, provenance, ranges, source)
+  local b = t.bending
+  if b and not b.bending then provenance.bending = "typed" end
+  if not b or not b.bending then return b end
+  if type(b.bending) ~= "table" or type(b.strips) ~= "table" then fail "card: field 'bending': expected bending as fabric.woven takes it, or a result of fabric.lab.twist" end
+  local along = {}
+  for _, name in ipairs { "warp", "weft", "bias" } do
+    if b.strips[name] then along[#along + 1] = ("%d along the %s"):format(b.strips[name], name) end
+  end
+  provenance.bending = ("measured: cantilevers, %s%s"):format(table.concat(along, ", "), b.band and "" or "; one strip does not show how others differ, so that there is no band")
+  if b.reached == nil then
+    provenance["bending.twist"], ranges["bending.twist"] = "assumed: half of the geometric mean of warp and weft, since no strip at 45 degrees was tested", { 0.05, 5 }
+  elseif b.reached == false then
+    provenance["bending.twist"] = "measured: the strips at 45 degrees show less than any positive twist permits, the least is taken"
+  end
+  source[#source + 1] = "bending: cantilevers"
+  return b.bending, b.band and { low = b.band.low, high = b.band.high, covariance = b.band.covariance }, b.band and b.band.level
+end
+
 -- The line in the card's source that describes a part.
 local function summary(words, name)
   return name .. ": " .. (words:match "^fitted to ([^;]*)" or words:match "^(assumed):" or words)
@@ -275,11 +295,14 @@ local function card(t)
     if type(t.assume) == "table" and t.assume[field] then provenance[field] = "assumed: given by the deck" end
   end
   local viscous = viscous_of(t, provenance, source)
+  local bending, band, level = bending_of(t, provenance, ranges, source)
+  if band and bands.level and level ~= bands.level then fail(("card: field 'bending': expected a band of %g %%, as the fits have, got %g %%"):format(100 * bands.level, 100 * level)) end
+  bands.bending, bands.level = band, bands.level or level
   made.shear.measure, made.shear.memory = t.shear and t.shear.measure or "tensor", t.shear and t.shear.memory
   return fabric.woven {
     name = t.name, source = table.concat(source, "; "), density = t.density, thickness = t.thickness,
     warp = made.warp, weft = made.weft, shear = made.shear, tested = tested,
-    bands = bands.level and bands or nil, bending = t.bending, viscous = viscous, provenance = provenance, ranges = ranges,
+    bands = bands.level and bands or nil, bending = bending, viscous = viscous, provenance = provenance, ranges = ranges,
   }
 end
 
@@ -297,7 +320,7 @@ define {
     { name = "assume", kind = "boolean|table", default = false,
       sentence = "true: values without a test follow a rule and are marked assumed in card.provenance; a table gives values, {['warp.unloading']=..., "
         .. "['weft.poisson']=...}, and {thickness=true} marks an argument; false: an error" },
-    { name = "bending", kind = "table", optional = true, sentence = "as in fabric.woven" },
+    { name = "bending", kind = "table", optional = true, sentence = "as in fabric.woven, or a result of fabric.lab.twist, with its band" },
     { name = "viscous", kind = "table", optional = true,
       sentence = "result of fabric.lab.viscous (which may find none), or { shear={ modulus=, time= } } in S12 over E12; default: nothing relaxes" },
   },

@@ -5,30 +5,44 @@ local fabric = require "fabric"
 local sorted = require "fabric.sorted"
 local fail = define.fail
 
-local parts = { "warp", "weft", "shear" }
+local parts = { "warp", "weft", "shear", "bending", "biaxial" }
+local of_yarn, of_friction = { "loading", "unloading", "poisson" }, { "moment", "curvature" }
+-- The fields of a part to which its band refers, in the order of the card's rows.
+local fields = { warp = of_yarn, weft = of_yarn, shear = of_yarn, biaxial = { "alpha", "offset", "loading", "unloading" },
+  bending = { "warp", "weft", "twist", friction_warp = of_friction, friction_weft = of_friction } }
+local names = {} -- of numbers that bands hold, as "bending.friction_warp.moment"
 
--- The numbers of a card's part to which its band refers: loading (of points: the stresses beyond zero strain), unloading, poisson.
-local function numbers_of(part)
-  local out = {}
-  for _, d in ipairs(part.loading) do
-    if type(d) ~= "table" then out[#out + 1] = d elseif d[1] ~= 0 then out[#out + 1] = d[2] end
+-- The numbers of a card's part to which its band refers: of curves the coefficients, or the ordinates of their points beyond zero.
+local function numbers_of(part, list, out)
+  for _, field in ipairs(list) do
+    local value = part[field]
+    for _, d in ipairs(type(value) == "table" and value or { value }) do
+      if type(d) ~= "table" then out[#out + 1] = d elseif d[1] ~= 0 then out[#out + 1] = d[2] end
+    end
   end
-  out[#out + 1] = part.unloading
-  out[#out + 1] = part.poisson
+  for _, group in ipairs { "friction_warp", "friction_weft" } do
+    if list[group] and part[group] then numbers_of(part[group], list[group], out) end
+  end
   return out
 end
+local function listed(list, prefix)
+  for key, value in pairs(list) do
+    if type(value) == "table" then listed(value, prefix .. key .. ".") else names[prefix .. value] = true end
+  end
+end
+for part, list in pairs(fields) do listed(list, part .. ".") end
 
 local function made(by, make, p)
   local card = make(p)
   if type(card) ~= "userdata" or card.kind ~= "woven" then fail(("%s: card: expected a function of the parameters that returns a woven card"):format(by)) end
   local out = {}
-  for _, name in ipairs(parts) do out[name] = numbers_of(card[name]) end
+  for _, name in ipairs(parts) do out[name] = card[name] and numbers_of(card[name], fields[name], {}) or {} end
   return card, out
 end
 
 -- Derivatives of a part's numbers by the parameters, by differences of a tenth of a deviation to both sides, within the bounds.
 local function derivatives(by, found, parameters, deviation, make, base)
-  local out = { warp = {}, weft = {}, shear = {} }
+  local out = { warp = {}, weft = {}, shear = {}, bending = {}, biaxial = {} }
   for j, p in ipairs(parameters) do
     local low, high = {}, {}
     for name, x in pairs(found) do low[name], high[name] = x, x end
@@ -63,18 +77,16 @@ local function band_of(values, slopes, covariance, quantile)
   return uncertain and out or nil
 end
 
--- The numbers of a card that no band of it holds, by names such as "bending.warp"; of lists with a place.
+-- The numbers of a card that no band of it holds, by names such as "shear.friction.stress"; of lists with a place.
 local function others_of(card)
-  local out, held = {}, { loading = true, unloading = true, poisson = true }
-  local function walk(name, value, of_part)
+  local out = {}
+  local function walk(name, value)
+    if names[name] then return end
     if type(value) == "number" then out[name] = value end
     if type(value) ~= "table" then return end
-    for key, inner in pairs(value) do
-      if not (of_part and held[key]) then walk(name .. "." .. tostring(key), inner) end
-    end
+    for key, inner in pairs(value) do walk(name .. "." .. tostring(key), inner) end
   end
-  for _, name in ipairs(parts) do walk(name, card[name], true) end
-  for _, name in ipairs { "bending", "biaxial", "viscous", "density", "thickness" } do walk(name, card[name]) end
+  for _, name in ipairs { "warp", "weft", "shear", "bending", "biaxial", "viscous", "density", "thickness" } do walk(name, card[name]) end
   for name in pairs(out) do
     if name:find "%.tested$" then out[name] = nil end
   end
@@ -103,7 +115,7 @@ local function unheld(found, parameters, covariance, quantile, make, card)
     local half = quantile * math.sqrt(math.max(0, linear.quadratic(covariance, slopes[name])))
     if half > 1e-9 * math.abs(base[name]) then
       local first, second = name:match "^([^.]+)%.?([^.]*)"
-      local field = first == "bending" and second == "twist" and "bending.twist" or (first == "bending" or first == "biaxial" or second == "") and first
+      local field = second == "loop" and first .. ".loop" or (first == "viscous" or second == "") and first
       list[#list + 1] = ("%s from %.3g to %.3g"):format(name, base[name] - half, base[name] + half)
       if field then by_field[field] = (by_field[field] and by_field[field] .. ", " or "") .. list[#list] end
     end
@@ -121,23 +133,27 @@ return function(by, found, parameters, covariance, quantile, level, make, contra
   for j in ipairs(parameters) do deviation[j] = math.sqrt(covariance[j][j]) end
   local slopes = derivatives(by, found, parameters, deviation, make, base)
   local bands, provenance = { level = level }, {}
-  for _, name in ipairs(parts) do
-    if contradiction and band_of(base[name], slopes[name], covariance, quantile) then
-      local own = card.provenance and card.provenance[name .. ".loading"]
-      provenance[name .. ".loading"] = (own or "fitted: by fabric.lab." .. by) .. "; " .. contradiction
-    end
+  local function own(field) -- make changes a card by card:with
+    local words = card.provenance and card.provenance[field]
+    return words and not words:find "^typed: changed by" and not words:find "^assumed" and words or "fitted: by fabric.lab." .. by
   end
-  for _, name in ipairs(parts) do bands[name] = band_of(base[name], slopes[name], covariance, quantile) or card.bands and card.bands[name] or nil end
+  for _, name in ipairs(parts) do
+    local band, field = band_of(base[name], slopes[name], covariance, quantile), (name == "bending" or name == "biaxial") and name or name .. ".loading"
+    bands[name] = band or card.bands and card.bands[name] or nil
+    if band and (contradiction or field == name) then provenance[field] = own(field) .. (contradiction and "; " .. contradiction or "") end
+  end
+  -- A twist with an origin of its own, assumed otherwise, is fitted where a parameter moves it.
+  local twist = card.bending and slopes.bending[#numbers_of(card.bending, { "warp", "weft", "twist" }, {})]
+  if twist and card.provenance and card.provenance["bending.twist"] and linear.quadratic(covariance, twist) > 0 then provenance["bending.twist"] = "fitted: by fabric.lab." .. by end
   local by_field, list = unheld(found, parameters, covariance, quantile, make, card)
   for field, words in pairs(by_field) do
-    local own = card.provenance and card.provenance[field]
-    if not own or own:find "^typed: changed by" then own = "fitted: by fabric.lab." .. by end -- make changes a card by card:with
-    provenance[field] = ("%s; interval of %.3g %%: %s; no band of a card holds it"):format(own, 100 * level, words)
+    provenance[field] = ("%s; interval of %.3g %%: %s; no band of a card holds it"):format(own(field), 100 * level, words)
   end
   if #list > 0 then
     fabric.warn(("%s: card: no band of a card holds %s (%.3g %%): card:sample keeps it as it is, and so does fabric.budget unless its field 'assumed' and run(p) vary it"):format(by, table.concat(list, ", "), 100 * level))
   end
-  local any = bands.warp or bands.weft or bands.shear
+  local any = false
+  for _, name in ipairs(parts) do any = any or bands[name] ~= nil end
   if not any and not next(provenance) then return card end
   return card:with { bands = any and bands or nil, provenance = next(provenance) and provenance or nil }
 end

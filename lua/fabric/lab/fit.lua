@@ -175,7 +175,7 @@ local function remember(out, known, t)
   local how = out.degree and ("polynomial of degree %d"):format(out.degree) or "monotone curve"
   origin.remember(out, {
     loading = ("fitted to %s, %s%s"):format(counted(out.tests), how,
-      out.loose and "; " .. out.loose or "") .. (out.tests == 1 and out.band and out.band.low and "; that specimens differ by 5 % (deviation) is a guess, one does not show it" or "")
+      out.loose and "; " .. out.loose or "") .. (out.tests == 1 and out.band and out.band.low and "; that specimens differ by 5 % (deviation) is a guess, one does not show it" or out.tests == 1 and "; no band, since one specimen does not show how others differ" or "")
       .. (out.not_in_band and "; " .. out.not_in_band or ""),
     unloading = ("fitted to %s%s, rule '%s'"):format(known < out.tests and known .. " of " or "", counted(out.tests), t.rule),
   })

@@ -5,6 +5,7 @@
 --     a heading says none), vocabulary= (a table, or the file in this folder that returns it), degree=, rule=,
 --     bias={width=, length=, yarns="inextensible"} (of bias specimens without markers, if their size differs; their yarns' stretch is left in), zero= (subtract the first row),
 --     poisson={warp=, weft=}, assume={['warp.unloading']=, ...} (instead of the rules of fabric.lab.card),
+--     bending={warp=, weft=, twist=} (N.m), or cantilevers={warp={...}, weft={...}, bias={...}} (bending lengths, m, of each strip; those at 45 degrees tell the twist),
 --     viscous=true (bias tests at several speeds or with holds, whose records have seconds: the part of shear that relaxes),
 --     loops=true (a card whose yarns unload along curves, where the records show it: fabric.lab.loops),
 --     grips="free"|"clamped" (for the simulation: ends that can contract, such as loops on pins, or jaws; default free) }
@@ -22,6 +23,7 @@ local lab, registry = fabric.lab, define.registry
 local check = require "fabric.lab.check"
 local doubts = require "fabric.lab.doubts"
 local check_pull = require("fabric.lab.frames").check_pull
+local tests_for = require "fabric.lab.tests_for"
 local told_of_loops = require("fabric.lab.loops").ready
 
 -- Raises an error at the line of the deck's call.
@@ -64,6 +66,9 @@ local function exists(path)
 end
 
 local function options(about, more)
+  if not math.tointeger(about.plies) or about.plies < 1 then
+    stop(("%s: field 'plies': expected 1 (a strip in two clamps) or 2 (a loop on two pins), got %s"):format(about.file, tostring(about.plies)))
+  end
   local out = { gauge_length = about.gauge_length, width = about.width, thickness = about.thickness, plies = about.plies,
                 compliance = about.compliance, slip = about.slip }
   for k, v in pairs(more) do out[k] = v end
@@ -238,7 +243,7 @@ local function in_shear_without_markers(about, plain, warp, weft)
 end
 
 local fields = { "name", "source", "gauge_length", "width", "thickness", "plies", "density", "mass_per_area", "markers", "compliance", "slip", "shared",
-  "units", "default_units", "columns", "vocabulary", "thousands", "reverse", "restarts", "degree", "rule", "grips", "poisson", "bending", "warp", "bias", "zero", "assume", "viscous", "loops" }
+  "units", "default_units", "columns", "vocabulary", "thousands", "reverse", "restarts", "degree", "rule", "grips", "poisson", "bending", "cantilevers", "warp", "bias", "zero", "assume", "viscous", "loops" }
 
 -- The content of laboratory.lua, checked before any file is read.
 local function about_of(path)
@@ -270,21 +275,34 @@ local function about_of(path)
 end
 
 -- Further tests that would determine the assumed fields.
-local tests_for = {
-  ["warp.loading"] = "pulls along the warp (warp-1.csv, ...)", ["weft.loading"] = "pulls along the weft (weft-1.csv, ...)",
-  ["warp.unloading"] = "a pull along the warp that comes back before it breaks", ["weft.unloading"] = "a pull along the weft that comes back before it breaks",
-  ["warp.poisson"] = "markers on a pull along the warp, four pins will do (warp-1-markers.csv)",
-  ["weft.poisson"] = "markers on a pull along the weft, four pins will do (weft-1-markers.csv)",
-  ["shear.loading"] = "a bias pull, with markers or without (bias-1-frames.csv and bias-1-markers.csv, or bias-1.csv)",
-  ["shear.unloading"] = "a bias pull with markers that comes back",
-}
 local function further_of(card)
   local out = {}
   for field, words in pairs(card.provenance or {}) do
     if words:find "^assumed" and tests_for[field] then out[#out + 1] = { field = field, now = words, test = tests_for[field] } end
   end
+  if not card.bending then
+    out[#out + 1] = { field = "bending", now = "not measured: the card bends as a solid sheet of its thickness, far too stiffly for folds",
+      test = tests_for.bending }
+  end
   table.sort(out, function(a, b) return a.field < b.field end)
   return out
+end
+
+-- Bending of what laboratory.lua says: rigidities as they are, or those of cantilevers with their band.
+local function bending_of(about)
+  local strips = about.cantilevers
+  if not strips then return about.bending end
+  local sign = about.file .. ": field 'cantilevers': "
+  if about.bending then stop(sign .. "expected either bending or cantilevers, got both") end
+  if type(strips) ~= "table" then stop(sign .. "expected { warp={...}, weft={...}, bias={...} }, bending lengths in m, got " .. tostring(strips)) end
+  for name, list in pairs(strips) do
+    if name ~= "warp" and name ~= "weft" and name ~= "bias" then stop(("%sexpected warp, weft and bias, got '%s'"):format(sign, tostring(name))) end
+    for _, c in ipairs(type(list) == "table" and list or { list }) do
+      if type(c) ~= "number" or not (c > 1e-3 and c < 0.5) then stop(("%sexpected bending lengths of %s in m, 0.001 to 0.5 (half of the overhang), got %s"):format(sign, name, tostring(c))) end
+    end
+  end
+  if not strips.warp or not strips.weft then stop(sign .. "expected strips along warp and weft, got those along one alone") end
+  return lab.twist { warp = strips.warp, weft = strips.weft, bias = strips.bias, common = about.shared, areal_mass = about.mass_per_area or about.density * about.thickness }
 end
 
 -- What was seen in single records, and specimens unlike the others, a line each.
@@ -336,7 +354,7 @@ function folder.reduce(path)
     density = about.density or about.mass_per_area / about.thickness,
     warp = yarn "warp", weft = yarn "weft", shear = viscous and viscous.viscous and viscous.shear or fit "shear",
     viscous = viscous, assume = about.assume or true,
-    poisson = { warp = out.warp and out.warp.ratio, weft = out.weft and out.weft.ratio }, bending = about.bending,
+    poisson = { warp = out.warp and out.warp.ratio, weft = out.weft and out.weft.ratio }, bending = bending_of(about),
   }
   out.further, out.missed = further_of(out.card), missed_of(about, out)
   out.seen = seen_in(out)

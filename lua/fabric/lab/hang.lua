@@ -176,22 +176,77 @@ local function shown_at_45(t, twist)
   return fabric.lab.cantilever { card = card, direction = 45, width = t.width, cells = 20 }.rigidity
 end
 
+-- What the strips of one direction show: their mean, the variance of it and its degrees of freedom; nil for one strip, which does not show how others differ.
+local function shown_by(list, convert)
+  local sum, squares, n = 0, 0, #list
+  for _, x in ipairs(list) do sum = sum + convert(x) / n end
+  for _, x in ipairs(list) do squares = squares + (convert(x) - sum) ^ 2 end
+  return { mean = sum, n = n, variance = n > 1 and squares / (n - 1) / n or nil }
+end
+
+-- The band of warp, weft and twist, whose variances are those of the strips and of what is common to all of them; of the twist the degrees of freedom are the effective ones [satterthwaite1946].
+-- A band ends at zero, which no rigidity passes.
+local function band_of_bending(shown, bending, common, level)
+  local warp, weft, bias = shown.warp, shown.weft, shown.bias
+  for _, one in pairs(shown) do
+    if not one.variance then return end
+  end
+  local values = { bending.warp, bending.weft, bending.twist }
+  local variances, freedom = { warp.variance, weft.variance, 0 }, { warp.n - 1, weft.n - 1 }
+  local covariance = { warp.variance, 0, 0, 0, weft.variance, 0, 0, 0, 0 }
+  if bias then
+    local parts = { { bias.variance, bias.n }, { warp.variance / 16, warp.n }, { weft.variance / 16, weft.n } }
+    local whole = 0
+    for _, part in ipairs(parts) do variances[3], whole = variances[3] + part[1], whole + part[1] ^ 2 / (part[2] - 1) end
+    freedom[3] = whole > 0 and variances[3] ^ 2 / whole or 1e6
+    covariance[3], covariance[7], covariance[6], covariance[8], covariance[9] = -warp.variance / 4, -warp.variance / 4, -weft.variance / 4, -weft.variance / 4, variances[3]
+  end
+  local low, high = {}, {}
+  local normal = fabric.lab.normal((1 + level) / 2)
+  for i, x in ipairs(values) do
+    local own = freedom[i] and fabric.lab.student((1 + level) / 2, freedom[i]) ^ 2 * variances[i] or 0
+    local half = freedom[i] and math.sqrt(own + (normal * common * x) ^ 2) or 0 -- a twist that no strip shows is not in the band
+    low[i], high[i] = math.max(0, x - half), x + half
+    for j, y in ipairs(values) do
+      if freedom[i] and freedom[j] then covariance[(i - 1) * 3 + j] = covariance[(i - 1) * 3 + j] + common ^ 2 * x * y end
+    end
+  end
+  return { low = low, high = high, covariance = covariance, level = level }
+end
+
 define {
   name = "fabric.lab.twist",
   arguments = {
-    { name = "warp", kind = "number", unit = "N.m", above = 0, sentence = "rigidity of the strip along the warp; with areal_mass its bending length, m" },
-    { name = "weft", kind = "number", unit = "N.m", above = 0, sentence = "likewise" },
-    { name = "bias", kind = "number", unit = "N.m", above = 0, sentence = "likewise, of the strip at 45 degrees" },
+    { name = "warp", kind = "number|numbers", unit = "N.m", above = 0, sentence = "rigidity of the strip along the warp, or of each of several strips; with areal_mass its bending length, m" },
+    { name = "weft", kind = "number|numbers", unit = "N.m", above = 0, sentence = "likewise" },
+    { name = "bias", kind = "number|numbers", unit = "N.m", above = 0, optional = true, sentence = "likewise, of the strip at 45 degrees; without it the twist is assumed, half of the geometric mean of warp and weft" },
     { name = "areal_mass", kind = "number", unit = "kg/m^2", above = 0, optional = true, sentence = "then the three are bending lengths c, B = 9.80665 areal_mass c^3" },
     { name = "simulate", kind = "boolean", default = false, sentence = "fits the twist until a simulated cantilever of that width shows the bias; takes some seconds" },
     { name = "width", kind = "number", unit = "m", above = 0, default = 0.025, sentence = "of the strips" },
+    { name = "common", kind = "number", low = 0, default = 0, sentence = "relative standard uncertainty of all rigidities together: areal mass, angle of the plane" },
+    { name = "level", kind = "number", above = 0, high = 1, default = 0.95, sentence = "of confidence" },
   },
   sentence = "The twisting rigidity of cloth from cantilevers in three directions: that of a sheet bent to a cylinder, bias = (warp + weft) / 4 + twist. "
-    .. "Returns bending (warp, weft, twist, N.m, as cards take it), bias (what that shows, N.m), reached (false where the twist would have to be zero or less) and words.",
+    .. "Returns bending (warp, weft, twist, N.m, as cards take it), bias (what that shows, N.m), reached (false where the twist would have to be zero or less; nil without bias), strips (how many along each) and words; "
+    .. "with two strips and more along each also band {low, high, covariance, level} of the three, by Student's t. fabric.lab.card takes the result as bending=.",
   example = "local r = require 'fabric'.lab.twist{ warp=16e-6, weft=8e-6, bias=10e-6 }\nassert(r.reached and math.abs(r.bending.twist - 4e-6) < 1e-15)",
   run = function(t)
-    if t.areal_mass then
-      for _, name in ipairs { "warp", "weft", "bias" } do t[name] = 9.80665 * t.areal_mass * t[name] ^ 3 end
+    local shown, strips = {}, {}
+    for _, name in ipairs { "warp", "weft", "bias" } do
+      local list = type(t[name]) == "number" and { t[name] } or t[name]
+      if list then
+        shown[name] = shown_by(list, function(x) return t.areal_mass and gravity * t.areal_mass * x ^ 3 or x end)
+        t[name], strips[name] = shown[name].mean, #list
+      end
+    end
+    local function result(twist, bias, reached, words)
+      local bending = { warp = t.warp, weft = t.weft, twist = twist }
+      return { bending = bending, bias = bias, reached = reached, words = words, strips = strips, band = band_of_bending(shown, bending, t.common, t.level) }
+    end
+    if not t.bias then
+      if t.simulate then define.fail "twist: field 'bias': expected a strip at 45 degrees, which simulate=true fits the twist to, got nil" end
+      local twist = math.sqrt(t.warp * t.weft) / 2
+      return result(twist, (t.warp + t.weft) / 4 + twist, nil, ("twist %.4g uN.m, assumed: half of the geometric mean of warp and weft; a strip at 45 degrees would show it"):format(twist * 1e6))
     end
     local least = 0.02 * math.sqrt(t.warp * t.weft) -- for a sheet with hardly any twisting stiffness
     local without = (t.warp + t.weft) / 4
@@ -213,6 +268,6 @@ define {
     if not reached then
       words = words .. (": the yarns alone, with no resistance to twisting, would show %.4g; a positive twist cannot bring it below that"):format(without * 1e6)
     end
-    return { bending = { warp = t.warp, weft = t.weft, twist = twist }, bias = bias, reached = reached, words = words }
+    return result(twist, bias, reached, words)
   end,
 }

@@ -247,10 +247,11 @@ local function overlay(result, name, out)
     ylabel = "measured less simulated, % of the peak", size = { 120 * u.mm, 90 * u.mm } }
   local left = part.spread and part.spread.least_like
   if left then -- a prediction is shown beside what was not used for it
+    local shown = { { x = left.E, y = scaled(left.S, 1 / u.MPa), style = "points", label = ("specimen %d, left out"):format(left.specimen) },
+      { x = left.E, band = { low = scaled(left.low, 1 / u.MPa), high = scaled(left.high, 1 / u.MPa) }, colour = "grey",
+        label = ("%g %% of the next specimens, by the other %d"):format(100 * part.spread.level, #part.tests - 1) } }
     plot { file = out .. "/" .. name .. "-left-out.svg", key = "below", xlabel = strain, ylabel = "second Piola-Kirchhoff stress, MPa", size = { 120 * u.mm, 90 * u.mm },
-      curves = { { x = left.E, y = scaled(left.S, 1 / u.MPa), style = "points", label = ("specimen %d, left out"):format(left.specimen) },
-        { x = left.E, band = { low = scaled(left.low, 1 / u.MPa), high = scaled(left.high, 1 / u.MPa) }, colour = "grey",
-          label = ("%g %% of the next specimens, by the other %d"):format(100 * part.spread.level, #part.tests - 1) } } }
+      curves = shown, xrange = with_room(shown, "x"), yrange = with_room(shown, "y") }
   end
   local whole
   if not trouble and not part.without_markers then
@@ -280,24 +281,59 @@ local function unloading_band(fit)
   if k and band.low and band.low[k] then return band.low[k], band.high[k] end
 end
 
--- A number with so many digits, without a power of ten where it is large.
+-- A number with so many digits, without a power of ten up to a million.
 local function rounded(x, digits)
   local text = ("%." .. digits .. "g"):format(x)
-  return text:find "e%+" and ("%.0f"):format(tonumber(text)) or text
+  return text:find "e%+" and math.abs(x) < 1e6 and ("%.0f"):format(tonumber(text)) or text
 end
 
 -- Whether a number was given, and not found from a record or by a rule: its digits are the deck's.
 local function from_card(words) return words and (words:find "^typed" or words:find "^copied" or words:find "given by the deck") end
 
+-- Stress of a part's loading at parts of the strain that was tested, with the band that its numbers have together: rows { strain, S, low, high }, Pa.
+local function stresses(fit)
+  local rows, band, loading = {}, fit.band or {}, fit.loading
+  if not fit.tested then return rows end
+  for _, share in ipairs { 0.25, 0.5, 1 } do
+    local E, S, weight, n = share * fit.tested, 0, {}, band.value and #band.value
+    if type(loading[1]) == "table" then
+      local nearest, place = math.huge, 0
+      for k, point in ipairs(loading) do
+        if math.abs(point[1] - share * fit.tested) < nearest then nearest, place, E, S = math.abs(point[1] - share * fit.tested), k, point[1], point[2] end
+      end
+      weight[loading[1][1] == 0 and place - 1 or place] = 1
+    else
+      for k, d in ipairs(loading) do
+        weight[k] = E ^ k / k
+        S = S + d * weight[k]
+      end
+    end
+    local row = { E, S }
+    if band.low then
+      local first = next(weight)
+      local deviation, variance = math.sqrt(band.covariance[(first - 1) * n + first]), 0
+      for k, a in pairs(weight) do
+        for l, b in pairs(weight) do variance = variance + a * b * band.covariance[(k - 1) * n + l] end
+      end
+      local half = deviation > 0 and (band.high[first] - band.low[first]) / 2 / deviation * math.sqrt(math.max(0, variance)) or 0
+      row[3], row[4] = S - half, S + half
+    end
+    rows[#rows + 1] = row
+  end
+  return rows
+end
+
 local function parameters(result)
-  local rows = {}
+  local rows, said = {}, {}
   local provenance = result.card.provenance or {}
   -- As many digits as the band is wide; two without one. A band of no width is none, and a value at the end of its own is said.
+  -- Where many numbers of one field come from is said once.
   local function add(what, unit, value, low, high, field)
     local from, digits = provenance[field] or "", field and not from_card(provenance[field]) and 2 or 4
     local width = low and high - low or 0
     local known = low and width > 1e-9 * math.abs(value)
     if known then digits = math.max(2, math.min(4, math.ceil(math.log(math.abs(value) / width + 1, 10)) + 2)) end
+    if field and from ~= "" then from, said[field] = said[field] and "likewise" or from, true end
     if known and (value - low < 0.01 * width or high - value < 0.01 * width) then from = from .. (from ~= "" and "; " or "") .. "the value is an end of its band" end
     rows[#rows + 1] = { what, rounded(value, digits), known and rounded(low, digits) .. " to " .. rounded(high, digits) or "", unit, from }
   end
@@ -306,6 +342,9 @@ local function parameters(result)
     local band, loop = fit.band or {}, result.card[name].loop
     for i, d in ipairs(fit.degree and fit.loading or {}) do
       add(("%s d%d"):format(name, i - 1), "MPa", d / u.MPa, band.low and band.low[i] / u.MPa, band.low and band.high[i] / u.MPa, name .. ".loading")
+    end
+    for _, row in ipairs(result[name] and stresses(fit) or {}) do
+      add(("%s at E%s = %.3g"):format(name, name == "shear" and "12" or "", row[1]), "MPa", row[2] / u.MPa, row[3] and row[3] / u.MPa, row[4] and row[4] / u.MPa, name .. ".loading")
     end
     local low, high = unloading_band(fit)
     add(name .. " unloading", "MPa", result.card[name].unloading / u.MPa, low and low / u.MPa, high and high / u.MPa, name .. ".unloading")
@@ -318,6 +357,13 @@ local function parameters(result)
       add(name .. " ratio", "", result.card[name].poisson, nil, nil, name .. ".poisson")
     end
     if fit.tested then add(name .. " tested to", "", fit.tested) end
+  end
+  local bending, band = result.card.bending, (result.card.bands or {}).bending
+  for i, name in ipairs { "warp", "weft", "twist" } do
+    if bending and type(bending[name]) == "number" then
+      local field = name == "twist" and provenance["bending.twist"] and "bending.twist" or "bending"
+      add("bending " .. name, "uN.m", bending[name] * 1e6, band and band.low[i] * 1e6, band and band.high[i] * 1e6, field)
+    end
   end
   return rows
 end

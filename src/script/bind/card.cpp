@@ -149,12 +149,26 @@ law::Provenance origins_after(const Card& before, const Card& after) {
   return out;
 }
 
-// Notes each rigidity that is new while its friction is still that of the previous card.
+// Whether the table on top of the stack has the field `name` in its table `group`.
+bool states_in(lua_State* L, const char* group, const std::string& name) {
+  bool found = false;
+  if (lua_getfield(L, -1, group) == LUA_TTABLE) {
+    found = lua_getfield(L, -1, name.c_str()) != LUA_TNIL;
+    lua_pop(L, 1);
+  }
+  lua_pop(L, 1);
+  return found;
+}
+
+// Notes each rigidity that is new while its friction is still that of the previous card, and is not among the
+// changes.
 void warn_old_friction(Call& call, const std::optional<card::Bending>& before,
                        const std::optional<card::Bending>& after) {
   if (!before || !after) return;
+  call.push("changes");
   const auto look = [&](const std::string& yarn, bool changed, const auto& old, const auto& now) {
     if (!changed || !old || !now || old->moment != now->moment || old->curvature != now->curvature) return;
+    if (states_in(call.L(), "bending", "friction_" + yarn)) return;
     const std::string words = "card:with: bending." + yarn + " is new and friction_" + yarn +
                               " as before (moment " + fabricsh::number(now->moment) +
                               " N): give it too, or friction_" + yarn + " = false";
@@ -167,6 +181,20 @@ void warn_old_friction(Call& call, const std::optional<card::Bending>& before,
        before->friction_warp, after->friction_warp);
   look("weft", differs(before->weft, after->weft, before->weft_curve, after->weft_curve),
        before->friction_weft, after->friction_weft);
+  lua_pop(call.L(), 1);
+}
+
+// A band goes with the part that it is of.
+void drop_lost_bands(lua_State* L, int merged) {
+  const bool has_bands = lua_getfield(L, merged, "bands") == LUA_TTABLE;
+  for (const char* part : {"bending", "biaxial"}) {
+    const bool lost = lua_getfield(L, merged, part) == LUA_TNIL;
+    lua_pop(L, 1);
+    if (!lost || !has_bands) continue;
+    lua_pushnil(L);
+    lua_setfield(L, -2, part);
+  }
+  lua_pop(L, 1);
 }
 
 int with(Call& call) {
@@ -186,7 +214,9 @@ int with(Call& call) {
     lua_setfield(L, merged, "ranges");
   }
   merge(L, merged, lua_gettop(L), card_rows(card::kind(*card)));
-  lua_pop(L, 1);
+  const bool states_bands = lua_getfield(L, -1, "bands") != LUA_TNIL;
+  lua_pop(L, 2);
+  if (!states_bands) drop_lost_bands(L, merged);
   Card changed = read_card(L, merged, card::kind(*card));
   if (!states_origin) changed.provenance = origins_after(*card, changed);
   if (!states_ranges) changed.ranges = card->ranges;
@@ -228,6 +258,8 @@ Card bent(Card card, const std::string& how) {
   } else {
     if (!card.estimate) card.estimate = card::bending_of_areal_mass(card);
     card.bending = card.estimate->bending;
+    if (auto* woven = std::get_if<card::Woven>(&card.law); woven != nullptr && woven->bands)
+      woven->bands->bending = {};
     origins.emplace_back("bending", "assumed: estimated, " + card.estimate->source);
     std::sort(origins.begin(), origins.end());
   }

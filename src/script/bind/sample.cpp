@@ -25,6 +25,54 @@ void draw(card::Card& card, const char* part, const ParameterBand& band, double 
       lab::draw_around(parameters(group, card), band.low, band.high, band.covariance, level, random));
 }
 
+// Makes the ordinates of points rise from zero on: neighbours that fall have their mean [barlow1972], each a
+// little above the one before. Such a draw is moved to the nearest curve of a cloth, so that what lies below
+// zero in the toe takes nothing away from the rest of the band.
+void make_rise(card::Points& points) {
+  struct Block {
+    double sum;
+    int n;
+    double mean() const { return sum / n; }
+  };
+  std::vector<Block> blocks;
+  for (const auto& [x, y] : points) {
+    if (x == 0) continue;
+    blocks.push_back({y, 1});
+    while (blocks.size() > 1 && blocks[blocks.size() - 2].mean() >= blocks.back().mean()) {
+      const Block last = blocks.back();
+      blocks.pop_back();
+      blocks.back() = {blocks.back().sum + last.sum, blocks.back().n + last.n};
+    }
+  }
+  if (blocks.empty() || blocks.back().mean() <= 0) return;  // no cloth is near
+  const double step = 1e-4 * blocks.back().mean() / static_cast<double>(points.size());
+  double before = 0;
+  auto point = points.begin() + (points.front().first == 0 ? 1 : 0);
+  for (const Block& block : blocks)
+    for (int i = 0; i < block.n; ++i, ++point) before = point->second = std::max(block.mean(), before + step);
+}
+
+double steepest(const card::Curve& curve, double tested) {
+  double most = 0;
+  for (std::size_t i = 1; i < curve.points.size(); ++i)
+    most = std::max(most, (curve.points[i].second - curve.points[i - 1].second) /
+                              (curve.points[i].first - curve.points[i - 1].first));
+  for (int i = 0; i <= 200 && !curve.coefficients.empty(); ++i) {
+    double modulus = 0;
+    for (auto d = curve.coefficients.rbegin(); d != curve.coefficients.rend(); ++d)
+      modulus = modulus * tested * i / 200 + *d;
+    most = std::max(most, modulus);
+  }
+  return most;
+}
+
+// A draw of a yarn that no cloth has, though one is near: points that fall, unloading flatter than loading.
+void mend(card::Yarn& drawn, const card::Yarn& from, double tested) {
+  if (!drawn.loading.points.empty()) make_rise(drawn.loading.points);
+  if (steepest(from.loading, tested) <= from.unloading)
+    drawn.unloading = std::max(drawn.unloading, 1.001 * steepest(drawn.loading, tested));
+}
+
 // Why a drawn card cannot be used; empty for one that can.
 std::string fault_of(const card::Card& card) {
   const law::CheckReport report = law::check(card, 0.1);
@@ -44,9 +92,11 @@ std::shared_ptr<card::Card> drawn_card(const card::Card& from, std::mt19937_64& 
     auto copy = std::make_shared<card::Card>(from);
     auto& law = std::get<Woven>(copy->law);
     const card::ParameterBands bands = *law.bands;
-    draw(*copy, "warp", bands.warp, bands.level, random);
-    draw(*copy, "weft", bands.weft, bands.level, random);
-    draw(*copy, "shear", bands.shear, bands.level, random);
+    for (const auto& [part, place] : card::banded_parts) draw(*copy, part, bands.*place, bands.level, random);
+    const auto& own = std::get<Woven>(from.law);
+    mend(law.warp, own.warp, own.tested.warp);
+    mend(law.weft, own.weft, own.tested.weft);
+    if (!law.shear.loading.points.empty()) make_rise(law.shear.loading.points);
     law.bands.reset();
     const std::string fault = fault_of(*copy);
     if (fault.empty()) return copy;
@@ -89,23 +139,26 @@ int sample(Call& call) {
 }  // namespace
 
 void bind_sample(Session& session) {
-  install(session,
-          {{"card:sample",
-            Style::positional,
-            {integer_("n", Range{1, 1e5}, "of cards"),
-             integer_("seed", not_negative, "of the draw").or_else(1.0)},
-            "Cards drawn from the card's confidence bands, for the uncertainty of any answer, a list; a "
-            "value at the "
-            "end of its band is drawn on the band's side. Drawn values that make no card are drawn again; "
-            "`refused` "
-            "says how often, and from one in fifty on there is a warning.",
-            "local fabric = require 'fabric'\n"
-            "local card = fabric.card 'blend':with{ bands={ warp={ low={7e6, 800e6, 850e6, 0.2}, high={9e6, "
-            "852e6, 878e6, 0.3},\n"
-            "  covariance={2.6e11,0,0,0, 0,1.8e14,0,0, 0,0,5.1e13,0, 0,0,0,6.5e-4} } } }\n"
-            "local cards = card:sample(5)\nassert(#cards == 5 and cards[1].warp.poisson ~= 0.25 and "
-            "cards[1].shear.unloading == 12e6)",
-            sample}});
+  install(
+      session,
+      {{"card:sample",
+        Style::positional,
+        {integer_("n", Range{1, 1e5}, "of cards"),
+         integer_("seed", not_negative, "of the draw").or_else(1.0)},
+        "Cards drawn from the card's confidence bands, for the uncertainty of any answer, a list; a "
+        "value at the "
+        "end of its band is drawn on the band's side. Points of a yarn that fall are made to rise, and an "
+        "unloading flatter than the loading is raised to it; other values that make no card are drawn "
+        "again; "
+        "`refused` "
+        "says how often, and from one in fifty on there is a warning.",
+        "local fabric = require 'fabric'\n"
+        "local card = fabric.card 'blend':with{ bands={ warp={ low={7e6, 800e6, 850e6, 0.2}, high={9e6, "
+        "852e6, 878e6, 0.3},\n"
+        "  covariance={2.6e11,0,0,0, 0,1.8e14,0,0, 0,0,5.1e13,0, 0,0,0,6.5e-4} } } }\n"
+        "local cards = card:sample(5)\nassert(#cards == 5 and cards[1].warp.poisson ~= 0.25 and "
+        "cards[1].shear.unloading == 12e6)",
+        sample}});
 }
 
 }  // namespace fabricsh::script

@@ -26,7 +26,10 @@ void check_bands(const Fields& fields, const Card& card) {
   for (const Field& part : card::find_field(card::fields(card), "bands")->rows) {
     if (part.holds != FieldType::group || !bands.has(part.name)) continue;
     const Fields band = bands.fields(part.name);
-    const std::size_t n = parameters(*card::find_field(card::fields(card), part.name), card).size();
+    const Field& group = *card::find_field(card::fields(card), part.name);
+    if (!group.there(card))
+      bands.refuse(part.name, "expected a card with " + part.name + " of its own, got one without");
+    const std::size_t n = parameters(group, card).size();
     for (const char* name : {"low", "high", "covariance"}) {
       const std::size_t got = band.numbers(name).size(), want = std::string(name) == "covariance" ? n * n : n;
       if (got != want)

@@ -120,6 +120,10 @@ wrong("card:with", "card:with{ shear={measure='tenser'} }",
   "deck.lua:1: with: field 'shear.measure': expected 'tensor' or 'engineering', got 'tenser', did you mean 'tensor'?")
 wrong("card:with", "card:with{ bands={ warp={low={1}, high={1}, covariance={1}} } }",
   "deck.lua:1: with: field 'bands.warp.low': expected 4 numbers, got 1")
+wrong("card:with", "card:with{ bending={warp=1e-5, weft=1e-5, twist=5e-6}, bands={ bending={low={1e-6, 1e-6}, high={1e-5, 1e-5, 1e-5}, covariance={0}} } }",
+  "deck.lua:1: with: field 'bands.bending.low': expected 3 numbers, got 2")
+wrong("card:with", "card:with{ bands={ biaxial={low={1}, high={1}, covariance={1}} } }",
+  "deck.lua:1: with: field 'bands.biaxial': expected a card with biaxial of its own, got one without")
 wrong("card:sample", "card:sample(3)",
   "deck.lua:1: sample: expected a woven card with bands, got one without")
 wrong("card:write", "card:write '/dev/null/x.lua'",

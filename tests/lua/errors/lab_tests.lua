@@ -183,13 +183,23 @@ wrong("fabric.lab.heart_loop", "fabric.lab.heart_loop{ card=card, direction=45 }
 wrong("fabric.lab.twist", "fabric.lab.twist{ wrap=1e-5 }",
   "deck.lua:1: twist: unknown field 'wrap', did you mean 'warp'?")
 wrong("fabric.lab.twist", "fabric.lab.twist{ warp=warp_, weft=1e-5, bias=1e-5 }",
-  "deck.lua:1: twist: field 'warp': expected a positive number in N.m, got nil (missing, or a misspelt variable)")
+  "deck.lua:1: twist: field 'warp': expected a positive number in N.m or a table of numbers above 0 in N.m, got nil (missing, or a misspelt variable)")
 wrong("fabric.lab.twist", "fabric.lab.twist{ warp='1', weft=1e-5, bias=1e-5 }",
-  "deck.lua:1: twist: field 'warp': expected a positive number in N.m, got '1'")
+  "deck.lua:1: twist: field 'warp': expected a positive number in N.m or a table of numbers above 0 in N.m, got '1'")
 wrong("fabric.lab.twist", "fabric.lab.twist{ warp=-1, weft=1e-5, bias=1e-5 }",
-  "deck.lua:1: twist: field 'warp': expected a positive number in N.m, got -1")
+  "deck.lua:1: twist: field 'warp': expected a positive number in N.m or a table of numbers above 0 in N.m, got -1")
 wrong("fabric.lab.twist", "fabric.lab.twist{ warp=1e-5, weft=1e-5, bias=1e-5, simulate='yes' }",
   "deck.lua:1: twist: field 'simulate': expected true or false, got 'yes'")
+wrong("fabric.lab.twist", "fabric.lab.twist{ warp={1e-5, -1}, weft=1e-5, bias=1e-5 }",
+  "deck.lua:1: twist: field 'warp': expected a positive number in N.m or a table of numbers above 0 in N.m, got -1 at place 2")
+wrong("fabric.lab.twist", "fabric.lab.twist{ warp=1e-5, weft={}, bias=1e-5 }",
+  "deck.lua:1: twist: field 'weft': expected a positive number in N.m or a table of numbers above 0 in N.m, got an empty table")
+wrong("fabric.lab.twist", "fabric.lab.twist{ warp=1e-5, weft=1e-5, bias=1e-5, common=-1 }",
+  "deck.lua:1: twist: field 'common': expected a number of at least 0, got -1")
+wrong("fabric.lab.twist", "fabric.lab.twist{ warp=1e-5, weft=1e-5, bias=1e-5, level=2 }",
+  "deck.lua:1: twist: field 'level': expected a number above 0 to 1, got 2")
+wrong("fabric.lab.twist", "fabric.lab.twist{ warp=1e-5, weft=1e-5, simulate=true }",
+  "deck.lua:1: twist: field 'bias': expected a strip at 45 degrees, which simulate=true fits the twist to, got nil")
 
 -- fabric.lab.uniaxial
 wrong("fabric.lab.uniaxial", "fabric.lab.uniaxial{ cadr=card }",
