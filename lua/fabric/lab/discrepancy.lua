@@ -2,14 +2,14 @@
 --
 -- Residuals over their noise after the fit, r = M (d + e): e is independent with variance v, at least 1; d = sum_j c_j phi_j, cosines along the points of each test, var(c_j) = s^2 / (1 + j^2/4)^1.5.
 -- M takes away what the parameters explain. v and s^2 follow from the restricted likelihood [patterson1971]. Where the parameters would have followed d, nothing of it is in the residuals; that
--- part has the same s^2. Whether there is such a difference is uncertain too: the prior gives the model a quarter of being right (s = 0), and else to s half below half the noise. Each s weighs by its
+-- part has the same s^2. Whether there is such a difference is uncertain too: the prior gives the model even odds of being right (s = 0), and else to s half below half the noise. Each s weighs by its
 -- likelihood [kennedy2001]; for each the parameters' covariance is C J^T (v I + s^2 Phi W Phi^T) J C with C = (J^T J)^-1, and an interval is of the mixture of them, so that residuals that look like
 -- noise narrow it by as much as they would have shown.
 local linear = require "fabric.lab.linear"
 local discrepancy = {}
 
 local modes, fewest = 6, 8 -- of a test; points of a test of which smooth differences can be told from noise
-local right, scale = 1/4, 0.5 -- the prior: of a model that misses nothing, and the median of s where it does
+local right, scale = 1/2, 0.5 -- the prior: of a model that misses nothing, and the median of s where it does
 local sure = 6.6           -- twice the logarithm of the ratio of likelihoods that is as unlikely as one in a hundred
 
 -- Eigenvalues and eigenvectors (columns of V) of a small symmetric matrix, by Jacobi's rotations.
