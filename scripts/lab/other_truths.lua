@@ -4,8 +4,6 @@
 -- ends and blown by a pressure, the load of a longer strip, the force of a picture frame. The true values come from the curves themselves.
 --
 --   fabricsh scripts/lab/other_truths.lua [seeds] [samples] [out]      1 12; a figure in out; the table of share/doc/laboratory.md is of scripts/long/lab_other_truths.lua
---
--- warns: make no card and were drawn again
 local fabric = require "fabric"
 local lab = fabric.lab
 local folder = require "fabric.lab.folder"

@@ -5,7 +5,6 @@
 --
 -- The file has the columns ratio (warp:weft), n_w, n_f (kN/m), eps_w, eps_f (%). It is not part of the program: the default is ../shared/data/biaxial beside
 -- this checkout, or the deck says SKIPPED.
--- warns: no band of a card holds biaxial.alpha
 local fabric = require "fabric"
 local lab = fabric.lab
 
