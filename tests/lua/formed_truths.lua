@@ -71,7 +71,7 @@ local function compare(name, most, more)
   local last = r.curve[#r.curve]
   print(("%-32s %6d steps %6.1f s  punch %5.1f N  work %.3f J  angle %4.1f  net within %.2f degrees at %d places"):format(name, #r.analysis.steps, taken, last.force, last.external, r.angles.max, worst, count))
   assert(count >= 2 and worst < most, ("%s: %.3g degrees from the net, expected at most %.3g"):format(name, worst, most))
-  return last
+  return { force = last.force, external = last.external, angle = r.angles.max }
 end
 local squares = compare("squares of 6 mm", 1, { quarter = true })
 if os.getenv "FABRICSH_TEST_LONG" then
@@ -79,8 +79,10 @@ if os.getenv "FABRICSH_TEST_LONG" then
   assert(math.abs(finer.external / squares.external - 1) < 0.1)
   compare("squares of 8 mm at 45 degrees", 1.5, { stack = { 45 }, cells = 15 })
 end
-local triangles = compare("triangles of 6 mm", 2.5, { quarter = true, triangles = true })
-assert(math.abs(triangles.external / squares.external - 1) < 0.15)
+local triangles = compare("triangles of 6 mm", 1, { quarter = true, triangles = true })
+assert(math.abs(triangles.external / squares.external - 1) < 0.05)
+-- The squares differ by 6 % among themselves; on elements of 2.5 mm triangles and squares are within 0.3 %.
+assert(math.abs(triangles.force / squares.force - 1) < 0.1 and math.abs(triangles.angle - squares.angle) < 1)
 
 -- Without a holder the edge rises; a holder keeps it down.
 local free = form { holder = false, stroke = 16 * mm, cells = 12 }
@@ -88,13 +90,17 @@ local held = form { holder = { force = 50 }, stroke = 16 * mm, cells = 12 }
 print(("rise without a holder %.2f mm, with 50 N %.3f mm"):format(free.wrinkles.height / mm, held.wrinkles.height / mm))
 assert(free.wrinkles.height > 2 * mm and held.wrinkles.height < 0.15 * mm and free.draw_in.mean > held.draw_in.mean)
 
--- Triangles that are longer than the die's edge is round are told of before the run, with what helps.
+-- Triangles of 1.7 times the radius of the die's edge go over it as squares do, in steps that nothing shortens.
 do
-  local warn, said = fabric.warn, {}
-  fabric.warn = function(words) said[#said + 1] = words end
-  form { quarter = true, triangles = true, cells = 6, stroke = 1 * mm, prepare = function(a) a:every(1e-6, function() a:stop() end) end }
-  fabric.warn = warn
-  assert(said[1] == "form: triangles of 10 mm on an edge of 8 mm press with the nodes of one diagonal: contact of 3e+10 Pa/m takes several times the steps there; quick are squares (triangles=false), "
-    .. "or triangles no longer than the edge's radius (cells=8, or die={ edge=10*mm })", said[1])
+  local function coarse(triangles)
+    local r = form { blank = 160 * mm, punch = { radius = 38 * mm }, die = { radius = 42 * mm, edge = 6 * mm }, holder = { force = 150 }, stroke = 30 * mm, cells = 8, quarter = true, triangles = triangles }
+    return r, r.curve[#r.curve]
+  end
+  local of_squares, square = coarse(false)
+  local of_triangles, triangle = coarse(true)
+  print(("over the edge: squares %d steps, work %.3f J, angle %.1f; triangles %d steps, %.3f J, %.1f"):format(#of_squares.analysis.steps, square.external, of_squares.angles.max,
+    #of_triangles.analysis.steps, triangle.external, of_triangles.angles.max))
+  assert(#of_triangles.analysis.steps < 1.5 * #of_squares.analysis.steps and math.abs(triangle.external / square.external - 1) < 0.05)
+  assert(math.abs(of_triangles.draw_in.mean / of_squares.draw_in.mean - 1) < 0.03)
 end
 print "formed_truths ok"

@@ -29,7 +29,6 @@ local rim_share = { hemisphere = 1 / 6, ["double dome"] = 1 / 6, box = 1 / 3 } -
 local rim_plies = 10      -- and over the thickness of a ply, at least
 local wider = 1.1         -- default gap of punch and die over the thickness of the stack in contact
 local nip_share = 1 / 25   -- of the punch's radius, at least
-local roomy, stiffer = 1.1, 4 -- triangles over the die's edge: longer ones press with the nodes of one diagonal, and contact has to bear as many times more
 local most_plies = 50
 local most_elements = 4e6
 local slow = 0.05         -- kinetic energy over the work of the punch, above which a run is too fast
@@ -276,23 +275,37 @@ end
 
 local function name_of(t, ply) return #t.stack == 1 and "all" or "ply" .. ply end
 
+-- Cuts the cells of a rectangle in two, along the diagonal that goes around the origin: from the first node of both triangles to another.
+-- Over the die's rim and in front of it a ply bends about lines that go around the punch, and its cells become longer away from it. So they
+-- fold along a side and keep their shape, where triangles with a side away from the punch resist that with their yarns.
+local function cut_around(mesh)
+  local nodes, elements = {}, {}
+  for i, p in ipairs(mesh.nodes) do nodes[i] = { p[1], p[2], p[3] } end
+  for _, e in ipairs(mesh.elements) do
+    local p, q = nodes[e[1]], nodes[e[3]]
+    local from = (p[1] + q[1]) * (p[2] + q[2]) > 0 and 2 or 1
+    local a, b, c, d = e[from], e[from + 1], e[(from + 1) % 4 + 1], e[(from + 2) % 4 + 1]
+    elements[#elements + 1] = { a, b, c }
+    elements[#elements + 1] = { a, c, d }
+  end
+  local cut = fabric.mesh { nodes = nodes, elements = elements }
+  for _, side in ipairs { "left", "right", "bottom", "top" } do cut:set(side, mesh:set(side)) end
+  return cut
+end
+
 local function plies_of(t, width, height)
   local nx = math.max(2, math.floor(t.cells * width / math.max(width, height) + 0.5))
   local ny = math.max(2, math.floor(t.cells * height / math.max(width, height) + 0.5))
   local bodies = {}
   for k, angle in ipairs(t.stack) do
     local share = t.quarter and 0.5 or 1
-    local mesh = fabric.mesh.rectangle { width = width * share, height = height * share, nx = nx, ny = ny, triangles = t.triangles,
+    local mesh = fabric.mesh.rectangle { width = width * share, height = height * share, nx = nx, ny = ny,
                                          origin = t.quarter and { 0, 0, 0 } or { -width / 2, -height / 2, 0 } }
+    if t.triangles then mesh = cut_around(mesh) end
     mesh:map(function(x, y) return x, y, (k - 1) * t.contact end)
     bodies[k] = { name = "ply" .. k, mesh = mesh, card = t.card, warp = angle }
   end
   local h = width / nx * (t.quarter and 0.5 or 1)
-  if t.triangles and h > roomy * t.die.edge then
-    t.stiffness = t.stiffness or stiffer * 2 * bears / t.contact
-    fabric.warn(("form: triangles of %.3g mm on an edge of %.3g mm press with the nodes of one diagonal: contact of %.3g Pa/m takes several times the steps there; quick are squares (triangles=false), "
-      .. "or triangles no longer than the edge's radius (cells=%.0f, or die={ edge=%.3g*mm })"):format(h / mm, t.die.edge / mm, t.stiffness, math.ceil(t.cells * h / t.die.edge - 1e-9), h / mm))
-  end
   if h > 1.5 * t.die.edge then
     fabric.warn(("form: elements of %.3g mm on an edge of %.3g mm follow it roughly: punch force and draw-in go up and down by the element (cells=%.0f would follow it)"):format(
       h / mm, t.die.edge / mm, math.ceil(t.cells * h / (1.5 * t.die.edge))))
@@ -384,16 +397,23 @@ local function offsets(s)
   return out
 end
 
-local function angles(s, a)
+-- The two triangles of a cell have its sides along the yarns, and shear as it does, so that their angles are those at its middle.
+local function places_of(t, nodes, i)
+  if not t.triangles then return nodes end
+  return { nodes[1], nodes[i % 2 == 1 and 3 or 2] }
+end
+
+local function angles(t, s, a)
   local field, list, most = a:field "shear_angle", { max = 0 }, 0
   local warp, weft = a:field "warp", a:field "weft"
   for k, o in ipairs(offsets(s)) do
     for i, nodes in ipairs(o.mesh.elements) do
       local row = { ply = k, X = 0, Y = 0, x = 0, y = 0, z = 0, angle = field[o.element + i], warp = warp[o.element + i], weft = weft[o.element + i] }
-      for _, n in ipairs(nodes) do
+      local around = places_of(t, nodes, i)
+      for _, n in ipairs(around) do
         local p, X = a:node(o.node + n), o.mesh.nodes[n]
-        row.X, row.Y = row.X + X[1] / #nodes, row.Y + X[2] / #nodes
-        row.x, row.y, row.z = row.x + p.x / #nodes, row.y + p.y / #nodes, row.z + p.z / #nodes
+        row.X, row.Y = row.X + X[1] / #around, row.Y + X[2] / #around
+        row.x, row.y, row.z = row.x + p.x / #around, row.y + p.y / #around, row.z + p.z / #around
       end
       list[#list + 1] = row
       if math.abs(row.angle) > most then most, list.max, list.place = math.abs(row.angle), math.abs(row.angle), row end
@@ -503,7 +523,7 @@ local function run(t)
   local r = { curve = curve, analysis = a, model = s.model, punch = s.punch, die = s.die, holder = s.holder, peak = 0, trouble = not done and trouble or nil,
               contact = t.contact, series = t.out and t.out .. "/form.pvd" or nil }
   for _, row in ipairs(curve) do r.peak = math.max(r.peak, row.force) end
-  r.angles, r.draw_in, r.wrinkles = angles(s, a), draw_in(t, s, a), wrinkles(t, s, a)
+  r.angles, r.draw_in, r.wrinkles = angles(t, s, a), draw_in(t, s, a), wrinkles(t, s, a)
   local last = curve[#curve]
   r.stroke = last.stroke
   r.report = report_of(r, t)
@@ -552,11 +572,11 @@ define {
     }, sentence = "resists sliding beside friction, as film of model:contact: give the viscosity times the real speed of the punch over that of the run" },
     { name = "stroke", kind = "number", unit = "m", above = 0, sentence = "way of the punch from first contact" },
     { name = "cells", kind = "integer", low = 4, high = 1000, default = 32, sentence = "elements along the longer side (of a quarter: of its own)" },
-    { name = "triangles", kind = "boolean", default = false, sentence = "elements of three nodes" },
+    { name = "triangles", kind = "boolean", default = false, sentence = "elements of three nodes, cells of the blank cut along the diagonal that goes around the punch" },
     { name = "quarter", kind = "boolean", default = false, sentence = "only x > 0, y > 0, between planes of symmetry; forces and energies are those of the whole" },
     { name = "speed", kind = "number", unit = "m/s", above = 0, optional = true, sentence = "largest speed of the punch, default 2" },
     { name = "contact", kind = "number", unit = "m", above = 0, optional = true, sentence = "thickness of a ply in contact; default a fifth of the die's edge, or that of the card" },
-    { name = "stiffness", kind = "number", unit = "Pa/m", above = 0, optional = true, sentence = "of contact; default what carries 6 MPa, which tight yarns press on the die's edge; four times that for triangles longer than its radius" },
+    { name = "stiffness", kind = "number", unit = "Pa/m", above = 0, optional = true, sentence = "of contact; default what carries 6 MPa, which tight yarns press on the die's edge" },
     { name = "points", kind = "integer", low = 1, high = 9, default = 1, sentence = "through the thickness of a single ply" },
     { name = "damping", kind = "number", unit = "1/s", low = 0, optional = true, sentence = "of motion, as damping.mass of fabric.dynamic; default 3 over the duration" },
     { name = "rows", kind = "integer", low = 2, high = 10000, default = 50, sentence = "of the curve" },
