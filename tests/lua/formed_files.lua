@@ -74,6 +74,12 @@ near("draw-in with tools from files", filed.draw_in.max, told.draw_in.max, 0.15)
 near("work with tools from files", filed.curve[#filed.curve].external, told.curve[#told.curve].external, 0.15)
 assert(filed.wrinkles.height < 0.2 * mm)
 
+-- A quarter of it, since the tools are symmetric.
+local quarter = form { quarter = true, cells = 6 }
+near("shear of a quarter", quarter.angles.max, filed.angles.max, 0.02)
+near("draw-in of a quarter", quarter.draw_in.max, filed.draw_in.max, 0.03)
+near("work of a quarter", quarter.curve[#quarter.curve].external, filed.curve[#filed.curve].external, 0.01)
+
 -- A punch from a file in a die of lengths, and the other way round.
 local mixed = form { die = { radius = 15 * mm, edge = 5 * mm }, holder = { force = 20 }, stroke = 1 * mm }
 local other = form { punch = { radius = 12 * mm }, stroke = 1 * mm }
@@ -124,7 +130,12 @@ refused("form: field 'punch.units': expected 'm' or 'cm' or 'mm' or 'inch', got 
 refused("form: field 'die.units': the tool would be 130 m long, expected 0.001 to 5 m: is '" .. die .. "' in mm?", { die = { file = die, units = "m" } })
 refused("form: field 'punch.radius': expected none beside file=, whose shape it is", { punch = { file = punch, units = "mm", radius = 0.01 } })
 refused("form: field 'holder.file': expected a file, as the die is one", { holder = { force = 10 } })
-refused("form: field 'quarter': expected the whole: a tool from a file need not be symmetric", { quarter = true })
+local beside = {}
+for i, f in ipairs(turned(round, 48)) do
+  beside[i] = {}
+  for k, q in ipairs(f) do beside[i][k] = { q[1], q[2] + 0.4, q[3] } end
+end
+refused("form: field 'quarter': the punch is not symmetric about y = 0: expected the mirror image of x = ", { quarter = true, punch = { file = stl("beside", beside, 1), units = "mm" } })
 refused("none.stl", { punch = { file = folder .. "/none.stl", units = "mm" } })
 refused("form: field 'die': the punch goes through the die at the end of the stroke, at x = ", { punch = { file = stl("wide", turned({ { 0, 0 }, { 17, 0 }, { 17, 30 }, { 0, 30 } }, 48), 1), units = "mm" } })
 refused("form: field 'die': the nip of punch and die is thinner than the plies: expected 0.00038 m, got 0.0001",

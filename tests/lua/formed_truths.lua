@@ -84,6 +84,15 @@ assert(math.abs(triangles.external / squares.external - 1) < 0.05)
 -- The squares differ by 6 % among themselves; on elements of 2.5 mm triangles and squares are within 0.3 %.
 assert(math.abs(triangles.force / squares.force - 1) < 0.1 and math.abs(triangles.angle - squares.angle) < 1)
 
+-- With folds within elements coarse meshes have the angles of finer ones.
+do
+  local card = fabric.card("blend", { bending = "estimated" }):with { folds = "within elements" }
+  local coarse, cut, fine = form { card = card, quarter = true }, form { card = card, quarter = true, triangles = true }, form { card = card, quarter = true, cells = 13 }
+  print(("with folds: squares of 6 mm %.1f degrees, triangles %.1f, squares of 4.6 mm %.1f"):format(coarse.angles.max, cut.angles.max, fine.angles.max))
+  assert(math.abs(coarse.angles.max - fine.angles.max) < 1 and math.abs(cut.angles.max - fine.angles.max) < 1)
+  assert(math.abs(coarse.curve[#coarse.curve].external / fine.curve[#fine.curve].external - 1) < 0.07 and coarse.angles.max < squares.angle)
+end
+
 -- Without a holder the edge rises; a holder keeps it down.
 local free = form { holder = false, stroke = 16 * mm, cells = 12 }
 local held = form { holder = { force = 50 }, stroke = 16 * mm, cells = 12 }

@@ -29,6 +29,7 @@ local rim_share = { hemisphere = 1 / 6, ["double dome"] = 1 / 6, box = 1 / 3 } -
 local rim_plies = 10      -- and over the thickness of a ply, at least
 local wider = 1.1         -- default gap of punch and die over the thickness of the stack in contact
 local nip_share = 1 / 25   -- of the punch's radius, at least
+local mirrored = 0.1      -- of a ply: how far a tool from a file may be from its mirror image in a quarter
 local most_plies = 50
 local most_elements = 4e6
 local slow = 0.05         -- kinetic energy over the work of the punch, above which a run is too fast
@@ -225,7 +226,6 @@ local function prepare(t)
     if given and given.file then given.tool, given.shape = files.load(field, given, field == "die" and 1 or -1), "file" end
     if given and given.units and not given.file then fail(field .. ".units", "expected with file= alone: other lengths are in m") end
   end
-  if t.quarter and (t.punch.file or t.die.file) then fail("quarter", "expected the whole: a tool from a file need not be symmetric") end
   t.punch.shape = t.punch.shape or "hemisphere"
   t.die.shape = t.die.shape or (t.punch.file and "hemisphere" or t.punch.shape)
   t.die.reach = 0.75 * math.sqrt(width ^ 2 + height ^ 2)
@@ -266,6 +266,9 @@ local function prepare(t)
   end
   if t.quarter then
     if tools.is_profile(t.punch.shape) then fail("quarter", ("an %s profile is not symmetric about x = 0: expected the whole"):format(t.punch.shape)) end
+    for _, field in ipairs { "punch", "die", "holder" } do
+      if t[field] and t[field].tool then files.check_quarter(field, t[field].tool, mirrored * thick) end
+    end
     for _, angle in ipairs(t.stack) do
       if angle % 90 ~= 0 then fail("quarter", ("a quarter stands for the whole where yarns run along x and y: expected angles of 0 and 90 degrees, got %.4g"):format(angle)) end
     end

@@ -218,6 +218,26 @@ function files.nip(punch, die, plies, stroke, reach)
   return math.sqrt(least), where
 end
 
+-- Refuses a tool that is not its own mirror image about x = 0 and y = 0 within a tolerance, m. The facets may differ.
+function files.check_quarter(field, tool, tolerance)
+  local of = looked_up(tool.mesh, tolerance)
+  for axis, name in ipairs { "x", "y" } do
+    for _, p in ipairs(samples(of.list)) do
+      local q = { p[1], p[2], p[3] }
+      q[axis] = -q[axis]
+      local square = math.huge
+      for _, t in ipairs(of.at(q[1], q[2])) do
+        square = math.min(square, to_triangle(q, t))
+        if square <= tolerance ^ 2 then break end
+      end
+      if square > tolerance ^ 2 then
+        fail("quarter", ("the %s is not symmetric about %s = 0: expected the mirror image of x = %.4g, y = %.4g, z = %.4g m within %.2g m (a tenth of a ply) of it, got %s: it is moved in the file, or the whole is needed"):format(
+          field, name, p[1], p[2], p[3], tolerance, square < math.huge and ("%.2g m"):format(math.sqrt(square)) or "nothing there"))
+      end
+    end
+  end
+end
+
 -- Where the die is flat at its height: f(p) for p.x, p.y. The tolerance is for what an export rounds.
 function files.flat(die)
   local d = looked_up(die, 0)
