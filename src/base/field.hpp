@@ -311,18 +311,22 @@ std::vector<FieldOf<Owner>> with_defaults(std::vector<FieldOf<Owner>> rows) {
 std::string expected_number(const FieldRow& row);
 
 // Error, "static: field 'tolerance': expected a number above 0 to below 1, got 2", for a number out of its
-// row's range that is not the initial one. path: "damping." in the rows of a group.
+// row's range that is not the initial one. path: "damping." in the rows of a group, which is passed over
+// where its owner does not have it.
 template <class Owner>
 void require(const std::string& call, const std::vector<FieldOf<Owner>>& rows, const Owner& owner,
-             const std::string& path = {}) {
+             const std::string& path = {}, const Owner& initial = Owner{}) {
   for (const auto& f : rows) {
     if (f.holds == FieldType::group) {
-      require(call, f.rows, owner, path + f.name + ".");
+      if (!f.there(owner)) continue;
+      Owner made = initial;
+      f.make(made);
+      require(call, f.rows, owner, path + f.name + ".", made);
       continue;
     }
     const Value value = f.get(owner);
     const auto* x = std::get_if<double>(&value);
-    if (x == nullptr || value == f.get(Owner{}) || (f.range.holds(*x) && std::isfinite(*x))) continue;
+    if (x == nullptr || value == f.get(initial) || (f.range.holds(*x) && std::isfinite(*x))) continue;
     throw Error(call + ": field '" + path + f.name + "': expected " + expected_number(f) + ", got " +
                 fabricsh::number(*x));
   }

@@ -98,6 +98,23 @@ TEST_CASE("a default is the initial value of the member, and what begins out of 
   }
 }
 
+TEST_CASE(
+    "a group that is not there has nothing out of range, and one that is may keep what it begins with") {
+  struct Part {
+    double size = 0;  // out of the range of its row
+  };
+  struct Whole {
+    std::optional<Part> part = {};
+  };
+  const std::vector<field::FieldOf<Part>> rows{
+      field::number("size", &Part::size, "m", positive, "of the part")};
+  const std::vector<field::FieldOf<Whole>> whole{field::group("part", &Whole::part, rows, "a part")};
+  const auto said = [&](const Whole& w) { return message_of([&] { field::require("call", whole, w); }); };
+  CHECK(said({}) == said({Part{2}}));
+  CHECK(said({}) == said({Part{}}));
+  CHECK(said({Part{-2}}) == "call: field 'part.size': expected a positive number in m, got -2");
+}
+
 TEST_CASE("true, false and a word stand for numbers where a row has them") {
   for (const auto& row : run::static_options()) {
     if (row.name != "stabilise") continue;
