@@ -69,6 +69,28 @@ local let = model(false, { line = line(at), angle = 0, stiffness = k })
 local motion = fabric.dynamic { model = let, from = from, duration = half, scheme = "implicit", step = half / 100 }:solve()
 check("from a static run", angle_of(motion), -30, 0.02)
 
+local other = model(false, { line = line(at), angle = 0, stiffness = 2 * k })
+local ok, message = pcall(fabric.dynamic, { model = other, from = from, duration = 1 })
+assert(not ok and tostring(message):find("expected a run of the same cloth; it differs in the creases", 1, true), tostring(message))
+
+for _, tri in ipairs { false, true } do
+  local of = tri and ", triangles" or ", quadrilaterals"
+  -- A stiff panel on a hinge under an axial force buckles as a rigid one, with the hinge in series with the base and the panel.
+  local axial = model(tri, { line = line(at), angle = 0, stiffness = k }):force("right", { x = -1e-5 })
+  local straight = fabric.static { model = axial, duration = 1, step = 1 }:solve()
+  local soft = 1 / k + at / B + (length - at) / (3 * B)
+  check("buckles on the hinge" .. of, fabric.buckling { from = straight, count = 1 }[1].factor * 1e-5, width / soft / (length - at), 1e-3)
+
+  -- It closes until the panels touch: contact sees one point where the sides of the hinge meet.
+  local closing = fabric.model { mesh = strip(tri), card = card }
+  closing:fix("left", "x y z rotation"):crease { line = line(0.04), angle = 178, stiffness = 5e-3 }:contact { self = "all", friction = 0, stiffness = 1e9 }
+  local d = fabric.dynamic { model = closing, duration = 0.4, damping = { mass = 40 } }
+  check("no contact at the start" .. of, 1 + d.energy.contact, 1, 0)
+  d:solve()
+  check("the hinge closes" .. of, d:field "crease_angle"[15], 177.7, 2e-3)
+  check("balance" .. of, 1 + d.energy.error, 1, 1e-3)
+end
+
 -- A vertex of a Miura fold: the straight crease rises to both sides by the angle a, the oblique ones lie in the plane z = 0.
 local alpha, size, n = 60 * rad, 0.03, 2
 local function place(a)
@@ -138,5 +160,19 @@ for _, tri in ipairs { false, true } do
   check("the vertex folds" .. of, a:node(number(n, 0)).z, size * math.sin(rest), 1e-4)
   check("its oblique creases come together" .. of, a:node(number(0, n)).x, size * math.cos(alpha) / math.cos(rest), 1e-4)
   check("and store nothing" .. of, 1 + a.energy.stored / began, 1, 1e-6)
+end
+
+-- A square folded in four by two creases that cross: three valleys and a mountain. In its place it has no stress.
+for _, tri in ipairs { false, true } do
+  local flat = fabric.mesh.rectangle { width = 0.08, height = 0.08, nx = 4, ny = 4, triangles = tri }
+  local folded = fabric.mesh.rectangle { width = 0.08, height = 0.08, nx = 4, ny = 4, triangles = tri }
+  folded:map(function(x, y) return 0.04 - math.abs(x - 0.04), 0.04 - math.abs(y - 0.04), 0 end)
+  local m = fabric.model { mesh = folded, reference = flat, card = card }
+  m:crease { line = { { 0.04, 0, 0 }, { 0.04, 0.08, 0 } }, angle = 180, stiffness = 0.01 }
+  m:crease { line = { { 0, 0.04, 0 }, { 0.04, 0.04, 0 } }, angle = 180, stiffness = 0.01 }
+  m:crease { line = { { 0.04, 0.04, 0 }, { 0.08, 0.04, 0 } }, angle = -180, stiffness = 0.01 }
+  m:fix("left", "x y z")
+  local a = fabric.static { model = m, duration = 1, step = 1 }
+  check("folded in four" .. (tri and ", triangles" or ", quadrilaterals"), 1 + a.energy.stored / (0.01 * 0.16 * math.pi ^ 2 / 2), 1, 1e-12)
 end
 fabric.expect(checks)
