@@ -5,10 +5,12 @@
 --   fabricsh scripts/lab/drape_interval.lua "broad nylon" 16 5           these cards, 16 samples (two discs each), five elements
 --   fabricsh scripts/long/drape_interval.lua                             every card but wool, and the table of share/doc/drape.md
 --
--- A card whose coefficient was measured on a JIS disc [matsudaira2015] has a second row, for that disc, with the measured one.
+-- A card whose coefficient was measured on a JIS disc [matsudaira2015] has a second row, for that disc, with the measured one, and lines on what makes its width:
+-- the coefficients of one disc with each assumption at the ends of its range, alone, and the test that would determine it.
 -- warns: carries without folding within it
 -- warns: the steps are long: in two halves they end
 local fabric = require "fabric"
+local assumed, tests_for = require "fabric.assumed", require "fabric.lab.tests_for"
 local which, samples, cells, write = arg[1] or "worsted", tonumber(arg[2] or 8), tonumber(arg[3] or 3), arg[4] == "write"
 local root = arg[0]:gsub("[^/]*$", "") .. "../../"
 local measured = { broad = 82.9, tropical = 50.7 }
@@ -29,16 +31,33 @@ local function card_of(name)
   return card.bending and card or fabric.card(name, { bending = "estimated" })
 end
 
+-- The coefficient in % of a disc with the given diameters (m), elements over the overhang and irregularity.
+local function coefficient_of(card, disc, support, elements, seed)
+  local test = { card = card, disc = disc, support = support, cells = elements, seed = seed, by = "relaxation", contact = false }
+  local done, r = pcall(fabric.lab.cusick, test)
+  if not done then -- the motion is slower, and goes on where relaxation finds no way
+    test.by = "motion"
+    r = fabric.lab.cusick(test)
+  end
+  return 100 * r.coefficient
+end
+
+-- What each assumption does alone, at the ends of its range; those that change the coefficient by two points and more, the largest first.
+local function alone(name, disc, support, elements)
+  local card, list = card_of(name), {}
+  for _, input in ipairs(assumed.of(card)) do
+    local low, high = coefficient_of(input.apply(card, input[1]), disc, support, elements, 1), coefficient_of(input.apply(card, input[2]), disc, support, elements, 1)
+    if math.abs(high - low) >= 2 then list[#list + 1] = { math.abs(high - low), ("%s: %s alone, %.3g to %.3g, makes %.0f to %.0f %%: %s would tell"):format(name, input.name, input[1], input[2],
+      math.min(low, high), math.max(low, high), tests_for[input.name] or "a test of it") } end
+  end
+  table.sort(list, function(a, b) return a[1] > b[1] end)
+  for _, row in ipairs(list) do print(row[2]) end
+end
+
 -- The interval in %, of discs with the given diameters (m) and elements over the overhang.
 local function interval_of(name, disc, support, elements)
   local b = fabric.budget { card = card_of(name), samples = samples, shares = false, print = false, run = function(p)
-    local test = { card = p.card, disc = disc, support = support, cells = elements, seed = p.specimen, by = "relaxation", contact = false }
-    local done, r = pcall(fabric.lab.cusick, test)
-    if not done then -- the motion is slower, and goes on where relaxation finds no way
-      test.by = "motion"
-      r = fabric.lab.cusick(test)
-    end
-    return { coefficient = 100 * r.coefficient }
+    return { coefficient = coefficient_of(p.card, disc, support, elements, p.specimen) }
   end }
   return b, b.band.coefficient
 end
@@ -58,7 +77,10 @@ end
 for _, name in ipairs(names) do
   local elements = fine[name] and math.max(cells, cells == 5 and 8 or cells) or cells
   add(name, 0.3, 0.18, elements, "300 on 180 mm")
-  if measured[name] then add(name, 0.254, 0.127, cells == 5 and 8 or cells, "254 on 127 mm") end
+  if measured[name] then
+    add(name, 0.254, 0.127, cells == 5 and 8 or cells, "254 on 127 mm")
+    if not fabric.checking() then alone(name, 0.254, 0.127, cells) end
+  end
 end
 if fabric.checking() then return end
 
