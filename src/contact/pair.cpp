@@ -49,8 +49,10 @@ struct Slid {
   double spring = 0, most = 0;            // N/m; N, mu times the normal force
   double mu = 0;                          // in the direction of the trial slip
   Vec3 mu_by_trial = Vec3::Zero();        // 1/m, its derivative
-  // N/m, of the film for the step's sliding, and its derivative by the gap, N/m2.
-  double drag = 0, drag_slope = 0;
+  // N/m, of the film for the step's sliding; its derivative by the gap, N/m2; and by the sliding, over its
+  // length, N/m3.
+  double drag = 0, drag_slope = 0, thins = 0;
+  Mat3 drag_by_slid() const { return drag * Mat3::Identity() + thins * slid * slid.transpose(); }
   double holds = 0;      // N, what sticks holds: of static friction, unless it slides already
   bool goes_on = false;  // slides, and in this step on in the same direction
   bool sticks() const { return spring * trial.norm() <= holds; }
@@ -84,11 +86,18 @@ void direct(const Touch& touch, const Slip& slip, Slid& out) {
 
 // A film wets the surfaces over the first thousandth of the way from gap to floor, without a kink.
 void wet(const ContactLaw& law, const Pair& pair, const PressedPlace& at, const Slip& slip, Slid& out) {
-  if (slip.viscous == 0 || slip.dt == 0) return;
+  const Film& film = slip.film;
+  if (film.viscous == 0 || slip.dt == 0) return;
   constexpr double of_range = 1e-3;
   const double way = of_range * (law.gap() - law.floor()) * pair.scale,
                depth = (law.gap() * pair.scale - at.place.touch.distance + pair.offset) / way,
-               d = std::min(depth, 1.0), whole = slip.viscous * at.count / slip.dt;
+               d = std::min(depth, 1.0);
+  double whole = film.viscous * at.count / slip.dt;
+  if (film.speed > 0) {
+    const double slow = film.speed * slip.dt, ratio = 1 + out.slid.squaredNorm() / (slow * slow);
+    whole *= std::pow(ratio, (film.exponent - 1) / 2);
+    out.thins = whole * d * d * (3 - 2 * d) * (film.exponent - 1) / (ratio * slow * slow);
+  }
   out.drag = whole * d * d * (3 - 2 * d);
   out.drag_slope = -whole * 6 * d * (1 - d) / way;
 }
@@ -136,7 +145,7 @@ class Friction {
   void add(const PressedPlace& at) {
     const Slid s = slide(law_, pair_, at, slip_);
     damp(at, s);
-    if (slip_.rubs() || slip_.viscous > 0) rub(at, s);
+    if (slip_.rubs() || slip_.film.viscous > 0) rub(at, s);
     first_ = false;
   }
 
@@ -331,7 +340,7 @@ FrictionTangent friction_tangent(const ContactLaw& law, const Pair& pair, const 
       out.jacobian +=
           distance_gradient(touch) * press.transpose() + at.count * s.damping * distance_hessian(x, touch);
     const bool rubs = slip.rubs();
-    if (!rubs && slip.viscous == 0) return;
+    if (!rubs && slip.film.viscous == 0) return;
     press -= at.count * at.answer.stiffness * distance_gradient(touch);
     if (modulated) press += share * at.answer.pressure * m->gradient;
 
@@ -352,14 +361,15 @@ FrictionTangent friction_tangent(const ContactLaw& law, const Pair& pair, const 
     Vector12 thickens = s.drag_slope * distance_gradient(touch);  // the derivative of the film's drag
     if (modulated) thickens += s.drag / at.count * share * m->gradient;
     // The lever is along the normal, so lever x turn has no part along it.
-    const Mat3 levers = cross_matrix(s.lever), pull_by_turn = (turn + s.drag * Mat3::Identity()) * levers;
+    const Mat3 levers = cross_matrix(s.lever), drags = s.drag_by_slid(),
+               pull_by_turn = (turn + drags) * levers;
     for (int i = 0; i < 4; ++i)
       out.by_turn.block<3, 3>(3 * i, 0) -= touch.weight[std::size_t(i)] * pull_by_turn;
     out.torque_by_turn += levers * pull_by_turn;
     for (std::size_t j = 0; j < 4; ++j) {
       Mat3 dpull = turn * by[j].sliding + direction * grows.segment<3>(3 * int(j)).transpose();
-      if (slip.viscous > 0)
-        dpull += s.drag * sliding_by_corner(touch, x, slip, s, pair.offset, slide, Vec3::Zero(), j).sliding +
+      if (slip.film.viscous > 0)
+        dpull += drags * sliding_by_corner(touch, x, slip, s, pair.offset, slide, Vec3::Zero(), j).sliding +
                  s.slid * thickens.segment<3>(3 * int(j)).transpose();
       out.torque_by_x.block<3, 3>(0, 3 * int(j)) += levers * dpull - cross_matrix(pull) * by[j].lever;
       for (std::size_t i = 0; i < 4; ++i) {

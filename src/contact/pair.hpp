@@ -30,6 +30,15 @@ struct Pair {
   Fading fading = {};  // for `edges`
 };
 
+// A film between two surfaces: it resists sliding with the speed v by the traction
+// viscous v (1 + (v / speed)^2)^((exponent - 1) / 2), which is never against the sliding and grows with it;
+// of a melt that shear thins, with v^exponent far above `speed` [carreau1972].
+struct Film {
+  double viscous = 0;   // Pa s/m: viscosity at rest over thickness; 0: there is none
+  double speed = 0;     // m/s; 0: the viscosity is the same at all speeds
+  double exponent = 1;  // above 0 to 1
+};
+
 // Friction by Coulomb's law with a spring that remembers [simo1992]: the elastic slip of a pair is kept over
 // the steps. A step adds its sliding to it; where the spring would then pull harder than mu times the normal
 // force, it is shortened to that, and the rest of the sliding is lost. What sticks therefore stays, whatever
@@ -59,9 +68,7 @@ struct Slip {
   // between them they are half axes of an ellipse. Below 0: mu holds in all directions.
   double across = -1;
   Vec3 along = Vec3::Zero();  // of any length, zero: unknown, then mu is that of the warp
-  // Pa s/m, of a film between the surfaces: its viscosity over its thickness. It resists sliding with this
-  // times the speed where they touch, beside Coulomb's friction.
-  double viscous = 0;
+  Film film = {};             // resists where they touch, beside Coulomb's friction
   bool rubs() const { return friction > 0 || sticking > 0; }  // by Coulomb's law
   // Explicit steps: a resistance of 0.2 m / dt to the sliding velocity below the bound of Coulomb, with the
   // effective mass m of the pair at the place and as often as the place counts, damps the vibration of what

@@ -67,14 +67,14 @@ struct Interaction {
   double sticking = 0;  // static friction, at least `friction`, which is that of what slides
   double loss = 0;      // sqrt(kg)/m: 2 zeta sqrt(areal mass), where zeta is the share of critical damping
   bool rigid = false;   // neither is cloth
-  double viscous = 0;   // Pa s/m: viscosity of a film between them over its thickness
+  Film film = {};       // between them
   // Friction across the warp of the first surface, a cloth; `friction` is then that along it. Below 0: it is
   // the same in all directions.
   double across = -1;
   // The warp of each triangle of the scene as a sum of its first two sides, those from its first corner: it
   // follows them. Empty without friction by direction.
   std::vector<std::array<double, 2>> warp = {};
-  bool rubs() const { return sticking > 0 || loss > 0 || viscous > 0; }
+  bool rubs() const { return sticking > 0 || loss > 0 || film.viscous > 0; }
   // Contact points inside the facets of the first surface, a cloth, on the second, a ball or a rod: each of
   // its triangles is divided into parts[i]^2 of equal area, and has a point in the middle of each. 0: it has
   // none, and its nodes and edges take part. Empty: no triangle has any. See Scene::spread.
@@ -121,8 +121,8 @@ class Scene {
   // Whether rigid shapes meet each other: a ball anything but cloth, a rod a ball or a wall.
   static bool can_meet(Shape first, Shape second);
 
-  // A film between two surfaces that meet, Pa s/m; and friction across the warp of the first.
-  void set_film(std::size_t interaction, double viscous) { interactions_[interaction].viscous = viscous; }
+  // A film between two surfaces that meet; and friction across the warp of the first.
+  void set_film(std::size_t interaction, const Film& film) { interactions_[interaction].film = film; }
   void set_across(std::size_t interaction, double across, std::vector<std::array<double, 2>> warp) {
     interactions_[interaction].across = across;
     interactions_[interaction].warp = std::move(warp);

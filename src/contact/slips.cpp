@@ -102,7 +102,7 @@ Slip Contact::slip_of(std::size_t i, std::span<const Vec3> x, const Way& way) {
   const Interaction& it = scene_->interactions()[std::size_t(c.interaction)];
   Slip slip{it.friction, tangential * it.law.stiffest()};
   slip.sticking = it.sticking;
-  slip.viscous = it.viscous;
+  slip.film = it.film;
   if (it.across >= 0) {
     slip.across = it.across;
     slip.along = scene_->warp_at(it, c.point, x);

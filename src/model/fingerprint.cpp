@@ -245,6 +245,8 @@ std::string contact_text(const ContactGiven& c) {
   if (c.sticking) text += ", static " + number(*c.sticking);
   if (c.across) text += " along the warp, " + number(*c.across) + " across";
   if (c.viscosity) text += ", film of " + number(*c.viscosity) + " Pa s, " + number(*c.film) + " m";
+  if (c.film_speed > 0)
+    text += ", thinned above " + number(c.film_speed) + " m/s, exponent " + number(c.film_exponent);
   if (c.thickness) text += ", thickness " + number(*c.thickness) + " m";
   if (c.stiffness) text += ", stiffness " + number(*c.stiffness) + " Pa/m";
   if (c.restitution != ContactGiven::usual_restitution) text += ", restitution " + number(c.restitution);
@@ -258,6 +260,7 @@ void add_contact(PartCollector& part, const ContactGiven& c, const Surfaces& sur
   if (c.sticking) part.add(*c.sticking);
   if (c.across) part.add(*c.across);
   if (c.viscosity) part.add(*c.viscosity, *c.film);
+  if (c.film_speed > 0) part.add(c.film_speed, c.film_exponent);
   for (const SurfacePair& m : surfaces.meetings) {
     if (m.contact != place) continue;
     part.add(m.first, m.second);

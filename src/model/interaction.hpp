@@ -31,8 +31,10 @@ struct ContactGiven {
   std::optional<double> sticking = {};
   // Friction across the warp of the cloth that comes first in the model; `friction` is then that along it.
   std::optional<double> across = {};
-  // A film between the surfaces, which resists sliding with viscosity times speed over thickness.
+  // A film between the surfaces, which resists sliding with viscosity times speed over thickness; with a
+  // speed it thins from there on, see contact::Film.
   std::optional<double> viscosity = {}, film = {};                         // Pa s, m
+  double film_speed = 0, film_exponent = 1;                                // m/s; above 0 to 1
   double film_drag() const { return viscosity ? *viscosity / *film : 0; }  // Pa s/m
 };
 

@@ -198,6 +198,43 @@ TEST_CASE("pair: the Jacobian of friction by slope, its unsymmetric part include
   }
 }
 
+TEST_CASE("pair: a film that thins resists with Carreau's traction, and its Jacobian is the slope",
+          "[contact]") {
+  const double dt = 0.03;
+  for (const PairKind kind : kinds) {
+    const Pair pair = pair_of(kind);
+    INFO("kind " << int(kind));
+    Random random(12);
+    at_states(pair, 60, [&](const Corners& x, const Vector12& by, double h) {
+      Slip slip{random(0, 1) < 0.5 ? 0 : 0.4, 1e6};
+      slip.dt = dt;
+      slip.film = {random(0.2, 2), random(1, 20), random(0.1, 1)};
+      slip.held = random.vector(0.2);
+      Corners start = x;
+      for (Vec3& s : start) s += random.vector(0.5);
+      const Vector12 along = random.direction();
+      const FrictionTangent at = friction_tangent(law(), pair, x, from(slip, start, x));
+      const auto force = [&](const Corners& y) {
+        const Slip moved = from(slip, start, y);
+        return stacked(pair_force(law(), pair, y, &moved).on).dot(along);
+      };
+      const Matrix12 all = at.jacobian - pair_derivatives(law(), pair, x).hessian;
+      CHECK(test::order(force, along.dot(all * by), x, by, h) > 1.8);
+    });
+  }
+  const Pair pair = pair_of(PairKind::plane);
+  Slip slip;
+  slip.dt = dt;
+  slip.film = {0.7, 0.5, 0.3};
+  for (const double v : {1e-3, 0.5, 40.0}) {
+    slip.moved[0] = v * dt * Vec3(0.6, 0.8, 0);
+    const double traction = 0.7 * v * std::pow(1 + v * v / 0.25, -0.35);
+    const Force film = friction_of(law(), pair, flat, slip);
+    CHECK(film.on[0].norm() == Approx(traction * pair.area).epsilon(1e-12));
+    CHECK(film.work == Approx(traction * pair.area * v * dt).epsilon(1e-12));
+  }
+}
+
 TEST_CASE("pair: friction is a spring until it pulls with mu times the normal force, and then slips",
           "[contact]") {
   const Pair pair = pair_of(PairKind::plane);

@@ -572,7 +572,9 @@ define {
     { name = "film", kind = "fields", optional = true, rows = {
       { name = "viscosity", kind = "number", unit = "Pa s", above = 0, sentence = "of what is between plies, and between them and the tools: a hot matrix" },
       { name = "thickness", kind = "number", unit = "m", above = 0, high = 1, sentence = "of it" },
-    }, sentence = "resists sliding beside friction, as film of model:contact: give the viscosity times the real speed of the punch over that of the run" },
+      { name = "speed", kind = "number", unit = "m/s", above = 0, optional = true, sentence = "of sliding from which the viscosity falls; default: it stays" },
+      { name = "exponent", kind = "number", above = 0, high = 1, optional = true, sentence = "of the speed in the traction far above that" },
+    }, sentence = "resists sliding beside friction, as film of model:contact: give the viscosity times the real speed of the punch over that of the run, and the speed over that" },
     { name = "stroke", kind = "number", unit = "m", above = 0, sentence = "way of the punch from first contact" },
     { name = "cells", kind = "integer", low = 4, high = 1000, default = 32, sentence = "elements along the longer side (of a quarter: of its own)" },
     { name = "triangles", kind = "boolean", default = false, sentence = "elements of three nodes, cells of the blank cut along the diagonal that goes around the punch" },

@@ -198,7 +198,7 @@ Contacts::Contacts(const model::Model& model, const Configuration& configuration
     const double loss = 2 * damping_of(given.restitution) * std::sqrt(moving_mass(m));
     scene_.meet(m.first, m.second, contact::ContactLaw(meetings_.back().data), given.friction, loss,
                 given.sticking);
-    scene_.set_film(meetings_.size() - 1, given.film_drag());
+    scene_.set_film(meetings_.size() - 1, {given.film_drag(), given.film_speed, given.film_exponent});
     friction_ = friction_ || given.friction > 0 || given.sticking.value_or(0) > 0 || given.viscosity;
     rubs_ = rubs_ || friction_ || loss > 0;
   }
@@ -323,7 +323,8 @@ std::vector<std::string> Contacts::describe() const {
         number(it.law.floor()) + " m, " + stiffness_words(m, it.law) + ", friction " + number(it.friction) +
         (it.sticking > it.friction ? ", static " + number(it.sticking) : "") +
         (it.across < 0 ? "" : " along the warp, " + number(it.across) + " across") +
-        (it.viscous > 0 ? ", film of " + number(it.viscous) + " Pa s/m" : "") +
+        (it.film.viscous > 0 ? ", film of " + number(it.film.viscous) + " Pa s/m" : "") +
+        (it.film.speed > 0 ? ", thinner above " + number(it.film.speed) + " m/s" : "") +
         (m.spacing > 0 ? ", at points inside the elements, " + number(m.spacing) + " m apart" : "") +
         dependence_words(scene_, it));
     if (m.near > 0)

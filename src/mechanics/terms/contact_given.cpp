@@ -111,7 +111,7 @@ void Contacts::refuse_films() const {
   constexpr double carried = 0.1;  // of areal mass over step: facets and both faces of a ply add up to more
   const double most = carried * least_areal_ / step_;
   for (std::size_t i = 0; i < meetings_.size(); ++i) {
-    const double drag = scene_.interactions()[i].viscous;
+    const double drag = scene_.interactions()[i].film.viscous;
     if (drag > most)
       throw Error(
           "contact: field 'film': " + meetings_[i].names + ": explicit steps of " + number(step_) +

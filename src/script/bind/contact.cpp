@@ -181,6 +181,13 @@ int contact(Call& call) {
     const Fields film = call.fields("film");
     given.viscosity = film.number("viscosity");
     given.film = film.number("thickness");
+    if (film.has("speed") != film.has("exponent"))
+      call.refuse("film", std::string("expected speed and exponent, or none of them, got only ") +
+                              (film.has("speed") ? "speed" : "exponent"));
+    if (film.has("speed")) {
+      given.film_speed = film.number("speed");
+      given.film_exponent = film.number("exponent");
+    }
     lua_pop(call.L(), 1);
   }
   if (call.has("thickness")) given.thickness = call.number("thickness");
@@ -332,8 +339,15 @@ std::vector<Entry> contact_model_rows() {
         fields_(
             "film",
             {number_("viscosity", "Pa s", positive, "of what is between the surfaces, such as a hot matrix"),
-             number_("thickness", "m", positive, "of it")},
-            "beside friction, viscosity times sliding speed over thickness, where the surfaces touch")
+             number_("thickness", "m", positive, "of it"),
+             number_("speed", "m/s", positive, "of sliding from which the viscosity falls; default: it stays")
+                 .optional(),
+             number_(
+                 "exponent", "", {0, 1, true},
+                 "of the speed in the traction far above that: 1 would be the same viscosity at all speeds")
+                 .optional()},
+            "beside friction, viscosity times sliding speed over thickness, where the surfaces touch; with "
+            "speed and exponent n times (1 + (v / speed)^2)^((n - 1) / 2)")
             .optional(),
         number_("thickness", "m", positive,
                 "of the cloth in contact; default: the cloth's own, or that of its card's compression")

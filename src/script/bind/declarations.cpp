@@ -257,6 +257,8 @@ void add_contacts(const Model& m, Rows& rows) {
         .number("weft_friction", c.across)
         .number("film_viscosity", c.viscosity)
         .number("film_thickness", c.film)
+        .number("film_speed", c.film_speed > 0 ? std::optional(c.film_speed) : std::nullopt)
+        .number("film_exponent", c.film_speed > 0 ? std::optional(c.film_exponent) : std::nullopt)
         .number("thickness", c.thickness)
         .number("stiffness", c.stiffness)
         .number("restitution", c.restitution)

@@ -275,6 +275,9 @@ void add_contacts(const Model& m, std::vector<Declared>& all) {
     if (c.across) words += " along the warp, " + brief_number(*c.across) + " across";
     if (c.viscosity)
       add_word(words, "film of " + brief_number(*c.viscosity) + " Pa s, " + brief_number(*c.film) + " m");
+    if (c.film_speed > 0)
+      add_word(words, "thinner above " + brief_number(c.film_speed) + " m/s, exponent " +
+                          brief_number(c.film_exponent));
     for (const auto& party : c.between)
       sides += (sides.empty() ? "" : " and ") + (party.body ? given.name_of(*party.body) : party.set);
     if (c.between.size() == 1) sides += " on itself";

@@ -159,11 +159,19 @@ wrong("model:contact", "model:contact{ self='all', friction={ static=0.3, kineti
 wrong("model:contact", "model:contact{ self='all', friction={ warp=0, weft=0.3 } }",
   "deck.lua:1: contact: field 'friction.warp': expected a positive number, got 0")
 wrong("model:contact", "model:contact{ self='all', film=5 }",
-  "deck.lua:1: contact: field 'film': expected a table {viscosity, thickness}, got 5")
+  "deck.lua:1: contact: field 'film': expected a table {viscosity, thickness, speed, exponent}, got 5")
 wrong("model:contact", "model:contact{ self='all', film={ viscosity=1 } }",
   "deck.lua:1: contact: field 'film.thickness': expected a positive number in m, got nil (missing, or a misspelt variable)")
 wrong("model:contact", "model:contact{ self='all', film={ viscosity=-1, thickness=1e-4 } }",
   "deck.lua:1: contact: field 'film.viscosity': expected a positive number in Pa s, got -1")
+wrong("model:contact", "model:contact{ self='all', film={ viscosity=1, thickness=1e-4, speed=0.1 } }",
+  "deck.lua:1: contact: field 'film': expected speed and exponent, or none of them, got only speed")
+wrong("model:contact", "model:contact{ self='all', film={ viscosity=1, thickness=1e-4, exponent=0.5 } }",
+  "deck.lua:1: contact: field 'film': expected speed and exponent, or none of them, got only exponent")
+wrong("model:contact", "model:contact{ self='all', film={ viscosity=1, thickness=1e-4, speed=0, exponent=0.5 } }",
+  "deck.lua:1: contact: field 'film.speed': expected a positive number in m/s, got 0")
+wrong("model:contact", "model:contact{ self='all', film={ viscosity=1, thickness=1e-4, speed=0.1, exponent=1.4 } }",
+  "deck.lua:1: contact: field 'film.exponent': expected a number above 0 to 1, got 1.4")
 wrong("model:contact", "fabric.static{ model=held:contact{ self='all', film={ viscosity=1, thickness=1e-4 } }, duration=1 }",
   "deck.lua:1: static: contact: field 'film': nothing slides with a speed in a static run, so that a film would do nothing: expected none, or fabric.dynamic")
 wrong("model:contact", "local ball = fabric.rigid.sphere{ radius=0.01, centre={0, 0, 0.02}, mass=0.1 } local plane = fabric.rigid.plane{ point={0, 0, -0.1}, normal={0, 0, 1} } "

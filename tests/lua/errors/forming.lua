@@ -83,6 +83,9 @@ wrong("fabric.rigid.punch", "fabric.rigid.punch{ radius=0.1, around=8.5 }", at .
 wrong("fabric.lab.form", form .. "t.weft_friction = 0" .. run, at .. "form: field 'weft_friction': expected a positive number, got 0")
 wrong("fabric.lab.form", form .. "t.weft_friction = 0.2 t.friction = 0" .. run, at .. "form: field 'weft_friction': expected with friction and ply_friction above 0, got 0 and 0")
 wrong("fabric.lab.form", form .. "t.film = { viscosity=1 }" .. run, at .. "form: field 'film.thickness': expected a number above 0 to 1 in m, got nil (missing, or a misspelt variable)")
+wrong("fabric.lab.form", form .. "t.film = { viscosity=1, thickness=1e-4, speed=1, exponent=1.5 }" .. run, at .. "form: field 'film.exponent': expected a number above 0 to 1, got 1.5")
+wrong("fabric.lab.form", form .. "t.film = { viscosity=1, thickness=1e-4, speed=-1, exponent=0.5 }" .. run, at .. "form: field 'film.speed': expected a positive number in m/s, got -1")
+wrong("fabric.lab.form", form .. "t.film = { viscosity=1, thickness=1e-4, speed=1 }" .. run, at .. "contact: field 'film': expected speed and exponent, or none of them, got only speed")
 wrong("fabric.lab.form", form .. "t.film = { viscosity=1e4, thickness=1e-4 }" .. run,
   at .. "dynamic: contact: field 'film': die on the cloth: explicit steps of 1.10784e-05 s carry a viscosity over thickness of at most 2023.76 Pa s/m, got 1e+08: "
     .. "a run that is faster than the process by a factor needs a viscosity that is smaller by it (or scheme=\"implicit\")")
