@@ -121,6 +121,17 @@ class OwnSystem {
       if (own(t) > 0) A.block(from(t), from(t), own(t), own(t)) -= terms_[t]->own_response();
     return A;
   }
+  // Empty if a term has unknowns without.
+  Eigen::MatrixXd stiffness() const {
+    Eigen::MatrixXd A = Eigen::MatrixXd::Zero(static_cast<Index>(size()), static_cast<Index>(size()));
+    for (std::size_t t = 0; t < terms_.size(); ++t) {
+      if (own(t) == 0) continue;
+      const Eigen::MatrixXd part = terms_[t]->own_stiffness();
+      if (part.size() == 0) return {};
+      A.block(from(t), from(t), own(t), own(t)) = part;
+    }
+    return A;
+  }
   bool push(std::size_t j, std::span<double> on_x) const {
     std::size_t t = 0;
     while (j >= first_[t + 1]) ++t;
@@ -145,34 +156,53 @@ class OwnSystem {
   std::vector<std::size_t> first_;  // unknown of each term
 };
 
+// m, of the nodes, by a change of the matrix's unknowns.
+std::vector<double> moved(const Dofs& dofs, double time, std::span<const double> change) {
+  NodalRates nodal;
+  dofs.spread_rates(change, std::vector<double>(dofs.targets(time).size()), nodal);
+  return std::move(nodal.x);
+}
+
+// Z = K^-1 B, and A with the answers to it. coordinates: of all nodes. False: no solution.
+bool condense(const OwnSystem& own, const Dofs& dofs, double time, std::size_t coordinates,
+              const Assembly::Solve& solve, double weight, std::vector<std::vector<double>>& Z,
+              Eigen::MatrixXd& A) {
+  const std::vector<double> zero(coordinates, 0);
+  std::vector<double> push(coordinates), r(static_cast<std::size_t>(dofs.unknowns()));
+  Z.assign(own.size(), std::vector<double>(r.size()));
+  for (std::size_t j = 0; j < own.size(); ++j) {
+    if (!own.push(j, push)) continue;
+    dofs.residual(push, zero, zero, {}, nullptr, r);
+    for (double& x : r) x *= weight;
+    if (!r.empty() && !solve(r, Z[j])) return false;
+    A.col(static_cast<Index>(j)) += own.answer(moved(dofs, time, Z[j]));
+  }
+  return true;
+}
+
 }  // namespace
 
 bool Assembly::finish_direction(const Solve& solve, double weight, std::span<double> delta) {
   const OwnSystem own(terms_.movers());
-  const std::size_t m = own.size();
-  if (m == 0) return true;
-  const std::vector<double> zero(force_x_.size(), 0), still(dofs_.targets(trial_time_).size(), 0);
-  const auto answer = [&](std::span<const double> move) {
-    NodalRates nodal;
-    dofs_.spread_rates(move, still, nodal);
-    return own.answer(nodal.x);
-  };
-  std::vector<std::vector<double>> Z(m, std::vector<double>(delta.size()));
+  if (own.size() == 0) return true;
+  std::vector<std::vector<double>> Z;
   Eigen::MatrixXd A = own.matrix();
-  std::vector<double> push(force_x_.size()), r(delta.size());
-  for (std::size_t j = 0; j < m; ++j) {
-    if (!own.push(j, push)) continue;
-    dofs_.residual(push, zero, zero, {}, nullptr, r);
-    for (double& x : r) x *= weight;
-    if (!r.empty() && !solve(r, Z[j])) return false;
-    A.col(static_cast<Index>(j)) += answer(Z[j]);
-  }
-  const Eigen::VectorXd w = A.partialPivLu().solve(own.residual() + answer(delta));
+  if (!condense(own, dofs_, trial_time_, force_x_.size(), solve, weight, Z, A)) return false;
+  const Eigen::VectorXd w =
+      A.partialPivLu().solve(own.residual() + own.answer(moved(dofs_, trial_time_, delta)));
   if (!w.allFinite()) return false;
-  for (std::size_t j = 0; j < m; ++j)
+  for (std::size_t j = 0; j < own.size(); ++j)
     for (std::size_t i = 0; i < delta.size(); ++i) delta[i] -= w[static_cast<Index>(j)] * Z[j][i];
   own.direct(w);
   return true;
+}
+
+Eigen::MatrixXd Assembly::own_stiffness(const Solve& solve) {
+  const OwnSystem own(terms_.movers());
+  std::vector<std::vector<double>> Z;
+  Eigen::MatrixXd A = own.stiffness();
+  if (A.size() == 0 || !condense(own, dofs_, trial_time_, force_x_.size(), solve, 1, Z, A)) return {};
+  return A;
 }
 
 void Assembly::commit(double time) {

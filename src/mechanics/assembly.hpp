@@ -52,6 +52,9 @@ class Assembly {
   // False: no solution.
   using Solve = std::function<bool(std::span<const double> b, std::span<double> x)>;
   bool finish_direction(const Solve& solve, double weight, std::span<double> delta);
+  // At rest: the stiffness of the terms' own unknowns, the nodes following them, over some that is positive:
+  // it has as many negative eigenvalues. Empty: there are none of which an energy decides, or no solution.
+  Eigen::MatrixXd own_stiffness(const Solve& solve);
   // The fraction, 0 to 1, of a step from the iterate along delta, with the supports at their targets, that
   // all terms consider safe. If one of them limits steps, the trial configuration is left somewhere along it.
   double limit(std::span<const double> delta, std::span<const double> targets);

@@ -118,6 +118,9 @@ class OwnUnknowns {
   virtual void direct(std::span<const double> /*way*/) {}    // of the next move, for the unknowns
   virtual double largest_own_residual() const { return 0; }  // N
   virtual double largest_own_force() const { return 0; }     // N, with which residuals are compared
+  // At rest: how the unknowns resist their own change, without what holds those that nothing else holds;
+  // empty: unknowns that no energy decides. With own_answer() to K^-1 own_push() it is the stiffness of all.
+  virtual Eigen::MatrixXd own_stiffness() const { return {}; }
 };
 
 }  // namespace fabricsh::mechanics

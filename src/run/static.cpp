@@ -548,12 +548,28 @@ solver::Stability Static::judge() {
   linear::Vector D;
   if (problem_->tangent(K) != Answer::ok) return solver::Stability::unchecked;
   linear::absolute_sums(K, D);
-  return check_->of(K, D);
+  const solver::Stability cloth = check_->of(K, D);
+  return places_bodies_ && cloth == solver::Stability::stable ? judge_bodies(K) : cloth;
+}
+
+// Of cloth that is stable while the bodies stand: bodies and cloth together are so if the stiffness of the
+// bodies, cloth following them, has no negative eigenvalue.
+solver::Stability Static::judge_bodies(const linear::Matrix& K) {
+  constexpr double kNothing = 1e-9;  // of the largest: of what turns or rolls freely
+  judging_->set_doubtful(false);
+  if (K.size() > 0 && !judging_->factorise(K)) return solver::Stability::unchecked;
+  const Eigen::MatrixXd A = assembly_->own_stiffness([&](std::span<const double> b, std::span<double> x) {
+    return judging_->solve(K, b, x) && linear::all_finite(x);
+  });
+  if (A.size() == 0 || !A.allFinite()) return solver::Stability::unchecked;
+  const Eigen::VectorXd values = A.eigenvalues().real();
+  return values.minCoeff() < -kNothing * values.cwiseAbs().maxCoeff() ? solver::Stability::unstable
+                                                                      : solver::Stability::stable;
 }
 
 bool Static::finish(solver::NewtonResult result, double end, StepReport& report) {
   if (result.status == solver::NewtonStatus::converged && result.stability == solver::Stability::unchecked &&
-      (arc_ || (relaxing_ && !descent_)))
+      (arc_ || places_bodies_ || (relaxing_ && !descent_)))
     result.stability = judge();
   report.iterations += result.iterations;
   report.residuals = result.residuals;

@@ -125,6 +125,7 @@ class Static final : public Run {
   solver::NewtonResult lifted(const solver::NewtonOptions& options);  // begins beside a flat membrane
   solver::NewtonResult complete(const solver::NewtonResult& relaxed, const solver::NewtonOptions& options);
   solver::Stability judge();  // of the trial state, where the solver that found it has not asked
+  solver::Stability judge_bodies(const linear::Matrix& K);
   bool finish(solver::NewtonResult result, double end, StepReport& report);
   void report_notices(const StepReport& report);  // gives notices
   void check_balance();                           // stops the run if energy was made from nothing

@@ -82,9 +82,12 @@ class Bodies {
   // the step's end, 6 x 6.
   using Matrix6 = Eigen::Matrix<double, 6, 6>;
   Matrix6 compliance(std::size_t free) const;
-  // Adds to the derivative of the residual by the unknowns what springs and dampers give; in static steps
-  // also the unknowns themselves, and what holds a body that is held by nothing else.
+  // Adds to the derivative of the residual by the unknowns what springs and dampers give.
   void add_response(Eigen::MatrixXd& response) const;
+  // Adds in static steps the unknowns themselves, and what holds a body that is held by nothing else.
+  void hold(Eigen::MatrixXd& response) const;
+  // Which of the unknowns are of directions in which a support holds a body.
+  std::vector<bool> held() const;
   // The number of vertex row v's body among the free ones, -1: none; and its lever from the centre, m.
   int free_of(std::size_t v) const { return free_of_[v]; }
   Vec3 lever(std::size_t v) const { return target_[v] - free_[free_of_[v]].predicted.centre(); }

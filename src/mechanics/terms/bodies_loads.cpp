@@ -257,6 +257,17 @@ void Bodies::add_response(Eigen::MatrixXd& response) const {
     add(other, b, k);
     add(other, other, -k);
   }
+}
+
+std::vector<bool> Bodies::held() const {
+  std::vector<bool> out;
+  for (const Free& free : free_)
+    for (const Vec3& left : {free.moves, free.turns})
+      for (int i = 0; i < 3; ++i) out.push_back(left[i] == 0);
+  return out;
+}
+
+void Bodies::hold(Eigen::MatrixXd& response) const {
   if (!static_) return;
   for (std::size_t f = 0; f < free_.size(); ++f) {
     const Free& free = free_[f];

@@ -82,6 +82,7 @@ class Contacts final : public Term, public StepLimiter, public OwnUnknowns, publ
   void direct(std::span<const double> way) override { bodies_.direct(way); }
   double largest_own_force() const override;  // where bodies meet each other; else 0
   double largest_own_residual() const override { return bodies_.largest_residual(); }
+  Eigen::MatrixXd own_stiffness() const override;
 
   // The places of free bodies at rest are unknowns from here on.
   void go_static(double rise);  // s, see Bodies
@@ -228,6 +229,7 @@ class Contacts final : public Term, public StepLimiter, public OwnUnknowns, publ
   double taken() const;
   double lost() const { return evaluated_ ? trial_.work - (trial_.stick - committed_.stick) : 0; }
   void add_on_body(const contact::FrictionTangent* friction);
+  Eigen::MatrixXd answers() const;  // of free bodies to the changes of their unknowns
   void prepare_tangent(const Trial& trial);
   const Reading& read() const;
   int surface_of(std::int32_t point) const;

@@ -84,8 +84,23 @@ Eigen::VectorXd Contacts::own_answer(std::span<const double> move) const {
   return out;
 }
 
-// Bodies that meet answer each other; the parts of one pair stand beside each other.
 Eigen::MatrixXd Contacts::own_response() const {
+  Eigen::MatrixXd out = answers();
+  bodies_.hold(out);
+  return out;
+}
+
+Eigen::MatrixXd Contacts::own_stiffness() const {
+  if (!static_) return {};
+  Eigen::MatrixXd out = -answers();
+  const std::vector<bool> held = bodies_.held();
+  for (Eigen::Index i = 0; i < out.rows(); ++i)
+    if (held[static_cast<std::size_t>(i)]) out(i, i) += 1;
+  return out;
+}
+
+// Bodies that meet answer each other; the parts of one pair stand beside each other.
+Eigen::MatrixXd Contacts::answers() const {
   const auto m = static_cast<Eigen::Index>(bodies_.unknowns());
   Eigen::MatrixXd out = Eigen::MatrixXd::Zero(m, m);
   const auto add = [&](const OnBody& part, const OnBody& other) {
