@@ -190,6 +190,13 @@ int Scene::add_disc(const Vec3& centre, const Vec3& normal, double radius, doubl
   return add_solid(vertices, triangles, edge);
 }
 
+void Scene::add_followers(std::span<const Vec3> points) {
+  reference_.insert(reference_.end(), points.begin(), points.end());
+  area_.resize(reference_.size());
+  at_point_.resize(reference_.size());
+  surfaces_.back().followers += std::int32_t(points.size());
+}
+
 int Scene::add_triangles(Surface surface, std::span<const Triangle> triangles,
                          std::span<const std::int32_t> element) {
   surface.first_triangle = std::int32_t(triangles_.size());
@@ -313,6 +320,9 @@ Scene Scene::with_corners(const std::function<Triangle(const TriangleRow&)>& cor
     surface.radius = from.radius;
     const auto vertices =
         std::span(reference_).subspan(std::size_t(from.first_vertex), std::size_t(from.vertices));
+    const auto followers =
+        std::span(reference_)
+            .subspan(std::size_t(from.first_vertex + from.vertices), std::size_t(from.followers));
     if (from.shape != Shape::cloth && from.shape != Shape::solid) {
       out.add_rigid(std::move(surface), vertices);
       Surface& added = out.surfaces_.back();
@@ -321,6 +331,7 @@ Scene Scene::with_corners(const std::function<Triangle(const TriangleRow&)>& cor
         out.edges_.push_back(edges_[std::size_t(e)]);
         out.at_edge_.emplace_back();
       }
+      out.add_followers(followers);
       continue;
     }
     surface.first_vertex = from.first_vertex;
@@ -341,6 +352,7 @@ Scene Scene::with_corners(const std::function<Triangle(const TriangleRow&)>& cor
       for (std::size_t k = 0; k < 3; ++k)
         out.sheet_[std::size_t(triangles[i][k])] =
             sheet_[std::size_t(triangles_[std::size_t(from.first_triangle) + i].nodes[k])];
+    if (!followers.empty()) out.add_followers(followers);
   }
   out.interactions_ = interactions_;
   out.spots_ = spots_;

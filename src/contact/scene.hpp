@@ -39,6 +39,7 @@ struct Surface {
   Shape shape = Shape::cloth;
   double radius = 0;                               // m
   std::int32_t first_vertex = 0, vertices = 0;     // of a rigid shape
+  std::int32_t followers = 0;                      // points after them that move with it and touch nothing
   std::int32_t first_edge = 0, edges = 0;          // rows of Scene::edges
   std::int32_t first_triangle = 0, triangles = 0;  // rows of Scene::triangles
   std::vector<std::int32_t> points;                // ascending
@@ -111,6 +112,9 @@ class Scene {
   // A flat disc with a rounded edge: `radius` (m) is the outer radius, `edge` (m) that of
   // the rounding, `sides` the number of sides of the polygon that approximates the circle.
   int add_disc(const Vec3& centre, const Vec3& normal, double radius, double edge, int sides = 128);
+
+  // Points that move with the last surface, which is rigid, and touch nothing.
+  void add_followers(std::span<const Vec3> points);
 
   // Declares that two surfaces meet under a law. Of two rigid ones the law is one of force (N) and not of
   // pressure: they begin to press where their surfaces touch, and its gap is how deep they come at most.

@@ -39,8 +39,11 @@ Assembly::Assembly(const model::Model& model)
   if (!model.loads<model::GroundSpring>().empty()) make<Springs>(model);
   if (!model.bands().empty()) make<EdgeBands>(model);
   if (Hinges::possible(model)) make<Hinges>(model, std::as_const(configuration_));
-  if (!model.gases().empty()) make<Gas>(model);
-  if (model.interactions().any()) make<Contacts>(model, std::as_const(configuration_), cloth, dofs_);
+  Gas* const gas = model.gases().empty() ? nullptr : &make<Gas>(model);
+  if (model.interactions().any()) {
+    auto& contacts = make<Contacts>(model, std::as_const(configuration_), cloth, dofs_);
+    if (gas != nullptr) gas->press_on(contacts, trial());
+  }
   force_x_.assign(3 * configuration_.nodes(), 0);
   force_d_.assign(3 * configuration_.nodes(), 0);
 }

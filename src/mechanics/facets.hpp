@@ -90,6 +90,9 @@ class StepLimiter {
 struct NodalRanks {
   std::vector<std::vector<double>> on_x;
   Eigen::MatrixXd core;
+  // Of each column, the sum of the forces on what moves beside the nodes, each over the root of its mass.
+  // Empty: nothing does.
+  std::vector<double> beside = {};
 };
 
 // Has such a part, which add_tangent() leaves out.

@@ -78,7 +78,7 @@ void add_ranks(const FewRankTerm& term, const Assembly& assembly, RateSink& sink
   const auto size = [&](std::size_t i, Index n) { return at(ranks.on_x[i], n).norm() / std::sqrt(mass[n]); };
   std::vector<double> whole;
   for (std::size_t i = 0; i < ranks.on_x.size(); ++i) {
-    whole.push_back(0);
+    whole.push_back(ranks.beside.empty() ? 0 : ranks.beside[i]);
     for (std::size_t n = 0; n < mass.size(); ++n)
       if (mass[n] > 0) whole.back() += size(i, static_cast<Index>(n));
   }

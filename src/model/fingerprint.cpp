@@ -174,6 +174,9 @@ void add_gas(PartCollector& part, const Model& model, const GasGiven& g) {
     if (!v.set.empty()) part.add_set(v.set);
     part.add(v.area, v.coefficient, v.opens);
   }
+  const auto bodies = model.interactions().bodies();
+  for (const RigidPointer& body : g.bodies)
+    part.add(static_cast<int>(std::find(bodies.begin(), bodies.end(), body) - bodies.begin()));
   for (double p = 1; g.leakage && p < 1e6; p *= 10) part.add(g.leakage(p));
 }
 
@@ -323,8 +326,11 @@ Fingerprint fingerprint(const Model& model, double duration) {
   add("motions", "", [&](PartCollector& part) { add_motions(part, model); });
   add("loads", "", [&](PartCollector& part) { add_loads(part, model); });
   add("ties", "", [&](PartCollector& part) {
-    for (const auto& t : model.ties())
-      part.add(static_cast<int>(t.kind)).add_set(t.set).add_set(t.partner).add_freedoms(t.freedoms);
+    for (const auto& t : model.ties()) {
+      part.add(static_cast<int>(t.kind)).add_set(t.set).add_freedoms(t.freedoms);
+      if (t.kind == TieKind::periodic) part.add_set(t.partner);
+      if (t.kind == TieKind::rigid && !t.partner.empty()) part.add(hash(t.partner));
+    }
   });
   if (!model.zones().empty())
     add("tearable zones", "", [&](PartCollector& part) {

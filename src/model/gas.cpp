@@ -26,6 +26,8 @@ namespace {
 using EdgeRing = std::vector<Index>;
 
 constexpr double kEmpty = 1e-9;    // volume over the power 3/2 of the surface below which nothing is enclosed
+constexpr double kThick = 2;       // thicknesses: how far a rim may be from the body at which it lies
+constexpr double kOfRim = 0.1;     // of a rim's mean edge: the same
 constexpr double kInPlane = 1e-6;  // of the mesh: how far nodes of a plane of symmetry may be from it
 
 [[noreturn]] void refuse(const GasGiven& gas, const std::string& what) {
@@ -48,6 +50,7 @@ class Surface {
     add_lids();
     for (const EdgeRing& hole : holes())
       if (!is_in_planes(hole)) refuse_hole(hole);
+    refuse_idle_bodies();
     orient();
     face_outwards();
     return sorted();
@@ -208,25 +211,79 @@ class Surface {
   }
   void add_lids() {
     strips_ = faces_.size();
-    for (EdgeRing& hole : holes())
-      if (!is_in_planes(hole) && is_closed_otherwise(hole)) add(std::move(hole));
+    for (EdgeRing& hole : holes()) {
+      if (is_in_planes(hole)) continue;
+      const RigidPointer body = body_at(hole);
+      if (!body && !is_closed_otherwise(hole)) continue;
+      add(std::move(hole));
+      closed_by_.push_back(body);
+    }
+  }
+
+  // --- rigid bodies that close holes
+
+  // m, how far a rim is from a body, and at which of its nodes.
+  std::pair<double, Index> away(const EdgeRing& rim, const Rigid& body) const {
+    std::pair<double, Index> most{-1, -1};
+    for (const Index n : rim)
+      if (const double d = (at(n) - seat_on(body, at(n))).norm(); d > most.first) most = {d, n};
+    return most;
+  }
+  // m, by which a rim may be away from a body that it lies at: cloth is as far as it is thick, and coarse
+  // cloth farther.
+  double near(const EdgeRing& rim) const {
+    double thickness = 0;
+    for (const auto& section : model_.sections()) thickness = std::max(thickness, section.thickness);
+    return std::max(kThick * thickness, kOfRim * round(rim) / static_cast<double>(rim.size()));
+  }
+  RigidPointer body_at(const EdgeRing& rim) const {
+    for (const RigidPointer& body : gas_.bodies)
+      if (away(rim, *body).first <= near(rim)) return body;
+    return nullptr;
+  }
+  double round(const EdgeRing& ring) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      sum += (at(ring[(i + 1) % ring.size()]) - at(ring[i])).norm();
+    return sum;
+  }
+  std::string name_of(const Rigid& body) const { return model_.interactions().name_of(body); }
+
+  // Of the body that is nearest to a hole which nothing closes.
+  std::string gap_words(const EdgeRing& hole) const {
+    std::pair<double, Index> least{0, -1};
+    std::string words;
+    for (const RigidPointer& body : gas_.bodies) {
+      const auto gap = away(hole, *body);
+      if (!words.empty() && gap.first >= least.first) continue;
+      least = gap;
+      words = "; the " + name_of(*body) + " is " + number(gap.first) + " m away from its node " +
+              std::to_string(gap.second + 1) + ", at " + place_of(at(gap.second)) + ", expected at most " +
+              number(near(hole)) + " m";
+    }
+    return words;
+  }
+  void refuse_idle_bodies() const {
+    for (const RigidPointer& body : gas_.bodies)
+      if (std::find(closed_by_.begin(), closed_by_.end(), body) == closed_by_.end())
+        refuse(gas_, "the " + name_of(*body) +
+                         " closes no hole: expected a hole of the surface whose rim lies at it");
   }
 
   [[noreturn]] void refuse_hole(const EdgeRing& hole) const {
     Vec3 centre = Vec3::Zero();
-    double round = 0;
     std::string nodes;
     for (std::size_t i = 0; i < hole.size(); ++i) {
       centre += at(hole[i]) / static_cast<double>(hole.size());
-      round += (at(hole[(i + 1) % hole.size()]) - at(hole[i])).norm();
       if (i < 6) nodes += (i > 0 ? ", " : "") + std::to_string(hole[i] + 1);
     }
     if (hole.size() > 6) nodes += ", ...";
     std::string name;
     for (const auto& set : mesh_.set_names())
       if (inside(hole, set) && (name.empty() || mesh_.set(set).size() <= mesh_.set(name).size())) name = set;
-    refuse(gas_, "the surface has a hole, " + number(round) + " m round, at " + place_of(centre) +
+    refuse(gas_, "the surface has a hole, " + number(round(hole)) + " m round, at " + place_of(centre) +
                      ", along the nodes " + nodes + (name.empty() ? "" : " of set '" + name + "'") +
+                     gap_words(hole) +
                      ": expected a surface that closes, a seam along the hole, or something that closes it, "
                      "lids=" +
                      (name.empty() ? "{ the set of its nodes }" : "'" + name + "'"));
@@ -288,13 +345,23 @@ class Surface {
       for (EdgeRing& face : faces_) std::reverse(face.begin(), face.end());
   }
 
+  BodyLid closed(EdgeRing rim, const RigidPointer& body) const {
+    try {
+      return body_lid(std::move(rim), mesh_, body, name_of(*body));
+    } catch (const Error& error) {
+      refuse(gas_, error.what());
+    }
+  }
+
   Enclosure sorted() {
     Enclosure all;
     const auto as_face = [](const EdgeRing& r) {
       return std::array<Index, 4>{r[0], r[1], r[2], r.size() == 4 ? r[3] : -1};
     };
     for (std::size_t f = 0; f < faces_.size(); ++f) {
-      if (f >= strips_)
+      if (f >= strips_ && closed_by_[f - strips_])
+        all.bodies.push_back(closed(std::move(faces_[f]), closed_by_[f - strips_]));
+      else if (f >= strips_)
         all.lids.push_back(std::move(faces_[f]));
       else
         (f < cloth_ ? all.cloth : all.strips).push_back(as_face(faces_[f]));
@@ -308,8 +375,9 @@ class Surface {
   const std::vector<SymmetryPlane> planes_;
   double span_ = 1;  // m, of the mesh
   std::vector<EdgeRing> faces_;
-  std::size_t cloth_ = 0, strips_ = 0;  // numbers of faces up to the last of the cloth, and of strips
-  std::set<Index> nodes_;               // of the cloth
+  std::size_t cloth_ = 0, strips_ = 0;   // numbers of faces up to the last of the cloth, and of strips
+  std::vector<RigidPointer> closed_by_;  // per lid; null: something without weight
+  std::set<Index> nodes_;                // of the cloth
   std::map<std::pair<Index, Index>, std::vector<Side>> edges_;
 };
 
@@ -350,6 +418,12 @@ Vec3 apex_of_gas(const Model& model, const Vec3& place) {
 
 Enclosure enclosure_of(const Model& model, const GasGiven& gas) { return Surface(model, gas).closed(); }
 
+void Model::close_with_bodies() {
+  std::vector<RigidPointer> all;
+  for (const GasPointer& gas : gases_) all.insert(all.end(), gas->bodies.begin(), gas->bodies.end());
+  interactions_.close(std::move(all));
+}
+
 GasPointer Model::gas(GasGiven gas) {
   check_open("gas");
   if (gas.sets.empty())
@@ -358,6 +432,10 @@ GasPointer Model::gas(GasGiven gas) {
     if (mesh_->elements_in(mesh_->set(set)).empty())
       throw Error("gas: field 'set': set '" + set + "' holds no whole element");
   for (const auto& set : gas.lids) mesh_->set(set);
+  for (const auto& body : gas.bodies)
+    if (body->moving() != nullptr)
+      throw Error("gas: field 'lids': the " + interactions_.name_of(*body) +
+                  " changes its shape and closes no volume: expected a body that keeps it");
   check_number("outside", gas.outside > 0, "a positive pressure, Pa", gas.outside);
   check_number("initial", gas.initial > -gas.outside,
                "a pressure above that of a vacuum, Pa, from -outside on", gas.initial);
@@ -372,6 +450,7 @@ GasPointer Model::gas(GasGiven gas) {
     throw Error("gas: field 'mass': the mass determines the pressure: expected mass= or initial=, got both");
   for (const GasVent& vent : gas.vents) check_vent(*this, gas, vent);
   gases_.push_back(std::make_shared<const GasGiven>(std::move(gas)));
+  close_with_bodies();
   return gases_.back();
 }
 

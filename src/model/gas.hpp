@@ -10,6 +10,7 @@
 
 #include "history/history.hpp"
 #include "mesh/mesh.hpp"
+#include "model/gas_lids.hpp"
 
 namespace fabricsh::model {
 
@@ -28,6 +29,7 @@ struct GasVent {
 struct GasGiven {
   std::vector<std::string> sets = {"all"};      // elements that close together
   std::vector<std::string> lids = {};           // nodes of holes that something without weight closes
+  std::vector<RigidPointer> bodies = {};        // that close holes
   double initial = 0;                           // Pa, above the outside, at time 0
   std::optional<double> mass = {};              // kg, at time 0; then it determines the pressure
   double temperature = 293.15;                  // K, at time 0, and of what flows in
@@ -51,11 +53,13 @@ struct Enclosure {
   std::vector<std::array<mesh::Index, 4>> cloth;   // elements; a triangle has -1 in the last place
   std::vector<std::array<mesh::Index, 4>> strips;  // between the edges of seams
   std::vector<std::vector<mesh::Index>> lids;      // rings of nodes around holes
+  std::vector<BodyLid> bodies;                     // rims at rigid bodies
 };
 
 class Model;
 // Errors: the surface has a hole (which one, and where), an edge at which more than two faces meet, only one
-// side, or several separate parts; it encloses nothing.
+// side, or several separate parts; it encloses nothing; a body that is to close a hole is away from its rim,
+// or closes none.
 Enclosure enclosure_of(const Model& model, const GasGiven& gas);
 
 }  // namespace fabricsh::model

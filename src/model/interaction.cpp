@@ -158,7 +158,11 @@ void Interactions::move(BodyMotion motion) {
                 " has forces, springs or supports of its own, which decide where it is: expected these, or "
                 "m:move, which gives its whole place");
   if (motion_of(body) != nullptr)
-    throw Error(what + " is moved already: expected one call with x, y, z and turn");
+    throw Error(
+        what +
+        " is moved already: expected one call with x, y, z and turn (a copy of a model leaves out the "
+        "move it has with m:copy{without=\"move " +
+        name_of(body) + "\"})");
   const auto& u = motion.displacement;
   if (!u[0] && !u[1] && !u[2] && !motion.turn)
     throw Error("move: expected at least one of x, y, z, turn, got none");
@@ -244,9 +248,12 @@ BodySupport Interactions::held(const Rigid& body) const {
 
 std::vector<RigidPointer> Interactions::bodies() const {
   std::vector<RigidPointer> all;
+  const auto add = [&](const RigidPointer& body) {
+    if (body && std::find(all.begin(), all.end(), body) == all.end()) all.push_back(body);
+  };
   for (const ContactGiven& contact : contacts_)
-    for (const Party& party : contact.between)
-      if (party.body && std::find(all.begin(), all.end(), party.body) == all.end()) all.push_back(party.body);
+    for (const Party& party : contact.between) add(party.body);
+  for (const RigidPointer& body : closing_) add(body);
   return all;
 }
 

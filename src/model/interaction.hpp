@@ -91,6 +91,8 @@ class Interactions {
   void load(BodyLoad load);
   void spring(BodySpring spring);
   void support(BodySupport support);
+  // The bodies that close volumes of gas, which need not touch anything; the same ones several times or once.
+  void close(std::vector<RigidPointer> bodies) { closing_ = std::move(bodies); }
   // Removes the i-th declaration (from 0) of a kind. Error: it does not exist.
   enum class InteractionKind { contact, motion, velocity, load, spring, support };
   void remove(InteractionKind part, std::size_t i);
@@ -98,14 +100,15 @@ class Interactions {
   // 0; sets that share nodes without being equal; two sides that meet twice.
   void validate(const mesh::Mesh& mesh) const;
 
-  bool any() const { return !contacts_.empty(); }
+  bool any() const { return !contacts_.empty() || !closing_.empty(); }
   const std::vector<ContactGiven>& contacts() const { return contacts_; }
   const std::vector<BodyMotion>& motions() const { return motions_; }
   const std::vector<BodyVelocity>& velocities() const { return velocities_; }
   const std::vector<BodyLoad>& loads() const { return loads_; }
   const std::vector<BodySpring>& springs() const { return springs_; }
   const std::vector<BodySupport>& supports() const { return supports_; }
-  std::vector<RigidPointer> bodies() const;      // each once, in the order in which the contacts name them
+  // Each once, in the order in which the contacts name them; then those that close volumes of gas.
+  std::vector<RigidPointer> bodies() const;
   std::string name_of(const Rigid& body) const;  // its own; else "sphere", or "sphere 2" if there are several
   const BodyMotion* motion_of(const Rigid& body) const;      // null: it is at rest or free
   const BodyVelocity* velocity_of(const Rigid& body) const;  // null: at rest
@@ -121,6 +124,7 @@ class Interactions {
   std::vector<BodyLoad> loads_;
   std::vector<BodySpring> springs_;
   std::vector<BodySupport> supports_;
+  std::vector<RigidPointer> closing_;
 };
 
 // The surfaces of the cloth. No two share a node; each consists of the elements that the same contacts name.

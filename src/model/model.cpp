@@ -405,7 +405,8 @@ void Model::remove(DeclarationKind kind, std::size_t i) {
     case DeclarationKind::band:
       return take(bands_of_edges_);
     case DeclarationKind::gas:
-      return take(gases_);
+      take(gases_);
+      return close_with_bodies();
     case DeclarationKind::crease:
       return take(creases_);
     case DeclarationKind::velocity:
@@ -683,7 +684,8 @@ std::string Model::describe() const {
   if (!gases_.empty()) text << ", " << counted(gases_.size(), "gas volume");
   if (!creases_.empty()) text << ", " << counted(creases_.size(), "crease");
   if (interactions_.any()) {
-    text << ", " << counted(interactions_.contacts().size(), "contact");
+    if (!interactions_.contacts().empty())
+      text << ", " << counted(interactions_.contacts().size(), "contact");
     for (const auto& body : interactions_.bodies())
       text << "; " << interactions_.name_of(*body) << ": " << body->describe();
   }

@@ -341,6 +341,7 @@ class Model {
 
  private:
   void check_open(const char* call) const;
+  void close_with_bodies();
   void add_body(Index body);
   void take_reference(const BodyGiven& body, const std::string& of);
   void assign(Index region, Index body, const std::string& set);

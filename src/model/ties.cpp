@@ -116,6 +116,7 @@ class Builder {
  public:
   explicit Builder(const Model& model) : mesh_(model.mesh()), holds_(model) {
     for (const auto& tie : model.ties()) {
+      if (tie.kind == TieKind::rigid && !tie.partner.empty()) continue;  // to a rigid body, see Bodies
       tied_ = text(tie);
       switch (tie.kind) {
         case TieKind::equal:

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/error.hpp"
 #include "base/number.hpp"
@@ -116,7 +117,11 @@ void Run::take_rest_shape() {
 }
 
 void Run::take_beginning() {
-  if (beginning_.from == nullptr) return take_rest_shape();
+  if (beginning_.from == nullptr) {
+    if (const auto* const here = std::as_const(*assembly_).terms().find<mechanics::Contacts>())
+      here->check_start();
+    return take_rest_shape();
+  }
   const Run& from = *beginning_.from;
   const bool same = same_contact();
   const auto* const contact = assembly_->terms().find<mechanics::Contacts>();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "base/error.hpp"
@@ -43,6 +44,8 @@ Explicit::Explicit(std::shared_ptr<model::Model> model, const DynamicOptions& op
   assembly_->terms().find<mechanics::Cloth>()->update_in_place();
   if (contact_ != nullptr) contact_->go_explicit();
   if (tears_ != nullptr) tears_->go_explicit();
+  if (const auto* const before = dynamic_cast<const Explicit*>(beginning.from))
+    left_velocities_ = before->motion_.velocities();
   take_beginning();
   report_contacts();
   check_stable_step(undamped);
@@ -191,8 +194,21 @@ void Explicit::begin() {
   problem_.start();
 }
 
+// Velocities that go from unknowns to nodes and back are the same but for rounding. Those of the run from
+// which this one begins are taken as they are where they are these, so that both go on with the same bits.
 void Explicit::set_motion(const mechanics::NodalRates& rates) {
-  motion_.start(assembly_->dofs().collect_rates(rates));
+  constexpr double rounding = 1e-12;
+  std::vector<double> velocities = assembly_->dofs().collect_rates(rates);
+  const auto largest = [](const std::vector<double>& all) {
+    return std::accumulate(all.begin(), all.end(), 0.0,
+                           [](double most, double v) { return std::max(most, std::abs(v)); });
+  };
+  if (left_velocities_.size() == velocities.size()) {
+    std::vector<double> apart(velocities.size());
+    for (std::size_t i = 0; i < apart.size(); ++i) apart[i] = velocities[i] - left_velocities_[i];
+    if (largest(apart) <= rounding * largest(velocities)) velocities = left_velocities_;
+  }
+  motion_.start(std::move(velocities));
 }
 
 // With contact a step may have to be repeated with half the size, together with its whole block.

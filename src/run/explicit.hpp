@@ -100,8 +100,9 @@ class Explicit final : public Dynamic {
   std::vector<CentralDifferences::Weight> added_inertia_;
   const std::function<void()> unpolled_;  // no poll, since a step is short
   EquilibriumProblem problem_;
-  mechanics::Contacts* const contact_;  // null: the model has none
-  bool dirty_ = false;                  // whether the trial state differs from the committed one
+  mechanics::Contacts* const contact_;        // null: the model has none
+  std::vector<double> left_velocities_ = {};  // of the unknowns of the run that it begins from; empty: none
+  bool dirty_ = false;                        // whether the trial state differs from the committed one
   // The reason for which the last attempt ended early.
   enum class End { none, ran_away, limited, forces } end_ = End::none;
   mutable mechanics::NodalRates rates_;

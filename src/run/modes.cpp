@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string_view>
 
 #include "base/error.hpp"
 #include "base/number.hpp"
@@ -28,12 +29,14 @@ class Linearised {
  public:
   explicit Linearised(const std::shared_ptr<model::Model>& model, const char* call)
       : model_(compiled(model)), assembly_(*model_), call_(call) {
-    refuse_bodies();
+    take_bodies();
+    if (const auto* const contact = std::as_const(assembly_).terms().find<mechanics::Contacts>())
+      contact->check_start();
     assembly_.set_time(0);
     if (!assembly_.forces({})) throw Error("the law fails at rest");
   }
   Linearised(const Run& run, const char* call) : model_(run.shared_model()), assembly_(*model_), call_(call) {
-    refuse_bodies();
+    take_bodies();
     assembly_.begin_from(run.assembly(), true);
   }
   // The cloth of a run in its state, with the supports and loads of another model of it.
@@ -52,7 +55,7 @@ class Linearised {
     linear::Vector D;
     linear::absolute_sums(K, D);
     unsymmetric_ = linear::symmetric_part(K, D, S) > kAlmostSymmetric;
-    return S;
+    return bodies_ == nullptr ? S : with_bodies(S);
   }
   // That of the law alone, without what stresses and loads add.
   linear::Matrix law_stiffness() {
@@ -72,7 +75,7 @@ class Linearised {
     for (double& inertia : rotary) inertia *= share;
     linear::Matrix M(assembly_.pattern());
     assembly_.add_diagonal(assembly_.cloth().mass(), rotary, M);
-    return M;
+    return bodies_ == nullptr ? M : with_masses(M);
   }
   // 1/s^2: the largest rate of a single displacement.
   double fastest(const linear::Matrix& K, const linear::Matrix& M) const {
@@ -80,13 +83,14 @@ class Linearised {
     linear::absolute_sums(K, D);
     double most = 0;
     for (mechanics::Index i = 0; i < K.size(); ++i)
-      if (!assembly_.dofs().turns(i))
-        most = std::max(most, D[i] / M.value[static_cast<std::size_t>(M.pattern->slot(i, i))]);
+      if (is_place(i)) most = std::max(most, D[i] / M.value[static_cast<std::size_t>(M.pattern->slot(i, i))]);
     return most;
   }
   mechanics::NodalRates spread(const linear::Vector& unknowns) const {
     mechanics::NodalRates out;
-    assembly_.dofs().spread_rates(unknowns, still(), out);
+    const auto of_cloth = static_cast<std::size_t>(assembly_.dofs().unknowns());
+    assembly_.dofs().spread_rates(linear::Vector(unknowns.begin(), unknowns.begin() + of_cloth), still(),
+                                  out);
     return out;
   }
   std::shared_ptr<const Shape> shape(const mechanics::NodalRates& way) const {
@@ -116,18 +120,29 @@ class Linearised {
   Vec3 mass_that_moves(const linear::Matrix& M) {
     const auto& masses = assembly_.cloth().mass();
     const std::vector<double> none(3 * masses.size());
-    linear::Vector push(static_cast<std::size_t>(M.size()));
+    linear::Vector push(static_cast<std::size_t>(assembly_.dofs().unknowns()));
     Vec3 all = Vec3::Zero();
     for (int axis = 0; axis < 3; ++axis) {
       std::vector<double> along(none.size());
       for (std::size_t n = 0; n < masses.size(); ++n)
         along[3 * n + static_cast<std::size_t>(axis)] = masses[n];
       assembly_.dofs().residual(along, none, none, {}, nullptr, push);
-      for (mechanics::Index i = 0; i < M.size(); ++i)
+      for (mechanics::Index i = 0; i < assembly_.dofs().unknowns(); ++i)
         if (!assembly_.dofs().turns(i))
           all[axis] += push[i] * push[i] / M.value[static_cast<std::size_t>(M.pattern->slot(i, i))];
     }
+    for (const int k : of_bodies_)
+      if (k % 6 < 3) all[k % 6] += bodies_->bodies().mass_matrix(static_cast<std::size_t>(k / 6))(0, 0);
     return all;
+  }
+  // kg: of a motion, by the rigid bodies in it.
+  Vec3 momentum_of_bodies(const linear::Vector& unknowns) const {
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t i = 0; i < of_bodies_.size(); ++i)
+      if (const int k = of_bodies_[i]; k % 6 < 3)
+        sum[k % 6] += bodies_->bodies().mass_matrix(static_cast<std::size_t>(k / 6))(0, 0) *
+                      unknowns[static_cast<std::size_t>(assembly_.dofs().unknowns()) + i];
+    return sum;
   }
   std::vector<std::string> words() const {
     std::vector<std::string> all;
@@ -151,13 +166,89 @@ class Linearised {
     if (model->mesh().whole) model->seal();  // its mesh is another one from here on
     return model;
   }
-  void refuse_bodies() const {
-    const auto* const contact = assembly_.terms().find<mechanics::Contacts>();
-    if (contact != nullptr && contact->bodies().any_free())
-      throw Error(
-          "the model has a rigid body with a mass, which moves with the cloth and has no place in its "
-          "modes: expected bodies without a mass");
+  // Free bodies have six further unknowns each behind those of the cloth: places, and turns about their
+  // centres.
+  void take_bodies() {
     if (assembly_.dofs().unknowns() == 0) throw Error("every node of the model is held: nothing can move");
+    auto* const contact = assembly_.terms().find<mechanics::Contacts>();
+    if (contact == nullptr || !contact->bodies().any_free()) return;
+    if (call_ != std::string_view("modes"))
+      throw Error(
+          "the model has a rigid body that moves freely, and is not multiplied with the loads: expected "
+          "bodies "
+          "that stand or are moved");
+    if (const std::string& body = contact->bodies().without_mass(); !body.empty())
+      throw Error("the " + body + " moves freely and has no mass: expected one, mass=");
+    contact->go_static(0);
+    bodies_ = contact;
+    for (std::size_t f = 0; 6 * f < contact->own_unknowns(); ++f)
+      for (int c = 0; c < 6; ++c)
+        if (contact->bodies().freedom(f)[c] != 0) of_bodies_.push_back(static_cast<int>(6 * f) + c);
+  }
+  bool is_place(mechanics::Index unknown) const {
+    const mechanics::Index cloth = assembly_.dofs().unknowns();
+    return unknown < cloth ? !assembly_.dofs().turns(unknown)
+                           : of_bodies_[static_cast<std::size_t>(unknown - cloth)] % 6 < 3;
+  }
+  // A matrix of the cloth beside zeros for the bodies, in the pattern that both have together.
+  linear::Matrix beside_bodies(const linear::Matrix& of_cloth) const {
+    linear::Matrix out(whole_);
+    for (mechanics::Index c = 0; c < of_cloth.size(); ++c)
+      for (mechanics::Index i = of_cloth.pattern->column[static_cast<std::size_t>(c)];
+           i < of_cloth.pattern->column[static_cast<std::size_t>(c) + 1]; ++i)
+        out.add(of_cloth.pattern->row[static_cast<std::size_t>(i)], c,
+                of_cloth.value[static_cast<std::size_t>(i)]);
+    out.ranks = of_cloth.ranks;
+    return out;
+  }
+  linear::Matrix with_bodies(const linear::Matrix& of_cloth) {
+    const auto rest = bodies_->at_rest();
+    const mechanics::Index n = of_cloth.size(), m = static_cast<mechanics::Index>(of_bodies_.size());
+    const std::vector<double> none(3 * assembly_.cloth().mass().size(), 0);
+    std::vector<linear::Vector> coupled;
+    std::vector<std::vector<linear::Index>> columns(static_cast<std::size_t>(n + m));
+    for (mechanics::Index c = 0; c < n; ++c)
+      for (mechanics::Index i = of_cloth.pattern->column[static_cast<std::size_t>(c)];
+           i < of_cloth.pattern->column[static_cast<std::size_t>(c) + 1]; ++i)
+        columns[static_cast<std::size_t>(c)].push_back(of_cloth.pattern->row[static_cast<std::size_t>(i)]);
+    for (mechanics::Index k = 0; k < m; ++k) {
+      coupled.emplace_back(static_cast<std::size_t>(n));
+      const auto of_body = static_cast<std::size_t>(of_bodies_[static_cast<std::size_t>(k)]);
+      assembly_.dofs().residual(rest.on_nodes[of_body], none, none, {}, nullptr, coupled.back());
+      for (mechanics::Index r = 0; r < n + m; ++r) {
+        if (r < n && coupled.back()[static_cast<std::size_t>(r)] == 0) continue;
+        columns[static_cast<std::size_t>(n + k)].push_back(r);
+        if (r < n) columns[static_cast<std::size_t>(r)].push_back(n + k);
+      }
+    }
+    whole_ = std::make_shared<const linear::Pattern>(std::move(columns));
+    linear::Matrix out = beside_bodies(of_cloth);
+    for (mechanics::Index k = 0; k < m; ++k) {
+      for (mechanics::Index r = 0; r < n; ++r)
+        if (const double value = coupled[static_cast<std::size_t>(k)][static_cast<std::size_t>(r)];
+            value != 0) {
+          out.add(r, n + k, value);
+          out.add(n + k, r, value);
+        }
+      const int of_k = of_bodies_[static_cast<std::size_t>(k)];
+      for (mechanics::Index l = 0; l < m; ++l)
+        out.add(n + l, n + k, rest.stiffness(of_bodies_[static_cast<std::size_t>(l)], of_k));
+    }
+    for (std::size_t v = 0; v < out.ranks.columns.size(); ++v)
+      for (const int k : of_bodies_)
+        out.ranks.columns[v].push_back(rest.of_volumes[static_cast<std::size_t>(k)][v]);
+    return out;
+  }
+  linear::Matrix with_masses(const linear::Matrix& of_cloth) const {
+    linear::Matrix out = beside_bodies(of_cloth);
+    const mechanics::Index n = of_cloth.size();
+    for (std::size_t k = 0; k < of_bodies_.size(); ++k)
+      for (std::size_t l = 0; l < of_bodies_.size(); ++l)
+        if (of_bodies_[k] / 6 == of_bodies_[l] / 6)
+          out.add(n + static_cast<mechanics::Index>(k), n + static_cast<mechanics::Index>(l),
+                  bodies_->bodies().mass_matrix(static_cast<std::size_t>(of_bodies_[k] / 6))(
+                      of_bodies_[k] % 6, of_bodies_[l] % 6));
+    return out;
   }
   std::vector<double> still() const {
     return std::vector<double>(assembly_.dofs().freedoms().motions.size(), 0.0);
@@ -167,6 +258,9 @@ class Linearised {
   mechanics::Assembly assembly_;
   const char* call_;
   bool unsymmetric_ = false;
+  const mechanics::Contacts* bodies_ = nullptr;   // null: no body moves freely
+  std::vector<int> of_bodies_;                    // of their numbers, 6 each, those that are unknowns
+  std::shared_ptr<const linear::Pattern> whole_;  // of cloth and bodies
 };
 
 // K + m M, and its factors, with an m from `least` on for which they exist.
@@ -269,6 +363,7 @@ Modes<VibrationMode> vibrations(Linearised& at, const ModesWanted& wanted) {
     Vec3 part = Vec3::Zero();
     for (std::size_t n = 0; n < masses.size(); ++n)
       part += masses[n] * fabricsh::at(way.x, static_cast<std::ptrdiff_t>(n));
+    part += at.momentum_of_bodies(found.shape[i]);
     VibrationMode mode;
     mode.mass = part.cwiseAbs2() / theta;
     if (!nothing && square > 0) mode.frequency = std::sqrt(square) / (2 * std::numbers::pi);

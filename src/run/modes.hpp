@@ -50,7 +50,8 @@ struct ModesWanted {
 };
 
 // In the state of a run, or of a model at rest at time 0, with the lumped masses of motion and directors
-// without inertia. Errors: a rigid body with a mass; nothing can move; more modes than can be found.
+// without inertia. Rigid bodies with a mass swing along. Errors: one
+// without, that moves freely; nothing can move; more modes than can be found.
 Modes<VibrationMode> vibration_modes(const Run& run, const ModesWanted& wanted);
 Modes<VibrationMode> vibration_modes(const std::shared_ptr<model::Model>& model, const ModesWanted& wanted);
 

@@ -12,6 +12,7 @@
 #include "geometry/node_view.hpp"
 #include "mechanics/terms/contact.hpp"
 #include "mechanics/terms/directors.hpp"
+#include "mechanics/terms/gas.hpp"
 #include "mechanics/terms/seams.hpp"
 #include "mechanics/terms/tears.hpp"
 #include "model/outlook.hpp"
@@ -355,7 +356,24 @@ void Run::watch_pressed(const EnergyAccount& e) {
           "on it as much; give stiffness=, or the card compression=, as measured");
 }
 
+namespace {
+// Where the rim of a volume of gas is apart from the body that closes it; empty: nowhere by much.
+std::string open_rim(const mechanics::Assembly& assembly, const model::Model& model) {
+  constexpr double much = 0.5;  // of the rim's edges
+  const auto* const gas = assembly.terms().find<mechanics::Gas>();
+  if (gas == nullptr) return {};
+  const auto gap = gas->farthest_rim(assembly.trial());
+  if (!(gap.apart > much * gap.size)) return {};
+  return "node " + std::to_string(gap.node + 1) + " of the rim of a gas volume has moved by " +
+         number(gap.apart, 3) + " m against the " + model.interactions().name_of(*gap.body) +
+         " that closes it, about " + place_text(at(assembly.state().x(), gap.node)) +
+         ": the gas is enclosed there as if a strip joined the two; hold the rim at the body, as by m:tie";
+}
+}  // namespace
+
 void Run::watch_shape() {
+  if (const std::string words = open_rim(*assembly_, *model_); !words.empty() && !warned("rim"))
+    warn("rim", "warning: " + std::string(kind()) + ": at time " + number(time()) + " s " + words);
   watch_folds();
   if (!moves()) watch_compression();
   const bool warned_inverted = warned("inverted"), warned_turned = warned("director");

@@ -2,6 +2,7 @@
 -- warns: results are too stiff
 local fabric = require "fabric"
 local checks = {}
+local check = dofile((arg[0]:gsub("[^/]*$", "common/check.lua")))
 local deep, back = -2.2e-3, -1.9e-3
 local card = fabric.card("muslin", { bending = "estimated" })
 
@@ -30,5 +31,16 @@ for _, tri in ipairs { false, true } do
     checks[#checks + 1] = { "stored" .. of, row.stored, one.energy.stored, relative = 1e-6 }
     checks[#checks + 1] = { "dissipated" .. of, row.dissipated, one.energy.dissipated, relative = 1e-6 }
   end
+  -- A history that begins where the body is at that time, on a copy without the motion before.
+  local start, ram = pressed()
+  start:move(ram, { z = fabric.ramp(deep, 1) })
+  local first = fabric.static { model = start, duration = 1, step = 0.125 }:solve()
+  local out = start:copy { without = "move sphere" }:move(ram, { z = fabric.history { { 1, deep }, { 2, back } } })
+  local second = fabric.static { from = first, model = out, duration = 1, step = 0.125 }:solve()
+  checks[#checks + 1] = { "force, from where it is", (select(3, second:reaction(ram))), (select(3, one:reaction(punch))), absolute = 1e-6 }
+  checks[#checks + 1] = { "stored, from where it is", second.energy.stored, one.energy.stored, relative = 1e-6 }
+  -- A body that would be in the cloth of the state is refused all the same.
+  local deeper = start:copy { without = "move sphere" }:move(ram, { z = fabric.history { { 1, 2 * deep }, { 2, back } } })
+  check.fails("overlap", function() fabric.static { from = first, model = deeper, duration = 1 } end)
 end
 fabric.expect(checks)

@@ -1,6 +1,7 @@
 #include "mechanics/terms/bodies.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -36,6 +37,8 @@ Bodies::Bodies(const model::Model& model, contact::Scene& scene) : model_(model)
     Body body{rigid};
     body.first = scene.reference().size() - nodes;
     body.surface = model::add_to(scene, *rigid);
+    add_seats(body, scene);
+    add_tied(body, scene);
     body.count = scene.reference().size() - nodes - body.first;
     body.motion = given.motion_of(*rigid);
     if (const auto* moving = rigid->moving()) body.moving.emplace(moving->times, moving->shapes);
@@ -70,6 +73,34 @@ Bodies::Bodies(const model::Model& model, contact::Scene& scene) : model_(model)
   add_springs();
   set_time(0, 0);
   committed_ = target_;
+}
+
+// The places at which the rims of volumes of gas lie on a body go along with it.
+void Bodies::add_seats(const Body& body, contact::Scene& scene) {
+  const auto& gases = model_.gases();
+  const std::size_t nodes = model_.mesh().nodes.size();
+  for (std::size_t g = 0; g < gases.size(); ++g) {
+    if (gases[g]->bodies.empty()) continue;
+    const auto lids = model::enclosure_of(model_, *gases[g]).bodies;
+    seats_.resize(gases.size());
+    seats_[g].resize(lids.size());
+    for (std::size_t k = 0; k < lids.size(); ++k) {
+      if (lids[k].body != body.given) continue;
+      seats_[g][k] = scene.reference().size() - nodes;
+      scene.add_followers(lids[k].seats);
+    }
+  }
+}
+
+void Bodies::add_tied(const Body& body, contact::Scene& scene) {
+  const model::Interactions& all = model_.interactions();
+  for (const model::Tie& tie : model_.ties()) {
+    if (tie.kind != model::TieKind::rigid || tie.partner != all.name_of(*body.given)) continue;
+    for (const Index n : model_.mesh().set(tie.set)) {
+      tied_.push_back({n, scene.reference().size() - model_.mesh().nodes.size()});
+      scene.add_followers(std::array<Vec3, 1>{model_.mesh().nodes[static_cast<std::size_t>(n)]});
+    }
+  }
 }
 
 // --- bodies that a plane of symmetry cuts. The part of them in the model moves in the plane, and turns about
@@ -347,6 +378,22 @@ void Bodies::set_time(double from, double to) {
   rollback();
 }
 
+bool Bodies::jumps() const {
+  constexpr double rounding = 1e-9;  // of what is farthest from the origin
+  double far = 0, most = 0;
+  for (std::size_t i = 0; i < target_.size(); ++i) {
+    far = std::max(far, target_[i].norm());
+    most = std::max(most, (target_[i] - committed_[i]).norm());
+  }
+  return most > rounding * far;
+}
+
+void Bodies::settle() {
+  committed_ = target_;
+  from_ = to_;
+  set_time(to_, to_);
+}
+
 void Bodies::rollback() {
   loaded_ = false;
   for (Free& free : free_) {
@@ -429,6 +476,38 @@ Bodies::Matrix6 Bodies::compliance(std::size_t free) const {
   return left.asDiagonal() * out * left.asDiagonal();
 }
 
+// To the forces at the start of the run, or at the end of the step.
+void Bodies::add_gas(const Body& body, Free& free) const {
+  if (gas_.empty()) return;
+  const auto part = [&](const contact::FreeBody& at, const std::vector<Vec3>& x, const std::vector<Vec3>& f) {
+    return wrench_on(at, std::span(x).subspan(body.first, body.count),
+                     std::span(f).subspan(body.first, body.count));
+  };
+  const contact::Wrench before = part(free.committed, committed_, gas_);
+  if (!loaded_) {
+    free.wrench.force += before.force;
+    free.wrench.torque += before.torque;
+    return;
+  }
+  const double share = share_of_gas();
+  const contact::Wrench after = part(free.predicted, target_, trial_gas_);
+  free.trial.force += share * after.force + (1 - share) * before.force;
+  free.trial.torque += share * after.torque + (1 - share) * before.torque;
+}
+
+// J, in the step, on the cloth and what encloses the gas with it, of what drives the body.
+StepWork Bodies::work_of_gas(const Body& body) const {
+  StepWork sum;
+  double change = 0;
+  for (std::size_t i = body.first; i < body.first + body.count && !gas_.empty(); ++i) {
+    const Vec3 way = target_[i] - committed_[i];
+    sum.work -= (gas_[i] + trial_gas_[i]).dot(way) / 2;
+    change += (gas_[i] - trial_gas_[i]).dot(way) / 2;
+  }
+  sum.spread = std::abs(change);
+  return sum;
+}
+
 void Bodies::begin(std::span<const Vec3> force) {
   std::copy(force.begin(), force.end(), force_.begin());
   for (const Body& body : bodies_) {
@@ -436,6 +515,7 @@ void Bodies::begin(std::span<const Vec3> force) {
     Free& free = free_[body.free];
     free.wrench = wrench_on(free.committed, std::span<const Vec3>(committed_).subspan(body.first, body.count),
                             force.subspan(body.first, body.count));
+    add_gas(body, free);
   }
   begin_loads();
 }
@@ -451,6 +531,7 @@ void Bodies::load(std::span<const Vec3> force, std::span<const Vec3> torque) {
     free.trial = wrench_on(free.predicted, std::span<const Vec3>(target_).subspan(body.first, body.count),
                            force.subspan(body.first, body.count));
     free.trial.torque += body.trial_torque;
+    add_gas(body, free);
   }
   apply_loads();
 }
@@ -481,6 +562,7 @@ void Bodies::commit() {
     free.end = free.iterate = start_of(free);
   }
   if (loaded_) force_ = trial_force_;
+  if (loaded_ && !gas_.empty()) gas_ = trial_gas_;
   for (Body& body : bodies_)
     if (loaded_) body.torque = body.trial_torque;
   committed_ = target_;
@@ -497,6 +579,7 @@ void Bodies::keep(Archive& archive) {
   if (!committed_.empty()) {
     archive.filled({committed_.front().data(), 3 * committed_.size()});
     archive.filled({force_.front().data(), 3 * force_.size()});
+    if (!gas_.empty()) archive.filled({gas_.front().data(), 3 * gas_.size()});
     for (Body& body : bodies_) archive.filled({body.torque.data(), 3});
   }
   for (Spring& spring : springs_)
@@ -542,6 +625,7 @@ StepWork Bodies::step_work() const {
     }
     sum.work -= (torque + body.trial_torque).dot(body.turned) / 2;
     sum.spread += std::abs(change);
+    sum += work_of_gas(body);
   }
   return sum;
 }
@@ -549,7 +633,9 @@ StepWork Bodies::step_work() const {
 Vec3 Bodies::force(std::size_t i) const {
   const auto& all = loaded_ ? trial_force_ : force_;
   Vec3 sum = Vec3::Zero();
-  for (std::size_t k = bodies_[i].first; k < bodies_[i].first + bodies_[i].count; ++k) sum += all[k];
+  const auto gas = pressed();
+  for (std::size_t k = bodies_[i].first; k < bodies_[i].first + bodies_[i].count; ++k)
+    sum += gas.empty() ? all[k] : Vec3(all[k] + gas[k]);
   return sum;
 }
 

@@ -19,6 +19,7 @@
 #include "contact/rigid.hpp"
 #include "geometry/box.hpp"
 #include "mechanics/step_work.hpp"
+#include "mechanics/term.hpp"
 #include "model/model.hpp"
 
 namespace fabricsh::mechanics {
@@ -35,6 +36,14 @@ class Bodies {
   std::pair<std::size_t, std::size_t> vertices(std::size_t i) const {
     return {bodies_[i].first, bodies_[i].first + bodies_[i].count};
   }
+  // Number of the first of the points that lid k of gas volume i has on its body, counted as vertices are.
+  std::size_t seats(std::size_t gas, std::size_t lid) const { return seats_[gas][lid]; }
+  // Nodes of the cloth that go along with a body, and the number of the point that stands for each on it.
+  struct TiedNode {
+    Index node;
+    std::size_t point;
+  };
+  const std::vector<TiedNode>& tied() const { return tied_; }
   bool any_free() const;
   bool any_driven() const;  // a body is moved, rotated, or changes its shape
 
@@ -46,6 +55,9 @@ class Bodies {
   double follows(std::size_t i, double from, double to, double near, const BoundingBox& cloth) const;
   double turned_most() const;  // rad, of any body in the step
 
+  // Takes the driven bodies to where they are at the step's end, as if they had never been elsewhere.
+  void settle();
+  bool jumps() const;  // whether one would go anywhere in that
   // Sets the times of the step's beginning and end, s. Error: a history is not finite.
   void set_time(double from, double to);
   std::span<const Vec3> committed() const { return committed_; }  // m, vertices of all bodies
@@ -54,7 +66,15 @@ class Bodies {
   // rad: rotation of body i in the step; zero for a surface that changes from shape to shape.
   const Vec3& turned(std::size_t i) const { return bodies_[i].turned; }
 
-  // Sets the forces on the vertices at the start of the run, N.
+  // Sets the forces of gas on the vertices, N: at the start of the run, and at the end of the step. Implicit
+  // steps take their mean in the step.
+  void begin_gas(std::span<const Vec3> force) {
+    gas_.assign(force.begin(), force.end());
+    trial_gas_ = gas_;
+  }
+  void press(std::span<const Vec3> force) { trial_gas_.assign(force.begin(), force.end()); }
+  double share_of_gas() const { return implicit_ && !static_ ? 0.5 : 1; }  // of its force at the step's end
+  // Sets the other forces on the vertices at the start of the run, N.
   void begin(std::span<const Vec3> force);
   // Sets the forces on the vertices at the end of the step, N, and the torques of friction, N m.
   void load(std::span<const Vec3> force, std::span<const Vec3> torque);
@@ -81,7 +101,12 @@ class Bodies {
   // Of a free body, by its number: the derivative of its position and rotation by the force and torque at
   // the step's end, 6 x 6.
   using Matrix6 = Eigen::Matrix<double, 6, 6>;
+  using Vector6 = Eigen::Matrix<double, 6, 1>;
   Matrix6 compliance(std::size_t free) const;
+  // Of a free body, by its number: kg and kg m2; 1 for what it may do, its places and turns, else 0.
+  Matrix6 mass_matrix(std::size_t free) const;
+  Vector6 freedom(std::size_t free) const;
+  Eigen::MatrixXd spring_stiffness() const;  // N/m, by the places of all free bodies, 6 numbers each
   // Adds to the derivative of the residual by the unknowns what springs and dampers give.
   void add_response(Eigen::MatrixXd& response) const;
   // Adds in static steps the unknowns themselves, and what holds a body that is held by nothing else.
@@ -90,6 +115,7 @@ class Bodies {
   std::vector<bool> held() const;
   // The number of vertex row v's body among the free ones, -1: none; and its lever from the centre, m.
   int free_of(std::size_t v) const { return free_of_[v]; }
+  std::span<const Vec3> pressed() const { return loaded_ ? trial_gas_ : gas_; }  // N, by gas; empty: none
   Vec3 lever(std::size_t v) const { return target_[v] - free_[free_of_[v]].predicted.centre(); }
   void keep(Archive& archive);
 
@@ -167,6 +193,10 @@ class Bodies {
     double lost = 0;                                        // J, up to the committed state
   };
   Free free_body(const Body& body, const contact::Scene& scene);
+  void add_seats(const Body& body, contact::Scene& scene);
+  void add_tied(const Body& body, contact::Scene& scene);
+  void add_gas(const Body& body, Free& free) const;
+  StepWork work_of_gas(const Body& body) const;
   void add_loads();
   void add_springs();
   Vec3 displacement_of(std::size_t body, bool end) const;  // m, of its centre since time 0
@@ -208,8 +238,11 @@ class Bodies {
   std::vector<Free> free_;
   std::vector<Vec3> reference_, committed_, target_;  // m
   std::vector<Vec3> force_, trial_force_;             // N, on the vertices
-  double from_ = 0, to_ = 0;                          // s
-  bool loaded_ = false;                               // whether the forces in the trial state are known
+  std::vector<Vec3> gas_, trial_gas_;                 // N, of gas besides; empty: it pushes on no body
+  std::vector<std::vector<std::size_t>> seats_;       // of each gas volume and lid
+  std::vector<TiedNode> tied_;
+  double from_ = 0, to_ = 0;  // s
+  bool loaded_ = false;       // whether the forces in the trial state are known
   bool implicit_ = false, static_ = false;
   double rise_ = 0;   // s
   double reach_ = 0;  // m

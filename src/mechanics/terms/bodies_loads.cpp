@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "base/error.hpp"
 #include "mechanics/terms/bodies.hpp"
@@ -237,6 +238,34 @@ void Bodies::go_static(double reach, double rise) {
     free.predicted = free.committed;
     free.end = free.iterate = {};
   }
+}
+
+Bodies::Matrix6 Bodies::mass_matrix(std::size_t free) const {
+  Matrix6 out = Matrix6::Zero();
+  out.topLeftCorner<3, 3>() = free_[free].committed.mass() * Mat3::Identity();
+  out.bottomRightCorner<3, 3>() = free_[free].committed.inertia();
+  return out;
+}
+
+Bodies::Vector6 Bodies::freedom(std::size_t free) const {
+  Vector6 out;
+  out << free_[free].moves, free_[free].turns;
+  return out;
+}
+
+Eigen::MatrixXd Bodies::spring_stiffness() const {
+  const auto m = static_cast<Eigen::Index>(6 * free_.size());
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(m, m);
+  for (const Spring& spring : springs_) {
+    if (spring.damper) continue;
+    const int b = bodies_[spring.body].free,
+              other = spring.to < 0 ? -1 : bodies_[std::size_t(spring.to)].free;
+    const Mat3 k = spring.stiffness.asDiagonal();
+    for (const auto& [row, column, sign] : {std::tuple(b, b, 1), std::tuple(b, other, -1),
+                                            std::tuple(other, b, -1), std::tuple(other, other, 1)})
+      if (row >= 0 && column >= 0) out.block<3, 3>(6 * row, 6 * column) += sign * k;
+  }
+  return out;
 }
 
 void Bodies::add_response(Eigen::MatrixXd& response) const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "base/error.hpp"
@@ -16,13 +17,11 @@ namespace fabricsh::mechanics {
 namespace {
 
 constexpr double kLeast = 0.75;        // largest floor, as a share of the thickness
-constexpr double kNearest = 1e-3;      // smallest gap at the start that is opened, as a share of the whole
 constexpr double kOfBodies = 0.05;     // stiffness * step^2 / reduced mass of two bodies: 14 steps in contact
 constexpr double kPressed = 0.1;       // of the smaller radius: how deep bodies press each other at most
 constexpr double kPressedLeast = 0.1;  // of that: the smallest distance left, below which is the floor
 constexpr double kFar = 5;             // mean edges, the farthest that one of Newton's steps goes
 constexpr std::size_t kShare = 4096;   // number of nodes from which loops use several threads
-constexpr std::size_t kTold = 5;       // number of overlaps named in a message
 
 // The centre of the sheets; of a part between planes of symmetry that of the whole.
 Vec3 centre_of(const model::Model& model) {
@@ -215,8 +214,20 @@ Contacts::Contacts(const model::Model& model, const Configuration& configuration
   find_masses();
   find_driven();
   led_by_ = joints_.leaders();
-  refuse_overlaps();
-  refuse_inside();
+  find_tied();
+  find_overlaps(0);
+  begin_pressed();
+}
+
+void Contacts::check_start() const {
+  if (!overlaps_.empty()) throw Error(overlaps_);
+}
+
+// The first positions of the bodies stand beside the mesh, and not beside the cloth of the state.
+void Contacts::begin_here() {
+  bodies_.settle();
+  find_overlaps(configuration_.time());
+  check_start();
   begin_pressed();
 }
 
@@ -370,11 +381,21 @@ void Contacts::set_weight(double weight) {
   begin_pressed();
 }
 
+// Adds the forces of contact at the present positions, with a way also those of friction.
+contact::Totals Contacts::touch(contact::Way way) {
+  if (meets()) return contact_->add_forces(x_, force_, way, torque_);
+  contact::Totals none;
+  none.gap = std::numeric_limits<double>::infinity();
+  return none;
+}
+
 // What starts within the range of contact has its energy and its forces from the start.
 void Contacts::begin_pressed() {
+  if (!overlaps_.empty()) return;  // from where no run begins
   positions(configuration_.x(), 0, x_);
   std::fill(force_.begin(), force_.end(), Vec3::Zero());
-  committed_ = contact_->add_forces(x_, force_);
+  committed_ = touch({});
+  tied_energy_ = trial_tied_ = push_tied();
   bodies_.begin(std::span(force_).subspan(nodes_));
 }
 
@@ -382,6 +403,7 @@ void Contacts::begin_pressed() {
 
 // Each point begins with the share of its gap that it has at the start, so that nothing presses then.
 void Contacts::open_overlaps() {
+  if (!meets()) return;
   std::vector<std::vector<double>> shares(meetings_.size());
   for (std::size_t i = 0; i < meetings_.size(); ++i) {
     if (!meetings_[i].settle) continue;
@@ -459,6 +481,7 @@ void Contacts::set_time(double time) {
 
 bool Contacts::may_have_passed() {
   if (blocked_) return true;
+  if (!meets()) return false;
   if (contact::cannot_meet(moved_, trial_.gap) && contact_->vertex_motion_bounds_surface_motion(start_, x_))
     return false;
   by_.resize(x_.size());
@@ -492,30 +515,6 @@ std::string Contacts::words(const std::array<std::int32_t, 4>& points) const {
   if (count == 0) return named;
   const std::string words = count > 1 ? "nodes " + nodes : "node " + nodes;
   return named.empty() ? words : words + " and " + named;
-}
-
-void Contacts::refuse_overlaps() {
-  positions(configuration_.x(), 0, x_);
-  open_to(0);
-  auto overlaps = contact_->overlaps(x_);
-  for (std::size_t i = 0; i < meetings_.size(); ++i)
-    if (meetings_[i].near > 0 && meetings_[i].nearest < kNearest * scene_.interactions()[i].law.gap() &&
-        overlaps.empty())
-      throw Error("contact: field 'settle': " + meetings_[i].names + ": expected at least " +
-                  number(kNearest * scene_.interactions()[i].law.gap()) + " m between what is opened, got " +
-                  number(meetings_[i].nearest) + " m");
-  if (overlaps.empty()) return;
-  std::string text = "contact: " + std::to_string(overlaps.size()) +
-                     (overlaps.size() == 1 ? " pair overlaps" : " pairs overlap") + " at the start:";
-  for (std::size_t i = 0; i < std::min(kTold, overlaps.size()); ++i)
-    text += (i > 0 ? "; " : " ") + words(overlaps[i].point) +
-            (overlaps[i].gap > 0 ? ", " + number(overlaps[i].gap) + " m apart" : ", one through the other");
-  if (overlaps.size() > kTold) text += "; ...";
-  const auto tight = [](const auto& overlap) { return overlap.gap > 0; };
-  throw Error(text + "; expected all of it apart" +
-              (std::any_of(overlaps.begin(), overlaps.end(), tight)
-                   ? " (settle= of m:contact would open what is not one through the other)"
-                   : ""));
 }
 
 // --- forces
@@ -558,7 +557,8 @@ double Contacts::taken() const {
   for (std::size_t i = 0; i < x_.size(); ++i) work += force_[i].dot(x_[i] - start_[i]);
   for (std::size_t i = nodes_; i < x_.size(); ++i) work += torque_[i].dot(turning_[i]);
   // What friction takes has its own account; the damping of approach belongs to this one.
-  const double given = committed_.contact + committed_.guard - trial_.contact - trial_.guard;
+  const double given =
+      committed_.contact + committed_.guard + tied_energy_ - trial_.contact - trial_.guard - trial_tied_;
   return std::max(0.0, opening_work_.work + given - work);
 }
 
@@ -582,7 +582,8 @@ Outcome Contacts::add_forces(const law::Step& step, const Trial& trial, Forces& 
   if (explicit_) find_motion();
   std::fill(force_.begin(), force_.end(), Vec3::Zero());
   std::fill(torque_.begin(), torque_.end(), Vec3::Zero());
-  trial_ = contact_->add_forces(x_, force_, way(step.dt), torque_);
+  trial_ = touch(way(step.dt));
+  trial_tied_ = push_tied();
   evaluated_ = true;
   blocked_ = !(trial_.gap > 0) || !room;
   if (!explicit_ && driven_meet())
@@ -595,7 +596,7 @@ Outcome Contacts::add_forces(const law::Step& step, const Trial& trial, Forces& 
   }
   bodies_.load(std::span(force_).subspan(nodes_), std::span(torque_).subspan(nodes_));
   if (implicit_) trial_impact_ = taken();
-  if (trial_.touching == 0) return {};
+  if (trial_.touching == 0 && tied_.empty()) return {};
 #pragma omp parallel for schedule(static) if (nodes_ >= kShare)
   for (std::size_t n = 0; n < nodes_; ++n) at(forces.on_x, static_cast<Index>(n)) -= force_[n];
   return {};
@@ -611,6 +612,7 @@ void Contacts::add_energies(const Trial&, std::vector<Energy>& out) const {
                  impact_ + (!evaluated_ ? 0
                             : implicit_ ? trial_impact_
                                         : trial_.impact)});
+  if (!tied_.empty()) out.push_back({"springs", Account::stored, evaluated_ ? trial_tied_ : tied_energy_});
   out.push_back({"rigid", Account::moving, bodies_.kinetic()});
   if (!bodies_.any_loaded()) return;
   out.push_back({"springs", Account::stored, bodies_.spring_energy()});
@@ -637,6 +639,7 @@ void Contacts::prepare_tangent(const Trial& trial) {
         if (high < static_cast<std::int64_t>(nodes_)) visit(low * static_cast<std::int64_t>(nodes_) + high);
       }
   };
+  if (!meets()) return add_tied_blocks();
   contact_->stiffness(
       x_,
       [&](const std::array<std::int32_t, 4>& points, const contact::Matrix12& k,
@@ -648,6 +651,7 @@ void Contacts::prepare_tangent(const Trial& trial) {
         });
       },
       way(trial_time_ - configuration_.time()));
+  add_tied_blocks();
   if (known) return;
   const double skin = edge_ / 3;
   for (const auto& candidate : contact::find_pairs(scene_, x_, skin))
@@ -678,6 +682,10 @@ void Contacts::add_tangent(const Trial&, TangentSink& sink) const {
           sink.on_lead(p, k * (1 - share_) * (to[q - nodes_] - from[q - nodes_]));
       }
     }
+  if (gas_.ranks.on_x.empty() || !moves_ || share_ >= 1) return;
+  const auto change = gas_change({}, way_left(), true);
+  for (Index n = 0; n < static_cast<Index>(nodes_); ++n)
+    sink.on_lead(n, at(std::span<const double>(change), n));
 }
 
 // --- steps
@@ -719,7 +727,8 @@ void Contacts::commit() {
     lost_ += lost();
     impact_ += implicit_ ? trial_impact_ : trial_.impact;
     committed_ = trial_;
-    contact_->commit();
+    tied_energy_ = trial_tied_;
+    if (meets()) contact_->commit();
   }
   evaluated_ = false;
   share_ = at_ = 0;
@@ -730,7 +739,7 @@ void Contacts::commit() {
 
 void Contacts::rollback() {
   evaluated_ = blocked_ = false;
-  contact_->rollback();
+  if (meets()) contact_->rollback();
   share_ = at_ = 0;
   if (committed_pairs_.size() != pairs_.size()) pairs_ = committed_pairs_;
   bodies_.rollback();
@@ -739,6 +748,7 @@ void Contacts::rollback() {
 void Contacts::keep(Archive& archive) {
   bodies_.keep(archive);
   archive(committed_.contact, committed_.guard, committed_.stick, committed_.gap, lost_, impact_, pairs_);
+  if (!tied_.empty()) archive(tied_energy_);
   contact_->keep(archive);
   std::vector<double> apart = scene_.apart();
   const bool parts = joints_.any() || !dofs_.stitches().empty();
@@ -764,6 +774,11 @@ const Contacts::Reading& Contacts::read() const {
   positions(configuration_.x(), share_, reading_.x);
   open_to(configuration_.time());
   reading_.force.assign(x_.size(), Vec3::Zero());
+  if (!meets()) {
+    reading_.at_points.gap.assign(x_.size(), std::numeric_limits<double>::infinity());
+    reading_.at_points.pressure.assign(x_.size(), 0);
+    return reading_;
+  }
   reading_.totals = contact_->add_forces(reading_.x, reading_.force);
   reading_.at_points = contact_->at_points(reading_.x);
   return reading_;

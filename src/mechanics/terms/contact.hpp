@@ -25,7 +25,7 @@ inline constexpr double contact_step_of_cloth = 0.6, carried_stiffness = 0.2;
 
 class Contacts final : public Term, public StepLimiter, public OwnUnknowns, public AtStepEnd {
  public:
-  // Errors: sides that share nodes (see model::work_out_surfaces); an overlap at the start, with its pairs.
+  // Errors: sides that share nodes (see model::work_out_surfaces); a tie to a body that is not here.
   Contacts(const model::Model& model, const Configuration& configuration, const Cloth& cloth,
            const Dofs& dofs);
 
@@ -43,6 +43,14 @@ class Contacts final : public Term, public StepLimiter, public OwnUnknowns, publ
   void renumbered(Forces& forces) override;
   void keep(Archive& archive) override;
 
+  // Error: an overlap at the start, with its pairs; cloth inside a solid. Of a run that goes on from a state
+  // both are looked for there, when the bodies have gone where they are at its time.
+  void check_start() const;
+  void begin_here();
+  bool jumps() const {
+    return bodies_.jumps();
+  }  // whether a body is elsewhere at that time than in the state
+
   // --- motion of the bodies in a step: Newton's iterations move them by shares of the remaining way
   void begin_iterate() override {
     at_ = share_;
@@ -55,7 +63,7 @@ class Contacts final : public Term, public StepLimiter, public OwnUnknowns, publ
   bool at_target() const override { return share_ >= 1 || !moves_; }
 
   // --- steps. Explicit ones have a check of their own, below.
-  bool limits() const override { return !explicit_; }
+  bool limits() const override { return !explicit_ && meets(); }
   void mark(const Trial& trial) override;
   double safe_fraction(const Trial& trial) override;  // without any surface passing another
   // The share during which nothing moves farther than a few elements, relative to the mean motion.
@@ -69,7 +77,7 @@ class Contacts final : public Term, public StepLimiter, public OwnUnknowns, publ
   // --- implicit steps take the forces of contact at their end, while the cloth keeps its own rule: then
   // contact cannot make energy, and what it takes is the energy "impact". The tangent has their weight, too.
   void set_weight(double weight) override;
-  bool acts() const override { return touching_now() > 0; }
+  bool acts() const override { return touching_now() > 0 || !tied_.empty(); }
   std::span<const Vec3> push() const override { return std::span(force_).first(nodes_); }
   double work_on_cloth() const override;
 
@@ -84,8 +92,37 @@ class Contacts final : public Term, public StepLimiter, public OwnUnknowns, publ
   double largest_own_residual() const override { return bodies_.largest_residual(); }
   Eigen::MatrixXd own_stiffness() const override;
 
+  // By the places (m) and turns (rad) of all free bodies, 6 numbers each: derivatives of the internal forces
+  // on the nodes, N; of the forces and torques on the bodies with the other sign; and of the volumes of gas,
+  // m3, whose changes of pressure both are without.
+  struct AtRest {
+    std::vector<std::vector<double>> on_nodes, of_volumes;  // by number
+    Eigen::MatrixXd stiffness;
+  };
+  AtRest at_rest() const;
+
   // The places of free bodies at rest are unknowns from here on.
   void go_static(double rise);  // s, see Bodies
+
+  // --- gas that pushes on bodies. Points are the nodes of the cloth and then the vertices of the bodies.
+  std::size_t points() const { return x_.size(); }
+  void place_points(const Trial& trial, std::vector<double>& x) const;  // m, 3 per point
+  void begin_gas(std::span<const double> on_x);  // N, 3 per point, at the start of the run
+  void press(std::span<const double> on_x);      // the same at the end of the step
+  double inverse_mass(Index point) const { return inverse_mass_[static_cast<std::size_t>(point)]; }  // 1/kg
+  // The sum of the forces on points, from the given one on, each over the root of its mass.
+  double size_of(std::span<const double> on_x, std::size_t from = 0) const;
+  // Derivatives of the internal forces of gas by places, of which one is at least a body's; with those of the
+  // volumes.
+  struct GasTangent {
+    struct Part {
+      Index a, b;
+      Mat3 k;  // d(internal force on a) / d(place of b), N/m
+    };
+    std::vector<Part> parts;
+    NodalRanks ranks;  // by points
+  };
+  void take(GasTangent tangent) { gas_ = std::move(tangent); }
 
   // --- explicit steps
   void go_explicit();
@@ -148,6 +185,9 @@ class Contacts final : public Term, public StepLimiter, public OwnUnknowns, publ
   std::vector<std::string> describe() const;
 
  private:
+  // Whether anything may touch anything; bodies that close gas alone do not.
+  bool meets() const { return !scene_.interactions().empty(); }
+  contact::Totals touch(contact::Way way);
   static constexpr double kDense = 1e6;          // Pa, pressure that presses woven cloth down to its fibres
   struct Sheet {                                 // a surface of cloth
     double thickness = 0, floor = 0, areal = 0;  // m, m, kg/m2
@@ -217,8 +257,12 @@ class Contacts final : public Term, public StepLimiter, public OwnUnknowns, publ
   double opening_energy(std::span<const Vec3> x, double time);
   double opening_pace(std::span<const Vec3> x, double time, double dt);
   bool work_of_opening();
-  void refuse_overlaps();
-  void refuse_inside() const;
+  void find_overlaps(double time);
+  std::string overlaps_at(double time);
+  std::string inside() const;
+  void find_tied();
+  double push_tied();
+  void add_tied_blocks();
   void find_driven();
   bool driven_meet();
   void begin_pressed();
@@ -229,7 +273,14 @@ class Contacts final : public Term, public StepLimiter, public OwnUnknowns, publ
   double taken() const;
   double lost() const { return evaluated_ ? trial_.work - (trial_.stick - committed_.stick) : 0; }
   void add_on_body(const contact::FrictionTangent* friction);
-  Eigen::MatrixXd answers() const;  // of free bodies to the changes of their unknowns
+  Eigen::MatrixXd responses() const;  // of free bodies to the changes of their unknowns
+  std::vector<Vec3> way_of(int body, const Bodies::Vector6& moved) const;
+  std::vector<Vec3> way_left() const;
+  std::vector<double> gas_change(std::span<const double> nodes, std::span<const Vec3> vertices,
+                                 bool with_volumes) const;
+  Eigen::VectorXd gas_on_bodies(std::span<const double> change) const;
+  void add_gas_answers(bool with_volumes, Eigen::MatrixXd& answers) const;
+  Eigen::MatrixXd answers(bool with_volumes) const;
   void prepare_tangent(const Trial& trial);
   const Reading& read() const;
   int surface_of(std::int32_t point) const;
@@ -271,8 +322,20 @@ class Contacts final : public Term, public StepLimiter, public OwnUnknowns, publ
   bool static_ = false;
   bool implicit_ = false, rubs_ = false;  // rubs: friction or the damping of approach acts
   bool evaluated_ = false;
+  // Nodes that go along with a body, held to their places on it by springs that are stiff beside the cloth.
+  struct TiedTo {
+    std::size_t node, point;
+    double carried;  // N/m, by an explicit step
+  };
+  std::vector<TiedTo> tied_;
+  double tied_energy_ = 0, trial_tied_ = 0;  // J, of these springs
+  double stiff_tie() const { return explicit_ ? kMovingTie : kStiffTie; }
+  // Of what an explicit step would carry beside the cloth; explicit steps are half as long then.
+  static constexpr double kMovingTie = 10, kStiffTie = 1000;
+  std::string overlaps_;  // at the start, as a message; empty: there are none
   std::vector<Block> blocks_;
   std::vector<OnBody> on_bodies_;
+  GasTangent gas_;  // without columns: gas pushes on no body
   // Pairs of nodes coupled at any time: a * nodes + b, a < b, ascending. They only become more, and a
   // rollback takes back those since the last commit.
   std::vector<std::int64_t> pairs_, committed_pairs_;

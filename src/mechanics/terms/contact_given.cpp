@@ -13,6 +13,8 @@ namespace fabricsh::mechanics {
 
 namespace {
 
+constexpr double kNearest = 1e-3;    // smallest gap at the start that is opened, as a share of the whole
+constexpr std::size_t kTold = 5;     // number of overlaps named in a message
 constexpr double kOfElements = 0.1;  // thickness in contact with a solid of facets, over an element's side
 
 }  // namespace
@@ -63,8 +65,39 @@ void Contacts::follow_elements() {
   }
 }
 
-// No edge of a sheet inside a solid need be near its surface, so that no pair tells.
-void Contacts::refuse_inside() const {
+void Contacts::find_overlaps(double time) {
+  overlaps_ = overlaps_at(time);
+  if (overlaps_.empty()) overlaps_ = inside();
+}
+
+std::string Contacts::overlaps_at(double time) {
+  if (!meets()) return {};
+  positions(configuration_.x(), 0, x_);
+  open_to(time);
+  auto overlaps = contact_->overlaps(x_);
+  for (std::size_t i = 0; i < meetings_.size(); ++i)
+    if (meetings_[i].near > 0 && meetings_[i].nearest < kNearest * scene_.interactions()[i].law.gap() &&
+        overlaps.empty())
+      return "contact: field 'settle': " + meetings_[i].names + ": expected at least " +
+             number(kNearest * scene_.interactions()[i].law.gap()) + " m between what is opened, got " +
+             number(meetings_[i].nearest) + " m";
+  if (overlaps.empty()) return {};
+  std::string text = "contact: " + std::to_string(overlaps.size()) +
+                     (overlaps.size() == 1 ? " pair overlaps" : " pairs overlap") + " at the start:";
+  for (std::size_t i = 0; i < std::min(kTold, overlaps.size()); ++i)
+    text += (i > 0 ? "; " : " ") + words(overlaps[i].point) +
+            (overlaps[i].gap > 0 ? ", " + number(overlaps[i].gap) + " m apart" : ", one through the other");
+  if (overlaps.size() > kTold) text += "; ...";
+  const auto tight = [](const auto& overlap) { return overlap.gap > 0; };
+  return text + "; expected all of it apart" +
+         (std::any_of(overlaps.begin(), overlaps.end(), tight)
+              ? " (settle= of m:contact would open what is not one through the other)"
+              : "");
+}
+
+// No edge of a sheet inside a solid need be near its surface, so that no pair tells. Empty: nothing is
+// inside.
+std::string Contacts::inside() const {
   for (const model::RigidPointer& given : model_.interactions().bodies()) {
     const model::Facets* facets = given->facets();
     const auto number = static_cast<std::size_t>(find_body(*given));
@@ -76,12 +109,13 @@ void Contacts::refuse_inside() const {
       for (const std::int32_t p : scene_.surfaces()[static_cast<std::size_t>(it.first)].points)
         if ((it.rigid || scene_.sheet(p) == p) &&
             contact::encloses(vertices, facets->triangles, x_[static_cast<std::size_t>(p)]))
-          throw Error("contact: " + words({p, -1, -1, -1}) + " starts inside the " +
-                      model_.interactions().name_of(*given) + ", which bounds a solid: expected " +
-                      (it.rigid ? "it" : "the cloth") +
-                      " outside of it (a hollow body has neither closed=true nor a mass)");
+          return "contact: " + words({p, -1, -1, -1}) + " starts inside the " +
+                 model_.interactions().name_of(*given) + ", which bounds a solid: expected " +
+                 (it.rigid ? "it" : "the cloth") +
+                 " outside of it (a hollow body has neither closed=true nor a mass)";
     }
   }
+  return {};
 }
 
 // Friction by direction needs the warp of each triangle as a sum of its sides, which it follows.

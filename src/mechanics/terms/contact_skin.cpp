@@ -42,9 +42,9 @@ double Contacts::touches_within(Index node, std::size_t i) const {
 Contacts::OnSkin Contacts::on_skin(std::size_t i) const {
   const Reading& now = read();
   const model::Rigid& body = bodies_.body(i);
-  const auto [first, last] = bodies_.vertices(i);
+  const std::size_t first = bodies_.vertices(i).first;
   const auto begin = static_cast<std::int32_t>(nodes_ + first),
-             end = static_cast<std::int32_t>(nodes_ + last);
+             end = begin + static_cast<std::int32_t>(body.facets()->vertices.size());
   OnSkin out;
   out.at.assign(now.x.begin() + begin, now.x.begin() + end);
   const std::vector<Vec3> across = areas(body.facets()->triangles, out.at);

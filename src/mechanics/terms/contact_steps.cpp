@@ -12,12 +12,16 @@ namespace fabricsh::mechanics {
 
 namespace {
 
-constexpr double kInGuard = 1;    // stiffness * step^2 / areal mass while the guard acts
+constexpr double kInGuard = 1;  // stiffness * step^2 / areal mass while the guard acts
+constexpr double kBesideTie =
+    0.5;  // of the step without ties to bodies, which take 10/4 of the cloth's stiffness
 constexpr double kAboutNode = 2;  // areas of a node that press a ball on it: half its own and its facets'
 
 }  // namespace
 
-double Contacts::share_of_cloth() const { return contact_step_of_cloth; }
+double Contacts::share_of_cloth() const {
+  return tied_.empty() ? contact_step_of_cloth : kBesideTie * contact_step_of_cloth;
+}
 
 // s: what a light free body carries, whose mass is not that of the cloth that it presses: `share` of its
 // mass over the stiffness of all places that press it at once, squared with the step. These are the nodes and
@@ -48,7 +52,8 @@ double Contacts::largest_step(bool scaled) const {
   for (std::size_t i = 0; i < meetings_.size(); ++i)
     if (const auto& it = scene_.interactions()[i]; !it.rigid)
       stiffest = std::max(stiffest, it.law.stiffest() / (meetings_[i].given ? 1 : eased(scene_, it)));
-  return std::min({scaled ? step_ : contact_step_of_cloth * cloth_.stable_step(false),
+  const double of_cloth = scaled ? step_ : contact_step_of_cloth * cloth_.stable_step(false);
+  return std::min({tied_.empty() ? of_cloth : kBesideTie * of_cloth,
                    std::sqrt(carried_stiffness * least_areal_ / stiffest), bodies_.stable_step(),
                    carried_by_bodies(carried_stiffness, false)});
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "base/error.hpp"
@@ -48,15 +49,11 @@ GasFlow flow_of(const model::Model& model) {
 
 }  // namespace
 
-Gas::Gas(const model::Model& model) : flow_(flow_of(model)), open_(flow_.begin()) {
-  for (const auto& gas : model.gases()) {
-    auto surface = model::enclosure_of(model, *gas);
-    const Vec3 place = model.mesh().nodes[static_cast<std::size_t>(surface.cloth.front()[0])];
-    Volume volume{std::move(surface.cloth), std::move(surface.lids), model::apex_of_gas(model, place)};
-    volume.faces.insert(volume.faces.end(), surface.strips.begin(), surface.strips.end());
-    volumes_.push_back(std::move(volume));
-  }
-  const auto V = volumes(positions(model.mesh()));
+Gas::Gas(const model::Model& model)
+    : nodes_(model.mesh().nodes.size()), flow_(flow_of(model)), open_(flow_.begin()) {
+  auto x = positions(model.mesh());
+  for (const auto& gas : model.gases()) add_volume(model, *gas, x);
+  const auto V = volumes(x);
   for (std::size_t i = 0; i < V.size(); ++i) {
     const auto& gas = *model.gases()[i];
     const double of_one = gas.specific() * gas.temperature / V[i];  // Pa, of 1 kg
@@ -66,8 +63,111 @@ Gas::Gas(const model::Model& model) : flow_(flow_of(model)), open_(flow_.begin()
   rollback();
 }
 
+// The part of a body within a rim goes along with it: a ring of points of the body, which the cloth's rim
+// joins by strips without width where it lies at the body.
+void Gas::add_volume(const model::Model& model, const model::GasGiven& gas, std::vector<double>& x) {
+  auto surface = model::enclosure_of(model, gas);
+  const Vec3 first = model.mesh().nodes[static_cast<std::size_t>(surface.cloth.front()[0])];
+  Volume volume{std::move(surface.cloth), std::move(surface.lids), model::apex_of_gas(model, first)};
+  volume.faces.insert(volume.faces.end(), surface.strips.begin(), surface.strips.end());
+  for (const model::BodyLid& lid : surface.bodies) {
+    const auto count = static_cast<Index>(lid.rim.size()), seat = static_cast<Index>(x.size() / 3);
+    Ring ring;
+    for (Index i = 0; i < count; ++i) {
+      const auto k = static_cast<std::size_t>(i), next = (k + 1) % lid.rim.size();
+      const Vec3 &here = model.mesh().nodes[static_cast<std::size_t>(lid.rim[k])], &at_body = lid.seats[k];
+      const double edge = (model.mesh().nodes[static_cast<std::size_t>(lid.rim[next])] - here).norm();
+      x.insert(x.end(), {at_body.x(), at_body.y(), at_body.z()});
+      ring.push_back(seat + i);
+      rims_.push_back({lid.rim[k], seat + i, lid.body.get(), (here - at_body).norm(), edge});
+      // The lid runs along the rim as its face does, and so does the strip's edge at the rim.
+      volume.faces.push_back({lid.rim[k], lid.rim[next], seat + static_cast<Index>(next), seat + i});
+    }
+    volume.lids.push_back(std::move(ring));
+    volume.bulge += lid.bulge;
+  }
+  volumes_.push_back(std::move(volume));
+}
+
+void Gas::press_on(Contacts& bodies, const Trial& start) {
+  if (!on_bodies()) return;
+  bodies_ = &bodies;
+  const auto nodes = static_cast<Index>(nodes_);
+  std::vector<Index> point;  // of each seat
+  for (std::size_t g = 0; g < volumes_.size(); ++g) {
+    std::size_t lid = 0;
+    for (const Ring& ring : volumes_[g].lids) {
+      if (ring.front() < nodes) continue;
+      const auto first = static_cast<Index>(bodies.bodies().seats(g, lid++));
+      for (std::size_t i = 0; i < ring.size(); ++i) point.push_back(nodes + first + static_cast<Index>(i));
+    }
+  }
+  const auto move = [&](Index& n) {
+    if (n >= nodes) n = point[static_cast<std::size_t>(n - nodes)];
+  };
+  for (Volume& volume : volumes_) {
+    for (FaceNodes& face : volume.faces) std::for_each(face.begin(), face.end(), move);
+    for (Ring& ring : volume.lids) std::for_each(ring.begin(), ring.end(), move);
+  }
+  for (Rim& rim : rims_) move(rim.seat);
+  place(start, x_);
+  push(trial_);
+  bodies.begin_gas(push_);
+}
+
+// N, on all points.
+void Gas::push(const GasFlow::GasStep& step) {
+  push_.assign(x_.size(), 0);
+  for (std::size_t i = 0; i < volumes_.size(); ++i) volumes_[i].add_pressure(gauge(i, step), x_, push_);
+}
+
+// Of the bodies' rows of the tangent over the masses, as mechanics/rate_bound.hpp has those of the nodes.
+double Gas::stable_step(bool) const {
+  double most = 0;  // 1/s2
+  if (bodies_ == nullptr) return std::numeric_limits<double>::infinity();
+  const NodalRanks ranks = all_ranks(x_, aimed_);
+  for (const model::Rigid* const body : closing()) {
+    double rate = 0;
+    for (std::size_t i = 0; i < volumes_.size(); ++i) {
+      double own = 0;
+      for (const Rim& rim : rims_)
+        if (rim.body == body)
+          own += at(ranks.on_x[i], rim.seat).norm() * std::sqrt(bodies_->inverse_mass(rim.seat));
+      for (std::size_t j = 0; j < volumes_.size(); ++j)
+        rate += own * std::abs(ranks.core(static_cast<Index>(i), static_cast<Index>(j))) *
+                bodies_->size_of(ranks.on_x[j]);
+    }
+    most = std::max(most, rate);
+  }
+  return most > 0 ? 2 / std::sqrt(most) : std::numeric_limits<double>::infinity();
+}
+
+std::vector<const model::Rigid*> Gas::closing() const {
+  std::vector<const model::Rigid*> all;
+  for (const Rim& rim : rims_)
+    if (std::find(all.begin(), all.end(), rim.body) == all.end()) all.push_back(rim.body);
+  return all;
+}
+
+// A rim that has left its body by much leaves a gap through which gas would flow.
+Gas::RimGap Gas::farthest_rim(const Trial& trial) const {
+  RimGap most;
+  place(trial, x_);
+  for (const Rim& rim : rims_) {
+    const double apart = (at(x_, rim.node) - at(x_, rim.seat)).norm() - rim.apart;
+    if (apart > most.apart) most = {apart, rim.node, rim.body, rim.edge};
+  }
+  return most;
+}
+
+void Gas::place(const Trial& trial, std::vector<double>& x) const {
+  if (bodies_ != nullptr) return bodies_->place_points(trial, x);
+  const auto nodes = trial.configuration.x();
+  x.assign(nodes.begin(), nodes.end());
+}
+
 double Gas::Volume::volume(std::span<const double> x) const {
-  double sum = volume_behind(faces, x, apex);
+  double sum = volume_behind(faces, x, apex) + bulge;
   for (const Ring& ring : lids) {
     const Vec3 centre = centre_of(ring, x) - apex;
     for (std::size_t i = 0; i < ring.size(); ++i)
@@ -136,8 +236,8 @@ double Gas::gauge(std::size_t i, const GasFlow::GasStep& step) const {
 }
 
 Outcome Gas::add_forces(const law::Step&, const Trial& trial, Forces& forces) {
-  const auto x = trial.configuration.x();
-  auto V = volumes(x);
+  place(trial, x_);
+  auto V = volumes(x_);
   for (std::size_t i = 0; i < V.size(); ++i)
     if (!(V[i] > 0)) return {Answer::cut, -1, "the gas " + flow_.gas(i).name() + " has no volume left"};
   trial_ = after(std::move(V), trial.time);
@@ -146,18 +246,54 @@ Outcome Gas::add_forces(const law::Step&, const Trial& trial, Forces& forces) {
     return {Answer::broken, -1,
             "the inflow takes more gas " + flow_.gas(static_cast<std::size_t>(trial_.empty)).name() +
                 " away than there is"};
-  for (std::size_t i = 0; i < volumes_.size(); ++i)
-    volumes_[i].add_pressure(-gauge(i, trial_), x, forces.on_x);
+  if (bodies_ == nullptr) {
+    for (std::size_t i = 0; i < volumes_.size(); ++i)
+      volumes_[i].add_pressure(-gauge(i, trial_), x_, forces.on_x);
+    return {};
+  }
+  push(trial_);
+  for (std::size_t k = 0; k < 3 * nodes_; ++k) forces.on_x[k] -= push_[k];
+  bodies_->press(push_);
   return {};
 }
 
-void Gas::add_tangent(const Trial& trial, TangentSink& sink) const {
-  const auto x = trial.configuration.x();
-  const auto step = after(volumes(x), trial.time);
-  for (std::size_t i = 0; i < volumes_.size(); ++i) {
-    add_pressure_tangent(volumes_[i].faces, gauge(i, step), x, sink);
-    volumes_[i].add_lid_tangent(gauge(i, step), x, sink);
+namespace {
+
+// Passes on what couples nodes of the cloth, and keeps what has to do with bodies.
+class BodySink final : public TangentSink {
+ public:
+  BodySink(TangentSink& cloth, std::size_t nodes, std::vector<Contacts::GasTangent::Part>& parts)
+      : cloth_(cloth), nodes_(static_cast<Index>(nodes)), parts_(parts) {}
+  void on_positions(Index a, Index b, const Mat3& k) override {
+    if (a < nodes_ && b < nodes_)
+      cloth_.on_positions(a, b, k);
+    else
+      parts_.push_back({a, b, k});
   }
+  void on_director(Index, const Eigen::Matrix2d&) override {}
+  void on_nodes(Index, Index, const Eigen::Matrix<double, 5, 5>&) override {}
+  void on_lead(Index, const Vec3&) override {}
+
+ private:
+  TangentSink& cloth_;
+  const Index nodes_;
+  std::vector<Contacts::GasTangent::Part>& parts_;
+};
+
+}  // namespace
+
+void Gas::add_tangent(const Trial& trial, TangentSink& sink) const {
+  place(trial, x_);
+  const auto step = after(volumes(x_), trial.time);
+  Contacts::GasTangent of_bodies;
+  BodySink split(sink, nodes_, of_bodies.parts);
+  for (std::size_t i = 0; i < volumes_.size(); ++i) {
+    add_pressure_tangent(volumes_[i].faces, gauge(i, step), x_, split);
+    volumes_[i].add_lid_tangent(gauge(i, step), x_, split);
+  }
+  if (bodies_ == nullptr) return;
+  of_bodies.ranks = all_ranks(x_, trial.time);
+  bodies_->take(std::move(of_bodies));
 }
 
 void Gas::couple(const Trial&, std::vector<NodePair>& pairs) {
@@ -168,37 +304,50 @@ void Gas::couple(const Trial&, std::vector<NodePair>& pairs) {
     for (const Ring& ring : volume.lids)
       for (const Index a : ring)
         for (const Index b : ring)
-          if (a < b) pairs.emplace_back(a, b);
+          if (a < b && b < static_cast<Index>(nodes_)) pairs.emplace_back(a, b);
   }
 }
 
 // The internal forces are -p dV/dx, which change by -dp/dV (dV/dx . dx) dV/dx as the volumes do.
 void Gas::add_ranks(const Trial& trial, NodalRanks& out) const {
-  const auto x = trial.configuration.x();
-  const auto V = volumes(x);
-  const auto k = static_cast<Index>(V.size());
-  out.core = Eigen::MatrixXd::Zero(k, k);
+  place(trial, x_);
+  out = all_ranks(x_, trial.time);
+  for (auto& column : out.on_x) column.resize(3 * nodes_);
+}
+
+NodalRanks Gas::all_ranks(std::span<const double> x, double time) const {
+  NodalRanks out;
   for (const Volume& volume : volumes_) {
     out.on_x.emplace_back(x.size(), 0.0);
     volume.add_pressure(1, x, out.on_x.back());
+    out.beside.push_back(bodies_ == nullptr ? 0 : bodies_->size_of(out.on_x.back(), nodes_));
   }
-  const auto here = after(V, trial.time);
+  out.core = core(volumes(x), time);
+  return out;
+}
+
+// N/m5, minus the derivatives of the pressures by the volumes.
+Eigen::MatrixXd Gas::core(const std::vector<double>& V, double time) const {
+  const auto k = static_cast<Index>(V.size());
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(k, k);
+  const auto here = after(V, time);
   for (Index j = 0; j < k; ++j) {
     const auto n = static_cast<std::size_t>(j);
     if (!flow_.flows()) {
-      out.core(j, j) = flow_.gas(n).exponent * here.states[n].pressure / V[n];
+      out(j, j) = flow_.gas(n).exponent * here.states[n].pressure / V[n];
       continue;
     }
     const double h = kDifference * V[n];
     auto more = V, less = V;
     more[n] += h;
     less[n] -= h;
-    const auto larger = after(std::move(more), trial.time), smaller = after(std::move(less), trial.time);
+    const auto larger = after(std::move(more), time), smaller = after(std::move(less), time);
     for (Index i = 0; i < k; ++i) {
       const auto m = static_cast<std::size_t>(i);
-      out.core(i, j) = (smaller.states[m].pressure - larger.states[m].pressure) / (2 * h);
+      out(i, j) = (smaller.states[m].pressure - larger.states[m].pressure) / (2 * h);
     }
   }
+  return out;
 }
 
 void Gas::add_energies(const Trial&, std::vector<Energy>& out) const {

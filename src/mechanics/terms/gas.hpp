@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mechanics/facets.hpp"
+#include "mechanics/terms/contact.hpp"
 #include "mechanics/terms/faces.hpp"
 #include "mechanics/terms/gas_flow.hpp"
 #include "model/model.hpp"
@@ -21,9 +22,21 @@ class Gas final : public Term, public FewRankTerm {
   void add_ranks(const Trial& trial, NodalRanks& out) const override;
   void add_energies(const Trial& trial, std::vector<Energy>& out) const override;
   StepWork step_work() const override { return {trial_.supplied, 0}; }
+  double stable_step(bool scaled) const override;
   void commit() override;
   void rollback() override;
   void keep(Archive& archive) override;
+
+  // Rigid bodies that close volumes are those of this term, which comes after this one.
+  void press_on(Contacts& bodies, const Trial& start);
+  // Of the rims that lie at bodies, the node that is farthest from its place there.
+  struct RimGap {
+    double apart = 0;  // m, more than at the start
+    Index node = -1;
+    const model::Rigid* body = nullptr;
+    double size = 0;  // m, of a rim's mean edge
+  };
+  RimGap farthest_rim(const Trial& trial) const;
 
   // Of a declared volume in the trial state: pressure above that outside, Pa.
   struct GasReading {
@@ -38,15 +51,34 @@ class Gas final : public Term, public FewRankTerm {
     std::vector<FaceNodes> faces;          // outwards, of cloth and of strips along seams
     std::vector<std::vector<Index>> lids;  // rings around holes, whose force their nodes share evenly
     Vec3 apex;                             // m, from which the volume is seen, see model::planes_of_gas
+    double bulge = 0;                      // m3, of bodies beyond the rings that stand for them
     double volume(std::span<const double> x) const;
     void add_pressure(double pressure, std::span<const double> x, std::span<double> on_x) const;
     void add_lid_tangent(double pressure, std::span<const double> x, TangentSink& sink) const;
+  };
+  // Points of the cloth, and after them those of bodies.
+  void place(const Trial& trial, std::vector<double>& x) const;
+  void push(const GasFlow::GasStep& step);
+  bool on_bodies() const { return !rims_.empty(); }
+  std::vector<const model::Rigid*> closing() const;  // each body once
+  struct Rim {
+    Index node, seat;  // seat: a point of a body
+    const model::Rigid* body;
+    double apart, edge;  // m, at the start
   };
   GasFlow::GasStep after(std::vector<double> volumes, double time) const;
   double gauge(std::size_t i, const GasFlow::GasStep& step) const;
   std::vector<double> volumes(std::span<const double> x) const;
 
+  void add_volume(const model::Model& model, const model::GasGiven& gas, std::vector<double>& x);
+  Eigen::MatrixXd core(const std::vector<double>& volumes, double time) const;
+  NodalRanks all_ranks(std::span<const double> x, double time) const;
+
   std::vector<Volume> volumes_;
+  std::size_t nodes_ = 0;
+  std::vector<Rim> rims_;
+  Contacts* bodies_ = nullptr;
+  mutable std::vector<double> x_, push_;  // m, N, of all points
   GasFlow flow_;
   std::vector<GasState> states_;  // committed
   std::vector<char> open_;        // which vents are, at the committed state

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/number.hpp"
+#include "model/rigid.hpp"
 #include "script/bind/model.hpp"
 #include "script/bind/rooms.hpp"
 #include "script/bind/run.hpp"
@@ -19,26 +20,50 @@ namespace {
 
 constexpr double kTested = 100;  // Pa, at which tests of air permeability measure [iso9237]
 
-std::vector<std::string> names_of(const Call& call, const char* field) {
-  if (!call.has(field) || call.is(field, LUA_TSTRING)) return {call.text(field)};
+std::vector<std::string> sets_of(const Call& call) {
+  if (!call.has("set") || call.is("set", LUA_TSTRING)) return {call.text("set")};
   lua_State* L = call.L();
   std::vector<std::string> names;
-  call.push(field);
+  call.push("set");
   const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
   for (lua_Integer i = 1; i <= count; ++i) {
     if (lua_rawgeti(L, -1, i) != LUA_TSTRING) {
       const std::string got = describe(L, -1);
-      call.refuse(
-          field, "expected names of sets, got " + got + " at place " + std::to_string(i) +
-                     (got == "a body" ? ": rigid bodies close no volume; a hole that one covers is closed by "
-                                        "lids= the set of its nodes"
-                                      : ""));
+      call.refuse("set", "expected names of sets, got " + got + " at place " + std::to_string(i) +
+                             (got == "a body" ? ": a body closes a hole as one of lids=" : ""));
     }
     names.emplace_back(lua_tostring(L, -1));
     lua_pop(L, 1);
   }
   lua_pop(L, 1);
   return names;
+}
+
+// What closes holes: names of the sets of their nodes, or rigid bodies.
+void read_lids(const Call& call, GasGiven& gas) {
+  if (!call.has("lids")) return;
+  lua_State* L = call.L();
+  const auto take = [&](lua_Integer place) {
+    if (lua_type(L, -1) == LUA_TSTRING)
+      gas.lids.emplace_back(lua_tostring(L, -1));
+    else if (auto body = to_object<const model::Rigid>(L, -1))
+      gas.bodies.push_back(std::move(body));
+    else
+      call.refuse("lids", "expected names of sets or rigid bodies, got " + describe(L, -1) +
+                              (place > 0 ? " at place " + std::to_string(place) : ""));
+  };
+  call.push("lids");
+  if (!lua_istable(L, -1)) {
+    take(0);
+  } else {
+    const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
+    for (lua_Integer i = 1; i <= count; ++i) {
+      lua_rawgeti(L, -1, i);
+      take(i);
+      lua_pop(L, 1);
+    }
+  }
+  lua_pop(L, 1);
 }
 
 const std::vector<Argument>& vent_rows() {
@@ -133,8 +158,8 @@ void read_leakage(const Call& call, GasGiven& gas) {
 
 int gas(Call& call) {
   GasGiven gas;
-  gas.sets = names_of(call, "set");
-  if (call.has("lids")) gas.lids = names_of(call, "lids");
+  gas.sets = sets_of(call);
+  read_lids(call, gas);
   if (call.has("initial")) gas.initial = call.number("initial");
   if (call.has("mass")) gas.mass = call.number("mass");
   gas.temperature = call.number("temperature");
@@ -191,10 +216,11 @@ std::vector<Entry> gas_entries() {
        Style::fields,
        {value_("set", text | table, "elements that close around the gas: a set, or a list of sets")
             .or_else("all"),
-        value_(
-            "lids", text | table,
-            "sets of nodes around holes that something closes which is not of cloth and weighs nothing: the "
-            "gas pushes on it, and it on the nodes, evenly")
+        object_(
+            "lids", "body",
+            "rigid bodies that close the holes whose rims lie at them, and sets of nodes around holes that "
+            "something closes which weighs nothing: the gas pushes on it, and it on the nodes, evenly",
+            text | table)
             .optional(),
         number_("initial", "Pa", everything, "pressure above that outside at time 0; default 0").optional(),
         number_("mass", "kg", positive, "mass of the gas at time 0, in place of a pressure").optional(),

@@ -1,5 +1,6 @@
 // fabric.model's ties between nodes.
 #include "model/model.hpp"
+#include "model/rigid.hpp"
 #include "script/bind/model.hpp"
 #include "script/bind/rooms.hpp"
 #include "script/bind/run.hpp"
@@ -20,15 +21,29 @@ TieKind read_kind(const Call& call) {
   call.refuse("kind", "expected \"equal\", \"straight\", \"rigid\" or \"periodic\", got \"" + kind + "\"");
 }
 
+// The body is known by its name, as sets are.
+int tie_to_body(Call& call, model::Tie tie) {
+  const auto body = call.object<const model::Rigid>("second");
+  if (tie.kind != TieKind::rigid)
+    call.refuse("second", "expected a text: a body is tied to by kind 'rigid' alone");
+  if (body->name().empty())
+    call.refuse("second", "expected a body with a name, as fabric.rigid.disc{ name='plate', ... }");
+  tie.partner = body->name();
+  call.self<Model>()->tie(std::move(tie));
+  return return_self(call);
+}
+
 int tie(Call& call) {
   model::Tie tie{read_kind(call), call.text("set"), {}, {}};
   const bool periodic = tie.kind == TieKind::periodic;
   if (periodic) {
-    if (!call.has("second")) call.refuse("second", "expected the name of the set that follows, got nil");
+    if (!call.has("second") || !call.is("second", LUA_TSTRING))
+      call.refuse("second", "expected the name of the set that follows, got nil");
     tie.partner = call.text("second");
   }
   const char* const place = periodic ? "freedoms" : "second";
   if (tie.kind == TieKind::equal && !call.has(place)) call.refuse(place, "expected some of x y z, got nil");
+  if (call.has("second") && !call.is("second", LUA_TSTRING)) return tie_to_body(call, std::move(tie));
   const std::string words = call.has(place) ? call.text(place) : periodic ? "x y z rotation" : "x y z";
   if (tie.kind != TieKind::rigid)
     tie.freedoms = model::parse_freedoms(words, "tie");
@@ -49,9 +64,15 @@ std::vector<Entry> ties_entries() {
                "its ends; \"rigid\": nodes and directors move as one body; \"periodic\": two sets whose "
                "pairs of nodes keep one common relative displacement; the second follows the first"),
         value_("set", text, "name of a node set"),
-        value_("second", text, "periodic: the set that follows; else freedoms, some of x y z").optional(),
+        object_(
+            "second", "body",
+            "periodic: the set that follows; rigid: nothing, or a rigid body with a name, along with which "
+            "the nodes go; else freedoms, some of x y z",
+            text)
+            .optional(),
         value_("freedoms", text, "periodic: some of x y z rotation; default all").optional()},
-       "Ties nodes to each other exactly, by elimination.",
+       "Ties nodes to each other exactly, by elimination. To a rigid body they are tied by springs that are "
+       "stiff beside the cloth, and turn freely there.",
        "local fabric = require 'fabric'\n"
        "local mesh = fabric.mesh.rectangle{ width=0.0254, height=0.0762, nx=2, ny=3 }\n"
        "local m = fabric.model{ mesh=mesh, card=fabric.card 'blend', warp=90 }\n"

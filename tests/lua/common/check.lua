@@ -44,4 +44,21 @@ function check.contents(folder)
   return all, count
 end
 
+-- A mesh of quadrilaterals as one of triangles with the same sets.
+function check.in_triangles(mesh)
+  local fabric = require "fabric"
+  local nodes, elements = {}, {}
+  for i = 1, #mesh.nodes do nodes[i] = mesh.nodes[i] end
+  for e = 1, #mesh.elements do
+    local a, b, c, d = table.unpack(mesh.elements[e])
+    table.insert(elements, { a, b, c })
+    table.insert(elements, { a, c, d })
+  end
+  local cut = fabric.mesh { nodes = nodes, elements = elements }
+  for _, name in ipairs(mesh.sets) do
+    if name ~= "all" then cut:set(name, mesh:set(name)) end
+  end
+  return cut
+end
+
 return check

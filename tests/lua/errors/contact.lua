@@ -241,7 +241,7 @@ wrong("model:contact", "model:contact{ self='al' }",
 wrong("model:contact", "model:contact{ between={fabric.rigid.plane{ point={0,0,-1}, normal={0,0,1} }, 'all'}, self='all' }",
   "deck.lua:1: contact: field 'between': expected either between={...} or self=, got both")
 wrong("model:move", "local plane = fabric.rigid.plane{ point={0,0,-0.01}, normal={0,0,1} } model:move(plane, { z=1 }):move(plane, { x=1 })",
-  "deck.lua:1: move: the plane is moved already: expected one call with x, y, z and turn")
+  "deck.lua:1: move: the plane is moved already: expected one call with x, y, z and turn (a copy of a model leaves out the move it has with m:copy{without=\"move plane\"})")
 wrong("model:velocity", "model:velocity(fabric.rigid.sphere{ radius=1, centre={0,0,2}, mass=1 }, function() return { z=1 } end)",
   "deck.lua:1: velocity: argument 'velocity': expected {x=, y=, z=, spin=} of a rigid body, got a function")
 wrong("fabric.rigid.surface", "fabric.rigid.surface{ mesh=mesh, mass=1 }",

@@ -7,15 +7,18 @@ wrong("model:gas", "model:gas{ set={} }",
   "deck.lua:1: gas: field 'set': expected the name of a set, or a list, got an empty one")
 wrong("model:gas", "model:gas{ set={ 'all', 7 } }",
   "deck.lua:1: gas: field 'set': expected names of sets, got 7 at place 2")
-for _, field in ipairs { "set", "lids" } do
-  wrong("model:gas", "model:gas{ " .. field .. "={ 'all', fabric.rigid.plane{ point={0, 0, 1}, normal={0, 0, -1} } } }",
-    "deck.lua:1: gas: field '" .. field .. "': expected names of sets, got a body at place 2: rigid bodies close no volume; "
-    .. "a hole that one covers is closed by lids= the set of its nodes")
-end
+wrong("model:gas", "model:gas{ set={ 'all', fabric.rigid.plane{ point={0, 0, 1}, normal={0, 0, -1} } } }",
+  "deck.lua:1: gas: field 'set': expected names of sets, got a body at place 2: a body closes a hole as one of lids=")
+wrong("model:gas", "model:gas{ lids={ 'boundary', 7 } }",
+  "deck.lua:1: gas: field 'lids': expected names of sets or rigid bodies, got 7 at place 2")
+wrong("model:gas", "model:gas{ lids=fabric.rigid.plane{ point={0, 0, 0.02}, normal={0, 0, -1} } }; fabric.static{ model=model, duration=1 }",
+  "deck.lua:1: static: gas of set 'all': the surface has a hole, 0.2032 m round, at (0.0127, 0.0381, 0) m, along the nodes 1, 2, 4, 6, 8, 7, ... of set 'boundary'; "
+  .. "the plane is 0.02 m away from its node 1, at (0, 0, 0) m, expected at most 0.00254 m: "
+  .. "expected a surface that closes, a seam along the hole, or something that closes it, lids='boundary'")
 wrong("model:gas", "model:gas{ set='top' }",
   "deck.lua:1: gas: field 'set': set 'top' holds no whole element")
 wrong("model:gas", "model:gas{ lids=7 }",
-  "deck.lua:1: gas: field 'lids': expected a table or a string, got 7")
+  "deck.lua:1: gas: field 'lids': expected a table or a string or a body, got 7")
 wrong("model:gas", "model:gas{ lids='rim' }",
   "deck.lua:1: gas: unknown set 'rim'; known sets: all, bottom, boundary, corners, left, right, top")
 wrong("model:gas", "model:gas{ initial='1' }",

@@ -180,6 +180,16 @@ wrong("model:turn", "model:turn('top', { axis={1, 0}, angle=90 })",
   "deck.lua:1: turn: field 'axis': expected {x, y, z}, got 2 numbers")
 wrong("model:velocity", "model:velocity('top', { spin={1} })",
   "deck.lua:1: velocity: field 'spin': expected {x, y, z}, got 1 number")
+wrong("model:tie", "model:tie('rigid', 'top', 7)",
+  "deck.lua:1: tie: argument 'second': expected a string or a body, got 7")
+wrong("model:tie", "model:tie('rigid', 'top', card)",
+  "deck.lua:1: tie: argument 'second': expected a string or a body, got a card")
+wrong("model:tie", "model:tie('equal', 'top', fabric.rigid.sphere{ radius=0.1, centre={0, 0, 1}, name='ball' })",
+  "deck.lua:1: tie: argument 'second': expected a text: a body is tied to by kind 'rigid' alone")
+wrong("model:tie", "model:tie('rigid', 'top', fabric.rigid.sphere{ radius=0.1, centre={0, 0, 1} })",
+  "deck.lua:1: tie: argument 'second': expected a body with a name, as fabric.rigid.disc{ name='plate', ... }")
+wrong("model:tie", "model:tie('rigid', 'top', fabric.rigid.sphere{ radius=0.1, centre={0, 0, 1}, name='ball' }); fabric.static{ model=model, duration=1 }",
+  "deck.lua:1: static: tie: the body 'ball' neither touches anything nor closes gas: expected m:contact{between={it, ...}} or lids= of m:gas")
 wrong("model:tie", "model:tie('equl', 'top')",
   "deck.lua:1: tie: argument 'kind': expected \"equal\", \"straight\", \"rigid\" or \"periodic\", got \"equl\"")
 wrong("model:spring", "model:spring('top', {})",
