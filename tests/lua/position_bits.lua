@@ -61,10 +61,11 @@ fabric.static { model = m, duration = 1, step = 1 }:solve()
 ]]
 words:close()
 for _, case in ipairs { { "ball 0.008 0.005", "up to some 15 times that of the law: half of the range presses a width of 0.0037 m", "elements of at least 0.0067 m have points inside" },
-  { "rod 0.009 0.006", "up to some 3.7 times" }, { "rod 0.006 0.006", "at points inside the elements, 0.00075 m apart" }, { "rod 0.06 0.004", false } } do
+  { "rod 0.009 0.006", "up to some 3.7 times" }, { "rod 0.006 0.006", "at points inside the elements, 0.00075 m apart" }, { "rod 0.06 0.004", false },
+  { "ball 0.0003 0.03", "0.00046875 m apart; more of them are not made, though 0.00023 m is wanted for its radius and range: its force on flat cloth depends on where they lie" } } do
   local _, printed = check.shell(("'%s' position_words.lua %s 2>&1"):format(arg[-1], case[1]))
   for i = 2, #case do
     if case[i] then assert(printed:find(case[i], 1, true), case[1] .. ": " .. printed) end
   end
-  assert((printed:find("depends on where the nodes lie", 1, true) ~= nil) == (case[2] and not case[2]:find "inside" or false), printed)
+  assert((printed:find("depends on where the nodes lie", 1, true) ~= nil) == (case[2] and not case[2]:find "inside" and not case[2]:find "made" or false), printed)
 end

@@ -37,6 +37,12 @@ double patch(const contact::Scene& scene, const contact::Interaction& it) {
   return 2 * std::sqrt(twice * smallest_element(scene, it));
 }
 
+// m: how near to each other points inside elements have to be.
+double wanted_apart(const contact::Surface& body, const contact::ContactLaw& law) {
+  return (body.shape == contact::Shape::rod ? kOfRods : kOfPatch) *
+         std::sqrt((body.radius + law.gap()) * (law.gap() - law.floor()) / 4);
+}
+
 }  // namespace
 
 double eased(const contact::Scene& scene, const contact::Interaction& it) {
@@ -60,6 +66,11 @@ std::string dependence_words(const contact::Scene& scene, const contact::Interac
   const auto& sheet = scene.surfaces()[static_cast<std::size_t>(it.first)];
   double sum = 0, count = 0;
   for (std::size_t t = 0; t < static_cast<std::size_t>(sheet.triangles); ++t) {
+    if (!it.parts.empty() && it.parts[t] == contact::Scene::most_parts)
+      return "; more of them are not made, though " + number(wanted_apart(body, it.law), 2) +
+             " m is wanted for its radius and range: its force on flat cloth depends on where they lie "
+             "(finer "
+             "elements)";
     if (!it.parts.empty() && it.parts[t] != 0) continue;
     sum += std::sqrt(2 * scene.triangles()[static_cast<std::size_t>(sheet.first_triangle) + t].area);
     ++count;
@@ -84,9 +95,7 @@ void Contacts::spread_points() {
     const auto& it = scene_.interactions()[i];
     const auto& body = scene_.surfaces()[static_cast<std::size_t>(it.second)];
     if (it.rigid || (body.shape != contact::Shape::ball && body.shape != contact::Shape::rod)) continue;
-    const double range = it.law.gap() - it.law.floor(),
-                 apart = (body.shape == contact::Shape::rod ? kOfRods : kOfPatch) *
-                         std::sqrt((body.radius + it.law.gap()) * range / 4);
+    const double apart = wanted_apart(body, it.law);
     const auto& sheet = scene_.surfaces()[static_cast<std::size_t>(it.first)];
     std::vector<std::int8_t> parts(static_cast<std::size_t>(sheet.triangles), 0);
     for (std::size_t t = 0; t < parts.size(); ++t) {
