@@ -9,5 +9,6 @@ return fabric.woven{
   bending = { warp = 1e-5, weft = 2e-5, twist = 1e-5, friction_warp = { moment = 1e-3, curvature = 20 }, friction_weft = { moment = 1e-3, curvature = 20 } },
   biaxial = { alpha = 1, offset = 0.01, loading = 1e8, unloading = 1e8 },
   bands = { level = 0.95, warp = { low = {7e6, 800e6, 850e6, 0.2}, high = {9e6, 850e6, 880e6, 0.3},
-    covariance = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1} } },
+    covariance = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1} },
+    biaxial = { low = {1, 0.01, 9e7, 9e7}, high = {1, 0.01, 1.1e8, 1.1e8}, covariance = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1} } },
 }
