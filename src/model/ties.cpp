@@ -116,7 +116,10 @@ class Builder {
  public:
   explicit Builder(const Model& model) : mesh_(model.mesh()), holds_(model) {
     for (const auto& tie : model.ties()) {
-      if (tie.kind == TieKind::rigid && !tie.partner.empty()) continue;  // to a rigid body, see Bodies
+      if (tie.kind == TieKind::rigid && !tie.partner.empty()) {  // to a rigid body, which moves by itself
+        want_body(model.interactions(), tie.partner);
+        continue;
+      }
       tied_ = text(tie);
       switch (tie.kind) {
         case TieKind::equal:
@@ -154,6 +157,15 @@ class Builder {
 
  private:
   using Leads = std::vector<Lead>;
+
+  static void want_body(const Interactions& all, const std::string& name) {
+    for (const RigidPointer& body : all.bodies())
+      if (all.name_of(*body) == name) return;
+    throw Error(
+        "tie: the body '" + name +
+        "' neither touches anything nor closes gas: expected m:contact{between={it, ...}} or lids= of "
+        "m:gas");
+  }
 
   void follow(mesh::Index node, int component, Leads leads) {
     const Key freedom(node, component);

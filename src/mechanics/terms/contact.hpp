@@ -25,7 +25,7 @@ inline constexpr double contact_step_of_cloth = 0.6, carried_stiffness = 0.2;
 
 class Contacts final : public Term, public StepLimiter, public OwnUnknowns, public AtStepEnd {
  public:
-  // Errors: sides that share nodes (see model::work_out_surfaces); a tie to a body that is not here.
+  // Error: sides that share nodes (see model::work_out_surfaces). What overlaps is told by check_start().
   Contacts(const model::Model& model, const Configuration& configuration, const Cloth& cloth,
            const Dofs& dofs);
 

@@ -1,23 +1,11 @@
 // Cloth that goes along with a rigid body. The body moves freely or as it is driven, and the nodes tied to it
 // are held to their places on it by springs; they turn freely there.
-#include <algorithm>
-
-#include "base/error.hpp"
 #include "geometry/turning.hpp"
 #include "mechanics/terms/contact.hpp"
 
 namespace fabricsh::mechanics {
 
 void Contacts::find_tied() {
-  const auto bodies = model_.interactions().bodies();
-  for (const model::Tie& tie : model_.ties()) {
-    if (tie.kind != model::TieKind::rigid || tie.partner.empty()) continue;
-    const auto is_it = [&](const auto& body) { return model_.interactions().name_of(*body) == tie.partner; };
-    if (std::none_of(bodies.begin(), bodies.end(), is_it))
-      throw Error("tie: the body '" + tie.partner +
-                  "' neither touches anything nor closes gas: expected m:contact{between={it, ...}} or lids= "
-                  "of m:gas");
-  }
   for (const Bodies::TiedNode& tied : bodies_.tied())
     tied_.push_back({static_cast<std::size_t>(tied.node), nodes_ + tied.point,
                      cloth_.mass()[static_cast<std::size_t>(tied.node)] / (step_ * step_)});
