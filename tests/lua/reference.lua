@@ -142,4 +142,14 @@ do
   check("energy opened", 1 + 1e6 * a.energy.stored, 1, 1e-9)
   check("work of opening", 1 + a.energy.external, 1, 1e-6)
 end
+-- A band along an edge has its length in the stress-free shape.
+local cut = fabric.mesh.rectangle { width = 0.19, height = 0.03, nx = 4, ny = 2 }
+local place = fabric.mesh.rectangle { width = 0.20, height = 0.03, nx = 4, ny = 2 }
+local function stored(band)
+  local m = fabric.model { mesh = place, reference = cut, card = fabric.card "muslin" }:fix("all", "x y z rotation")
+  if band then m:band { set = "bottom", stiffness = 40, ease = 0.01 } end
+  return fabric.static { model = m, duration = 1 }.energy.stored
+end
+local short = 0.19 * 0.99
+check("band of a strip that is stretched at the start", stored(true) - stored(false), 40 * short * (0.20 / short - 1) ^ 2 / 2, 1e-9)
 fabric.expect(checks)
