@@ -23,6 +23,17 @@ local function vest(t)
   return fabric.dynamic { model = m, duration = t.duration or 1.5, damping = { mass = 30 }, until_rest = { calm = 0.05, window = 0.03 } }
 end
 
+-- As a child: places while the shoulders are led over the trunk, whole or taken up from a checkpoint on the way.
+if arg[1] then
+  local a = vest { scale = 0.7, size = 55 * mm, over = 0.06, around = 20 }
+  a:checkpoint("caught.ckpt", { every = 0.03 })
+  if arg[1] == "half" then return a:advance(0.045) end
+  a:advance(0.07)
+  local rows = {}
+  for i, u in ipairs(a:field "displacement") do rows[i] = ("%a %a %a"):format(u[1], u[2], u[3]) end
+  return print(table.concat(rows, "\n"))
+end
+
 local function dressed(t)
   local a = vest(t)
   a:solve()
@@ -54,6 +65,16 @@ for _, w in ipairs(short.warnings) do
 end
 assert((#stuck == 1 or #stuck == 2 and stuck[1] ~= stuck[2]) and unrest == 1 and not short.stopped)
 assert(short.joints.closed < short.joints.stitches and #short.steps < 1.5 * short.time / short.step_size)
+
+local function child(options, what)
+  local pipe = assert(io.popen(("'%s' --quiet %s '%s' %s 2>/dev/null"):format(arg[-1], options, arg[0], what)))
+  local text = pipe:read "a"
+  assert(pipe:close(), options .. " " .. what)
+  return text
+end
+local one = child("--threads 1", "whole")
+child("--threads 1", "half")
+assert(#one > 1000 and one == child("--threads 2 --restart caught.ckpt", "whole"), "bits after a restart while the seams are led")
 
 if long then
   for _, scale in ipairs { 0.8, 1, 1.2 } do

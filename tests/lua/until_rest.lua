@@ -19,7 +19,7 @@ end
 -- As a child: the state where it rests, whole or taken up on the way.
 if arg[1] then
   local a = sheet(2, { calm = 0.05, window = 0.03 })
-  a:checkpoint("rest.ckpt", { every = 1 })
+  a:checkpoint("rest.ckpt", { every = 0.04 })
   if arg[1] == "half" then return a:advance(0.045) end
   a:solve()
   assert(a.stopped == "at rest")
