@@ -6,6 +6,7 @@
 #include <string>
 
 #include "linear/linear_solver.hpp"
+#include "linear/near_symmetric.hpp"
 
 namespace fabricsh::run {
 
@@ -28,6 +29,14 @@ inline std::unique_ptr<linear::LinearSolver> make_solver(const std::optional<Sol
   return linear::with_ranks(choice      ? choice->make(symmetric)
                             : symmetric ? linear::make_symmetric_solver()
                                         : linear::make_unsymmetric_solver());
+}
+
+// For the steps of a motion, whose matrices are not asked whether they are definite. near: they are symmetric
+// but for what contact and loads add.
+inline std::unique_ptr<linear::LinearSolver> make_motion_solver(const std::optional<SolverChoice>& choice,
+                                                                bool symmetric, bool near) {
+  if (choice || symmetric || !near) return make_solver(choice, symmetric);
+  return linear::with_ranks(linear::make_near_symmetric_solver());
 }
 
 // Ends the text of a run's method.

@@ -1,0 +1,13 @@
+// For matrices of both triangles that are symmetric but for a few entries, as sliding friction makes them.
+#pragma once
+#include <memory>
+
+#include "linear/linear_solver.hpp"
+
+namespace fabricsh::linear {
+
+// The factors of the symmetric part, and for the rest iterations to a relative residual of 1e-10. Its
+// negative pivots are those of the symmetric part.
+std::unique_ptr<LinearSolver> make_near_symmetric_solver();
+
+}  // namespace fabricsh::linear
