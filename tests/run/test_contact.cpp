@@ -342,7 +342,9 @@ TEST_CASE("contact: a spinning ball comes to roll as friction asks, explicit and
     run->solve();
     const auto late = run::body_state(*run, *ball);
     CHECK(late.velocity.x() == Approx(2.0 / 7 * spin * r).epsilon(0.02));
-    CHECK(late.velocity.x() == Approx(late.spin.y() * r).epsilon(0.001));
+    // In implicit steps it goes from contact point to contact point, which lie as far apart as it presses
+    // wide.
+    CHECK(late.velocity.x() == Approx(late.spin.y() * r).epsilon(implicit ? 0.02 : 0.001));
     // About the place of contact nothing turns it.
     const double inertia = 0.4 * 0.02 * r * r;
     CHECK(0.02 * late.velocity.x() * r + inertia * late.spin.y() == Approx(inertia * spin).epsilon(5e-3));
