@@ -60,7 +60,7 @@ local history = {}
 ---@field steps table[] Of each committed step: time, step, iterations, cuts, residuals, negative_pivots (none on a stable path), stable: true, false, or "unchecked" in motion and where loads have no potential.
 ---@field stopped string|false The reason it was stopped for, or false.
 ---@field time number Where the run is, s.
----@field warnings any What the run has said about how far its results can be trusted, in order: a list of {code, text, time (s), element (nil: no particular one), serious}. Also in run.json. Under --strict the serious ones raise a numerical failure. The codes: ledger (energy appears or is lost beyond what the steps explain), inverted (an element is turned inside out), director (a director has turned over to the other side of the sheet), beyond (the strain is beyond what the card was tested to; serious with limit="stop"), path (steps of a static run are long for laws that remember their path), unstable (a step of a static run has ended in a shape that is not stable), compressed (elements carry compression under which the cloth within them would fold), pivots (a static run has passed a limit or bifurcation point, or left an unstable shape), relaxed (relaxation took a noticeable part of a static run's work, or its first step), stabilise (stabilisation has taken a noticeable part of the work), jump (a load or motion is at full value at once, not ramped), step (the explicit step is near the stable one, or is split because stretch has shortened that), inertia (much of the kinetic energy is in rotary inertia that is scaled up for the step), guard (contact is pressed so far that a barrier keeps the surfaces apart), pressed (contact of an assumed stiffness has a noticeable part of the stored energy), fold (cloth turns sharply between two elements where contact presses on it), seam (edges that are sewn had not met when their time was over, or are drawn against a body faster than contact stops them), held (the cloth pulls on yarns beyond their strength where a support holds them, and none breaks there), dropped (an initial velocity is dropped along supports), oblique (yarns cross elements so obliquely, and are so stiff, that these lock), shear (transverse shear that is derived from other numbers of the card shows in bending), lean (the guard of the directors has a noticeable part of the stored energy), splay (elements are so long across stiff fibres that they lose stability where cloth does not), idle (supports take up the whole of a load, or nothing loads or moves the cloth at all), bending (the bending rigidity of the card is far from that of cloth), card (the check of the card has a warning), units (a value of the deck is far outside the usual), mesh (the file of a mesh was cut short or holds what is left out), restart (the run was continued from the checkpoint of another deck), lost (an output of the restarted run is gone), retired (an argument of an earlier release has no effect any more), deck (the deck or a virtual test has said it with fabric.warn).
+---@field warnings any What the run has said about how far its results can be trusted, in order: a list of {code, text, time (s), element (nil: no particular one), serious}. Also in run.json. Under --strict the serious ones raise a numerical failure. The codes: ledger (energy appears or is lost beyond what the steps explain), inverted (an element is turned inside out), director (a director has turned over to the other side of the sheet), beyond (the strain is beyond what the card was tested to; serious with limit="stop"), path (steps of a static run are long for laws that remember their path), unstable (a step of a static run has ended in a shape that is not stable), compressed (elements carry compression under which the cloth within them would fold), pivots (a static run has passed a limit or bifurcation point, or left an unstable shape), relaxed (relaxation took a noticeable part of a static run's work, or its first step), stabilise (stabilisation has taken a noticeable part of the work), jump (a load or motion is at full value at once, not ramped), step (the explicit step is near the stable one, or is split because stretch has shortened that), inertia (much of the kinetic energy is in rotary inertia that is scaled up for the step), guard (contact is pressed so far that a barrier keeps the surfaces apart), pressed (contact of an assumed stiffness has a noticeable part of the stored energy), rim (the rim of a volume of gas has left the rigid body that closes it), fold (cloth turns sharply between two elements where contact presses on it), seam (edges that are sewn had not met when their time was over, or are drawn against a body faster than contact stops them), rest (a run that was to end at rest has not come to rest in its time), held (the cloth pulls on yarns beyond their strength where a support holds them, and none breaks there), dropped (an initial velocity is dropped along supports), oblique (yarns cross elements so obliquely, and are so stiff, that these lock), shear (transverse shear that is derived from other numbers of the card shows in bending), lean (the guard of the directors has a noticeable part of the stored energy), splay (elements are so long across stiff fibres that they lose stability where cloth does not), idle (supports take up the whole of a load, or nothing loads or moves the cloth at all), bending (the bending rigidity of the card is far from that of cloth), card (the check of the card has a warning), units (a value of the deck is far outside the usual), mesh (the file of a mesh was cut short or holds what is left out), restart (the run was continued from the checkpoint of another deck), lost (an output of the restarted run is gone), retired (an argument of an earlier release has no effect any more), deck (the deck or a virtual test has said it with fabric.warn).
 local analysis = {}
 
 ---The whole state of a run.
@@ -152,7 +152,7 @@ function analysis:every(interval, action) end
 ---@field region? integer with at: the values of this region alone, its number as in the field region; nan at nodes outside. Default: on the border of regions their mean, by the areas of their elements there
 
 ---Values of all elements or nodes, in their order: a list of numbers; for a whole field a list of lists. Units are SI: stresses in Pa, energies in J/m^3.
----@param name "rupture_warp"|"rupture_weft"|"E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"folded"|"stored"|"dissipated"|"dissipated_warp"|"dissipated_weft"|"dissipated_shear"|"dissipated_damage"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region"|"ux"|"uy"|"uz"|"vx"|"vy"|"vz"|"nx"|"ny"|"nz"|"x"|"y"|"z"|"X"|"Y"|"Z"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure"|"joint_open"|"displacement"|"velocity"|"director"|"position"|"reference"|"reaction"|"E"|"S"|"residual"|"slack"|"energy"|"warp"|"weft"|"error" of a number, or of a field: see the table of fields of a run; of a ply ply2.E11, or by the ply's name
+---@param name "rupture_warp"|"rupture_weft"|"E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"folded"|"stored"|"dissipated"|"dissipated_warp"|"dissipated_weft"|"dissipated_shear"|"dissipated_damage"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region"|"ux"|"uy"|"uz"|"vx"|"vy"|"vz"|"nx"|"ny"|"nz"|"x"|"y"|"z"|"X"|"Y"|"Z"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure"|"crease_angle"|"joint_open"|"displacement"|"velocity"|"director"|"position"|"reference"|"reaction"|"E"|"S"|"residual"|"slack"|"energy"|"warp"|"weft"|"error" of a number, or of a field: see the table of fields of a run; of a ply ply2.E11, or by the ply's name
 ---@param options? analysis_field_fields.options where
 ---@return number[]
 function analysis:field(name, options) end
@@ -177,12 +177,12 @@ function analysis:gas(gas) end
 function analysis:join(fields) end
 
 ---The mean of a value over elements, or over nodes, each with the same weight. Stresses in Pa, energies in J/m^3.
----@param name "rupture_warp"|"rupture_weft"|"E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"folded"|"stored"|"dissipated"|"dissipated_warp"|"dissipated_weft"|"dissipated_shear"|"dissipated_damage"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region"|"ux"|"uy"|"uz"|"vx"|"vy"|"vz"|"nx"|"ny"|"nz"|"x"|"y"|"z"|"X"|"Y"|"Z"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure"|"joint_open" of a number that elements or nodes have, see a:element and a:node; of a ply ply2.E11, or by the ply's name
+---@param name "rupture_warp"|"rupture_weft"|"E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"folded"|"stored"|"dissipated"|"dissipated_warp"|"dissipated_weft"|"dissipated_shear"|"dissipated_damage"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region"|"ux"|"uy"|"uz"|"vx"|"vy"|"vz"|"nx"|"ny"|"nz"|"x"|"y"|"z"|"X"|"Y"|"Z"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure"|"crease_angle"|"joint_open" of a number that elements or nodes have, see a:element and a:node; of a ply ply2.E11, or by the ply's name
 ---@param set? string elements all of whose nodes are in it; or its nodes (default "all")
 ---@return number
 function analysis:mean(name, set) end
 
----Where a node is and how it moves, global: a table of ux uy uz (from the reference position; m), vx vy vz (of a run in motion; zero in statics; m/s), nx ny nz (unit vector across the sheet), x y z (where the node is now; m), X Y Z (where the node was in the reference; m), reaction_x reaction_y reaction_z (force of the supports on the node, which a:reaction sums over a set; N), gap (distance to the nearest surface that it may touch, less the smallest distance that contact allows; at most the reach of contact; m), contact_pressure (normal pressure of contact, without friction; that on the front and that on the back of a sheet added; Pa), joint_open (1 where a joint of a tearable zone is open, or a seam has been opened or has burst; 0 elsewhere).
+---Where a node is and how it moves, global: a table of ux uy uz (from the reference position; m), vx vy vz (of a run in motion; zero in statics; m/s), nx ny nz (unit vector across the sheet), x y z (where the node is now; m), X Y Z (where the node was in the reference; m), reaction_x reaction_y reaction_z (force of the supports on the node, which a:reaction sums over a set; N), gap (distance to the nearest surface that it may touch, less the smallest distance that contact allows; at most the reach of contact; m), contact_pressure (normal pressure of contact, without friction; that on the front and that on the back of a sheet added; Pa), crease_angle (angle at creases with a stiffness, the largest at the node; 0 elsewhere; degrees), joint_open (1 where a joint of a tearable zone is open, or a seam has been opened or has burst; 0 elsewhere).
 ---@param number integer of the node
 ---@return table<string, any>
 function analysis:node(number) end
@@ -234,8 +234,8 @@ function analysis:restart(path) end
 function analysis:restore(snapshot) end
 
 ---@class analysis_set_fields
----@field tolerance? number residual over the largest nodal force
 ---@field step? number s: largest step
+---@field tolerance? number residual over the largest nodal force
 ---@field max_iterations? integer of one step, before it is cut
 ---@field max_cuts? integer halvings of one step, before the run gives up
 
@@ -299,7 +299,7 @@ function card:check(element_size) end
 ---@return any
 function card:free_thickness() end
 
----Cards drawn from the card's confidence bands, for the uncertainty of any answer, a list; a value at the end of its band is drawn on the band's side. Drawn values that make no card are drawn again; `refused` says how often, and from one in fifty on there is a warning.
+---Cards drawn from the card's confidence bands, for the uncertainty of any answer, a list; a value at the end of its band is drawn on the band's side. Points of a yarn that fall are made to rise, and an unloading flatter than the loading is raised to it; other values that make no card are drawn again; `refused` says how often, and from one in fifty on there is a warning.
 ---@param n integer of cards
 ---@param seed? integer of the draw (default 1)
 ---@return card[]
@@ -341,7 +341,7 @@ function fabric.buckling(fields) end
 ---@field print? boolean the table (default true)
 ---@field figure? string a file for a picture of the shares
 
----The uncertainty of what a deck computes, after the GUM: the errors of the mesh (Richardson's extrapolation, whose limit is the value) and of the steps, the card's measured bands, what it assumes, and the specimen. Returns by the name of each number value, band {low, high} (95 %) and contributions { {source, deviation, share, first, total, first_band, total_band, range, why}, ... }, the largest first; text, runs, failed, warnings, sample_warnings (what the samples warned of, once each: code, text, runs), not_varied, untold (lines on numbers of which the meshes or steps do not tell where they go), contradictions (lines on parts of the card whose records contradict the model).
+---The uncertainty of what a deck computes, after the GUM: the errors of the mesh (Richardson's extrapolation, whose limit is the value) and of the steps, the card's measured bands, what it assumes, and the specimen. Returns by the name of each number value, band {low, high} (95 %) and contributions { {source, deviation, share, first, total, first_band, total_band, range, why}, ... }, the largest first; text, runs, failed, warnings, sample_warnings (what the samples warned of, once each: code, text, runs), not_varied, untold (lines on numbers of which the meshes or steps do not tell where they go), contradictions (lines on parts of the card whose records contradict the model), narrower (what tests would narrow an interval, { name, field, test, width }: the width left over the present one).
 ---@param fields fabric_budget_fields
 ---@return any
 function fabric.budget(fields) end
@@ -372,6 +372,10 @@ function fabric.columns(rows) end
 ---@field mass? number 1/s: a of the damping matrix a M + b K_M
 ---@field stiffness? number s: b of the damping matrix a M + b K_M
 
+---@class fabric_dynamic_fields.until_rest
+---@field calm? number kinetic energy over the energy stored (default 0.01)
+---@field window? number s: how long it has to be that calm (default 0.02)
+
 ---@class fabric_dynamic_fields
 ---@field model? model what is computed; with from= that of the other run unless given
 ---@field duration number s: time to run, from 0 or from the other run's time
@@ -384,12 +388,14 @@ function fabric.columns(rows) end
 ---@field slow? boolean implicit: motion that passes through near-equilibria, as spectral_radius=0 (Euler's backward rule): what is faster than the steps dies within them (default false)
 ---@field linear? "auto"|"symmetric"|"unsymmetric" implicit: direct solver: auto (symmetric where law and loads are), symmetric, unsymmetric (default "auto")
 ---@field damping? fabric_dynamic_fields.damping Rayleigh's damping {mass=a, stiffness=b}; none unless given
+---@field until_rest? fabric_dynamic_fields.until_rest end where all rests: when every seam that is drawn has closed and the kinetic energy has been at most calm= of that stored for window=; a.stopped is then 'at rest', and solve() goes on to the duration, which it may take at most
 ---@field inertia? "scaled"|"true" rotary inertia of the cloth: true, or scaled up where it would limit the explicit step
 ---@field force? boolean take the step even above the stable one (default false)
 ---@field ledger_limit? number the run stops when the error of the energy ledger exceeds this part of the external work (default 0.05)
 ---@field tolerance? number implicit: residual over the largest nodal force (default 1e-08)
 ---@field max_iterations? integer implicit: of one step, before it is cut (default 30)
 ---@field max_cuts? integer implicit: halvings of one step (default 12)
+---@field line_search? boolean implicit: iterations that overshoot are shortened (default true)
 ---@field limit? "tell"|"stop" tell: warns once when the cloth is strained beyond what the card was tested to (2 % are let pass); stop: ends the run there, on the strain, however long the steps (default "tell")
 ---@field from? analysis a run of the same cloth, whose state and time this one begins with
 ---@field release? number s: with from=: over which the forces of what no longer holds the cloth are taken away; default at once
@@ -422,7 +428,7 @@ function fabric.export.card(fields) end
 ---@field file string to write; ends in .glb
 ---@field series? string a .pvd that a:vtk wrote: every frame of it
 ---@field run? analysis in place of a series: the run as it stands
----@field field? "none"|"displacement"|"ux"|"uy"|"uz"|"velocity"|"vx"|"vy"|"vz"|"director"|"nx"|"ny"|"nz"|"position"|"x"|"y"|"z"|"reference"|"X"|"Y"|"Z"|"reaction"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure"|"joint_open"|"rupture_warp"|"rupture_weft"|"E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"folded"|"stored"|"dissipated"|"dissipated_warp"|"dissipated_weft"|"dissipated_shear"|"dissipated_damage"|"warp"|"weft"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region" what the colours show, on the nodes: a number of a field, or a vector's length (default "none")
+---@field field? "none"|"displacement"|"ux"|"uy"|"uz"|"velocity"|"vx"|"vy"|"vz"|"director"|"nx"|"ny"|"nz"|"position"|"x"|"y"|"z"|"reference"|"X"|"Y"|"Z"|"reaction"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure"|"crease_angle"|"joint_open"|"rupture_warp"|"rupture_weft"|"E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"folded"|"stored"|"dissipated"|"dissipated_warp"|"dissipated_weft"|"dissipated_shear"|"dissipated_damage"|"warp"|"weft"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region" what the colours show, on the nodes: a number of a field, or a vector's length (default "none")
 ---@field range? number[] {low, high} of the colours; default: those of all frames
 ---@field every? number s: at least between two frames; default: all that there are
 ---@field duration? number s: of the animation; default: that of the series
@@ -765,7 +771,7 @@ function fabric.lab.capstan(fields) end
 ---@field shear? table result of fabric.lab.fit of shear tests (tensor measure), or likewise
 ---@field poisson? table {warp=, weft=}: numbers, or results of fabric.lab.poisson
 ---@field assume? boolean|table true: values without a test follow a rule and are marked assumed in card.provenance; a table gives values, {['warp.unloading']=..., ['weft.poisson']=...}, and {thickness=true} marks an argument; false: an error (default false)
----@field bending? table as in fabric.woven
+---@field bending? table as in fabric.woven, or a result of fabric.lab.twist, with its band
 ---@field viscous? table result of fabric.lab.viscous (which may find none), or { shear={ modulus=, time= } } in S12 over E12; default: nothing relaxes
 
 ---A woven card from fits, with bands, tested ranges and, in provenance, where each number comes from: fitted, copied off a card, typed, or assumed; card:write keeps them.
@@ -895,7 +901,7 @@ function fabric.lab.drape(fields) end
 ---@field calm? number rest: the kinetic energy is below this part of the energy stored (default 0.01)
 ---@field state? table an empty table to keep what was found in, for `keep` of a:checkpoint, so that a restart knows it
 
----Sews pieces around a body and lets them come to rest: runs to the time `at` and judges rest there. A piece that starts through a body is refused when the run is made. Returns at_rest (without it a warning says why; nil: the run came from a checkpoint behind the window, and it is not known), moved (m, by `node`, in the window), kinetic (over the energy stored), stitches and how many are open (those of a seam with a stiffness of its own stay so), gap (m, the smallest above the floor of contact, of `pair`), and time.
+---Sews pieces around a body and lets them come to rest: runs to the time `at` and judges rest there. A piece that starts through a body is refused when the run is made. Returns at_rest (without it a warning says why; nil: the run came from a checkpoint behind the window, and it is not known), moved (m, by `node`, in the window), kinetic (over the energy stored), stitches and how many are open (those of a seam with a stiffness of its own stay so), gap (m, the smallest above the floor of contact, of `pair`), and time. A run with until_rest= ends where it rests by that rule, before `at`: then time is earlier, and moved may be nil.
 ---@param fields fabric_lab_dress_fields
 ---@return table<string, any>
 function fabric.lab.dress(fields) end
@@ -1023,6 +1029,8 @@ function fabric.lab.fit(fields) end
 ---@class fabric_lab_form_fields.film
 ---@field viscosity number Pa s: of what is between plies, and between them and the tools: a hot matrix
 ---@field thickness number m: of it
+---@field speed? number m/s: of sliding from which the viscosity falls; default: it stays
+---@field exponent? number of the speed in the traction far above that
 
 ---@class fabric_lab_form_fields
 ---@field card card the fabric of all plies
@@ -1034,14 +1042,14 @@ function fabric.lab.fit(fields) end
 ---@field friction? number of tools and plies (default 0.2)
 ---@field ply_friction? number of plies on each other; default that of the tools
 ---@field weft_friction? number friction across the warp, that along it being friction and ply_friction; of two plies the warp is that of the lower one
----@field film? fabric_lab_form_fields.film resists sliding beside friction, as film of model:contact: give the viscosity times the real speed of the punch over that of the run
+---@field film? fabric_lab_form_fields.film resists sliding beside friction, as film of model:contact: give the viscosity times the real speed of the punch over that of the run, and the speed over that
 ---@field stroke number m: way of the punch from first contact
 ---@field cells? integer elements along the longer side (of a quarter: of its own) (default 32)
----@field triangles? boolean elements of three nodes (default false)
+---@field triangles? boolean elements of three nodes, cells of the blank cut along the diagonal that goes around the punch (default false)
 ---@field quarter? boolean only x > 0, y > 0, between planes of symmetry; forces and energies are those of the whole (default false)
 ---@field speed? number m/s: largest speed of the punch, default 2
 ---@field contact? number m: thickness of a ply in contact; default a fifth of the die's edge, or that of the card
----@field stiffness? number Pa/m: of contact; default what carries 6 MPa, which tight yarns press on the die's edge; four times that for triangles longer than its radius
+---@field stiffness? number Pa/m: of contact; default what carries 6 MPa, which tight yarns press on the die's edge
 ---@field points? integer through the thickness of a single ply (default 1)
 ---@field damping? number 1/s: of motion, as damping.mass of fabric.dynamic; default 3 over the duration
 ---@field rows? integer of the curve (default 50)
@@ -1054,9 +1062,13 @@ function fabric.lab.fit(fields) end
 ---@return table<string, any>
 function fabric.lab.form(fields) end
 
+---@class fabric_lab_form_finding_fields.prestress
+---@field warp number N/m: along the warp
+---@field weft number N/m: along the weft
+
 ---@class fabric_lab_form_finding_fields
 ---@field mesh mesh a shape to begin with; what is held is at its place
----@field prestress table { warp=N/m, weft=N/m }: the tensions of the shape that is sought; equal ones are those of a soap film
+---@field prestress fabric_lab_form_finding_fields.prestress { warp=N/m, weft=N/m }: the tensions of the shape that is sought; equal ones are those of a soap film
 ---@field hold function function(model), which declares the supports, as by model:fix('boundary', 'x y z')
 ---@field warp? any as for fabric.model, on each shape; default 0
 ---@field tolerance? number how far nodes may still move in the last round, over the size of the mesh (default 1e-05)
@@ -1067,11 +1079,22 @@ function fabric.lab.form(fields) end
 ---@return table<string, any>
 function fabric.lab.form_finding(fields) end
 
+---@class fabric_lab_frequency_response_fields.base
+---@field x? number m: along x
+---@field y? number m: along y
+---@field z? number m: along z
+
+---@class fabric_lab_frequency_response_fields.force
+---@field set integer|string name of a node set, or a node
+---@field x? number N: along x
+---@field y? number N: along y
+---@field z? number N: along z
+
 ---@class fabric_lab_frequency_response_fields
 ---@field from? analysis the state about which the cloth swings
 ---@field model? model in its place: the cloth as it is at time 0, without stress
----@field base? table { x=, y=, z= }, m: amplitudes of all supports, which shake together
----@field force? table { set=, x=, y=, z= }, N: in its place the amplitudes of a force on a set, shared evenly by its nodes, or on a node
+---@field base? fabric_lab_frequency_response_fields.base { x=, y=, z= }, m: amplitudes of all supports, which shake together
+---@field force? fabric_lab_frequency_response_fields.force { set=, x=, y=, z= }, N: in its place the amplitudes of a force on a set, shared evenly by its nodes, or on a node
 ---@field damping number structural: the stiffness is K (1 + i damping); twice the share of critical damping
 ---@field node integer whose motion is asked for
 ---@field along? "x"|"y"|"z" which component of it; default the largest of what shakes
@@ -1772,14 +1795,16 @@ function fabric.lab.track(fields) end
 function fabric.lab.tracks(fields) end
 
 ---@class fabric_lab_twist_fields
----@field warp number N.m: rigidity of the strip along the warp; with areal_mass its bending length, m
----@field weft number N.m: likewise
----@field bias number N.m: likewise, of the strip at 45 degrees
+---@field warp number|number[] N.m: rigidity of the strip along the warp, or of each of several strips; with areal_mass its bending length, m
+---@field weft number|number[] N.m: likewise
+---@field bias? number|number[] N.m: likewise, of the strip at 45 degrees; without it the twist is assumed, half of the geometric mean of warp and weft
 ---@field areal_mass? number kg/m^2: then the three are bending lengths c, B = 9.80665 areal_mass c^3
 ---@field simulate? boolean fits the twist until a simulated cantilever of that width shows the bias; takes some seconds (default false)
 ---@field width? number m: of the strips (default 0.025)
+---@field common? number relative standard uncertainty of all rigidities together: areal mass, angle of the plane (default 0)
+---@field level? number of confidence (default 0.95)
 
----The twisting rigidity of cloth from cantilevers in three directions: that of a sheet bent to a cylinder, bias = (warp + weft) / 4 + twist. Returns bending (warp, weft, twist, N.m, as cards take it), bias (what that shows, N.m), reached (false where the twist would have to be zero or less) and words.
+---The twisting rigidity of cloth from cantilevers in three directions: that of a sheet bent to a cylinder, bias = (warp + weft) / 4 + twist. Returns bending (warp, weft, twist, N.m, as cards take it), bias (what that shows, N.m), reached (false where the twist would have to be zero or less; nil without bias), strips (how many along each) and words; with two strips and more along each also band {low, high, covariance, level} of the three, by Student's t. fabric.lab.card takes the result as bending=.
 ---@param fields fabric_lab_twist_fields
 ---@return table<string, any>
 function fabric.lab.twist(fields) end
@@ -2036,11 +2061,11 @@ function fabric.mesh.of(fields) end
 ---@return mesh
 function fabric.mesh.panel(fields) end
 
----Reads a mesh of triangles and quadrilaterals; its lengths are m afterwards: Gmsh 2 and 4.1, VTK's .vtu and legacy .vtk, Wavefront .obj, .stl and .ply (text and binary; equal vertices of an .stl are joined), .inp of Abaqus and CalculiX, .k of LS-DYNA. Physical groups and groups become node sets, sets of elements those of their nodes; so do integer arrays: those of 0 and 1 by their name, others as name_value; parts and solids where there are several. Nodes in no element are left out; the sets all and boundary are added. Also with named fields: fabric.mesh.read{ file=, join=true }.
----@param file string ends in .msh, .vtu, .vtk, .obj, .stl, .ply, .inp, .k or .key; a bare name may be a mesh shipped with the program
+---Reads a mesh of triangles and quadrilaterals; its lengths are m afterwards: Gmsh 2 and 4.1, VTK's .vtu and legacy .vtk, Wavefront .obj, .stl and .ply (text and binary; equal vertices of an .stl are joined), .inp of Abaqus and CalculiX, .k of LS-DYNA, .rad of OpenRadioss' starter. Physical groups and groups become node sets, sets of elements those of their nodes; so do integer arrays: those of 0 and 1 by their name, others as name_value; parts and solids where there are several. Nodes in no element are left out; the sets all and boundary are added. Also with named fields: fabric.mesh.read{ file=, join=true }.
+---@param file string ends in .msh, .vtu, .vtk, .obj, .stl, .ply, .inp, .k, .key or .rad; a bare name may be a mesh shipped with the program
 ---@param join? boolean make one node of those at one place (within 1e-6 of the mesh's size) (default false)
----@param reference? boolean the same mesh in the stress-free shape that an .inp or a .k has beside it, for reference= of a model (default false)
----@param units? "m"|"cm"|"mm"|"inch" of the file's lengths; default m, with a warning where that would be odd
+---@param reference? boolean the same mesh in the stress-free shape that an .inp, a .k or a .rad has beside it, for reference= of a model (default false)
+---@param units? "m"|"cm"|"mm"|"inch" of the file's lengths; default m, with a warning where that would be odd; none for a .rad whose /BEGIN states them
 ---@return mesh
 function fabric.mesh.read(file, join, reference, units) end
 
@@ -2153,7 +2178,7 @@ function fabric.ramp(value, duration) end
 ---@field file string to write; ends in .png
 ---@field vtu? string|table file of a:vtk, or a list of them: panels of one scale
 ---@field run? table|analysis in place of files: the run as it stands, with its rigid bodies, or a list of runs
----@field field? "none"|"displacement"|"ux"|"uy"|"uz"|"velocity"|"vx"|"vy"|"vz"|"nx"|"ny"|"nz"|"position"|"x"|"y"|"z"|"reference"|"X"|"Y"|"Z"|"reaction"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure"|"joint_open"|"rupture_warp"|"rupture_weft"|"E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"folded"|"stored"|"dissipated"|"dissipated_warp"|"dissipated_weft"|"dissipated_shear"|"dissipated_damage"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region" what the colours show (default "none")
+---@field field? "none"|"displacement"|"ux"|"uy"|"uz"|"velocity"|"vx"|"vy"|"vz"|"nx"|"ny"|"nz"|"position"|"x"|"y"|"z"|"reference"|"X"|"Y"|"Z"|"reaction"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure"|"crease_angle"|"joint_open"|"rupture_warp"|"rupture_weft"|"E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"folded"|"stored"|"dissipated"|"dissipated_warp"|"dissipated_weft"|"dissipated_shear"|"dissipated_damage"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region" what the colours show (default "none")
 ---@field title? string on top (default "")
 ---@field labels? string|table above the panels
 ---@field bar? string title of the colour bar; default: the field with its unit (MPa, mm)
@@ -2640,17 +2665,27 @@ function fabric.why() end
 ---@field shear fabric_woven_fields.viscous.shear a spring and a dashpot in series beside in-plane shear
 
 ---@class fabric_woven_fields.bands.warp
----@field low number[] of loading coefficients (of points: their stresses beyond zero strain), unloading, poisson
+---@field low number[] of loading coefficients (of points: their stresses beyond zero strain), unloading, poisson; of bending: warp, weft, twist, then moment and curvature of each friction; of the biaxial spring: alpha, offset, loading, unloading
 ---@field high number[] of the same parameters
 ---@field covariance number[] of the same parameters, row by row
 
 ---@class fabric_woven_fields.bands.weft
----@field low number[] of loading coefficients (of points: their stresses beyond zero strain), unloading, poisson
+---@field low number[] of loading coefficients (of points: their stresses beyond zero strain), unloading, poisson; of bending: warp, weft, twist, then moment and curvature of each friction; of the biaxial spring: alpha, offset, loading, unloading
 ---@field high number[] of the same parameters
 ---@field covariance number[] of the same parameters, row by row
 
 ---@class fabric_woven_fields.bands.shear
----@field low number[] of loading coefficients (of points: their stresses beyond zero strain), unloading, poisson
+---@field low number[] of loading coefficients (of points: their stresses beyond zero strain), unloading, poisson; of bending: warp, weft, twist, then moment and curvature of each friction; of the biaxial spring: alpha, offset, loading, unloading
+---@field high number[] of the same parameters
+---@field covariance number[] of the same parameters, row by row
+
+---@class fabric_woven_fields.bands.bending
+---@field low number[] of loading coefficients (of points: their stresses beyond zero strain), unloading, poisson; of bending: warp, weft, twist, then moment and curvature of each friction; of the biaxial spring: alpha, offset, loading, unloading
+---@field high number[] of the same parameters
+---@field covariance number[] of the same parameters, row by row
+
+---@class fabric_woven_fields.bands.biaxial
+---@field low number[] of loading coefficients (of points: their stresses beyond zero strain), unloading, poisson; of bending: warp, weft, twist, then moment and curvature of each friction; of the biaxial spring: alpha, offset, loading, unloading
 ---@field high number[] of the same parameters
 ---@field covariance number[] of the same parameters, row by row
 
@@ -2659,6 +2694,8 @@ function fabric.why() end
 ---@field warp? fabric_woven_fields.bands.warp of the warp's parameters
 ---@field weft? fabric_woven_fields.bands.weft of the weft's parameters
 ---@field shear? fabric_woven_fields.bands.shear of the shear's parameters
+---@field bending? fabric_woven_fields.bands.bending of the bending's parameters
+---@field biaxial? fabric_woven_fields.bands.biaxial of the biaxial's parameters
 
 ---@class fabric_woven_fields
 ---@field name? string of the fabric (default "")
@@ -2820,12 +2857,14 @@ function model:check() end
 ---@class model_contact_fields.film
 ---@field viscosity number Pa s: of what is between the surfaces, such as a hot matrix
 ---@field thickness number m: of it
+---@field speed? number m/s: of sliding from which the viscosity falls; default: it stays
+---@field exponent? number of the speed in the traction far above that: 1 would be the same viscosity at all speeds
 
 ---@class model_contact_fields
 ---@field between? table { body or set, ... }: every two of them touch ("all": the whole cloth)
 ---@field self? string a set whose cloth touches itself
 ---@field friction? number|model_contact_fields.friction friction coefficient; or {static, kinetic}, of what sticks and of what slides; or {warp, weft}, by direction (default 0)
----@field film? model_contact_fields.film beside friction, viscosity times sliding speed over thickness, where the surfaces touch
+---@field film? model_contact_fields.film beside friction, viscosity times sliding speed over thickness, where the surfaces touch; with speed and exponent n times (1 + (v / speed)^2)^((n - 1) / 2)
 ---@field thickness? number m: of the cloth in contact; default: the cloth's own, or that of its card's compression
 ---@field stiffness? number Pa/m: pressure per closed gap; default: the compression curve of the card, or else 1 MPa down to the floor; in explicit runs no more than the cloth's own stable step carries
 ---@field restitution? number speed after over speed before of a sheet that meets something flat; 1: nothing is lost (default 0.5)
@@ -2848,8 +2887,9 @@ function model:copy(changes) end
 ---@field line? table { {x, y, z}, ... }: through points of the stress-free shape, in m, along edges of its mesh
 ---@field set? string the nodes of a line of edges, in place of the line
 ---@field angle number degrees: between the normals of both sides where the crease is at rest; positive where they lean towards each other, as in a valley seen from the side of the normals
+---@field stiffness? number N/rad: N m/rad per metre of crease: makes it a hinge, whose moment is this times the angle from rest; without it the sheet is as stiff there as elsewhere
 
----Makes a crease: a line along which the sheet is at rest at an angle. The elements beside it are as stiff as elsewhere.
+---Makes a crease: a line along which the sheet is at rest at an angle. The elements beside it are as stiff as elsewhere. Creases that all have a stiffness may cross.
 ---@param fields model_crease_fields
 ---@return model
 function model:crease(fields) end
@@ -2904,7 +2944,7 @@ function model:force(set, components, options) end
 
 ---@class model_gas_fields
 ---@field set? string|table elements that close around the gas: a set, or a list of sets (default "all")
----@field lids? string|table sets of nodes around holes that something closes which is not of cloth and weighs nothing: the gas pushes on it, and it on the nodes, evenly
+---@field lids? string|table|body rigid bodies that close the holes whose rims lie at them, and sets of nodes around holes that something closes which weighs nothing: the gas pushes on it, and it on the nodes, evenly
 ---@field initial? number Pa: pressure above that outside at time 0; default 0
 ---@field mass? number kg: mass of the gas at time 0, in place of a pressure
 ---@field temperature? number K: at time 0, and of what flows in (default 293.15)
@@ -3039,10 +3079,10 @@ function model:symmetry(set, normal) end
 ---@return model
 function model:tearable(set, options) end
 
----Ties nodes to each other exactly, by elimination.
+---Ties nodes to each other exactly, by elimination. To a rigid body they are tied by springs that are stiff beside the cloth, and turn freely there.
 ---@param kind string "equal": the set's nodes share displacements; "straight": they stay on the line between its ends; "rigid": nodes and directors move as one body; "periodic": two sets whose pairs of nodes keep one common relative displacement; the second follows the first
 ---@param set string name of a node set
----@param second? string periodic: the set that follows; else freedoms, some of x y z
+---@param second? string|body periodic: the set that follows; rigid: nothing, or a rigid body with a name, along with which the nodes go; else freedoms, some of x y z
 ---@param freedoms? string periodic: some of x y z rotation; default all
 ---@return model
 function model:tie(kind, set, second, freedoms) end
