@@ -70,21 +70,10 @@ for _, row in ipairs(chain.rows) do
 end
 fabric.write("work/table.txt", table.concat(lines, "\n"))
 ]])
-local function run_program(words, kill_at)
-  return beside.shell(("KILL_AT=%s OMP_NUM_THREADS=1 '%s' --quiet %s 2>&1"):format(kill_at or "", arg[-1], words))
-end
-os.execute "rm -rf work; mkdir work"
-local code, talk = run_program "cycles.lua"
-assert(code == 0, talk)
-local wanted = beside.contents "work"
+local wanted = beside.whole "cycles.lua"
 assert(wanted["table.txt"]:find "rest 2")
 for _, kill in ipairs { 3, 8, 12, 18, 23, 27 } do
-  os.execute "rm -rf work; mkdir work"
-  code, talk = run_program("cycles.lua", kill)
-  assert(code == 9, talk)
-  code, talk = run_program "--restart work/chain.ckpt cycles.lua"
-  assert(code == 0, talk)
-  local got = beside.contents "work"
+  local got = beside.restarted("cycles.lua", kill, "chain.ckpt")
   for file, bytes in pairs(wanted) do
     if not file:find "ckpt" and not file:find "json" then check(("%s, killed at %d"):format(file, kill), got[file] == bytes and 1 or 0, 1, 0) end
   end
@@ -110,15 +99,12 @@ a:solve()
 b:solve()
 fabric.write("work/said.txt", ("%.17g %.17g"):format(a.energy.stored, b.energy.stored))
 ]])
-os.execute "rm -rf work; mkdir work"
-code, talk = run_program "both.lua"
-assert(code == 0, talk)
-local whole = beside.contents("work")["said.txt"]
+local whole = beside.whole("both.lua")["said.txt"]
 for kill, refused in pairs { [3] = false, [8] = true, [12] = true } do
   os.execute "rm -rf work; mkdir work"
-  code, talk = run_program("both.lua", kill)
+  local code, talk = beside.program("both.lua", kill)
   assert(code == 9, talk)
-  code, talk = run_program "--restart work/run.ckpt both.lua"
+  code, talk = beside.program "--restart work/run.ckpt both.lua"
   if refused then
     assert(code ~= 0 and talk:find("begins from the state after call 1 of analysis 1, which went on after that", 1, true)
       and talk:find("Let a run from which others begin end before", 1, true), talk)

@@ -97,21 +97,11 @@ if scheme == "static" then -- a second run goes on; the reading of the first is 
 end
 fabric.write("work/said.txt", ("%.17g %.17g %.17g %.17g %.17g"):format(p, V, mass, temperature, a.energy.gas))
 ]])
-local function run_program(scheme, words, kill_at)
-  return beside.shell(("SCHEME='%s' KILL_AT=%s OMP_NUM_THREADS=1 '%s' --quiet %s 2>&1"):format(scheme, kill_at or "", arg[-1], words))
-end
 for _, scheme in ipairs { "explicit", "implicit", "static", "static by arc" } do
-  os.execute "rm -rf work; mkdir work"
-  local code, talk = run_program(scheme, "bag.lua")
-  assert(code == 0, talk)
-  local wanted = beside.contents "work"
+  local more = ("SCHEME='%s'"):format(scheme)
+  local wanted = beside.whole("bag.lua", more)
   for _, kill in ipairs(scheme == "static" and { 5, 12 } or { 5 }) do
-    os.execute "rm -rf work; mkdir work"
-    code, talk = run_program(scheme, "bag.lua", kill)
-    assert(code == 9, talk)
-    code, talk = run_program(scheme, "--restart work/run.ckpt bag.lua")
-    assert(code == 0, talk)
-    local got = beside.contents "work"
+    local got = beside.restarted("bag.lua", kill, "run.ckpt", more)
     for _, file in ipairs { "bag.csv", "said.txt" } do
       check(("%s, %s, killed at %d"):format(file, scheme, kill), got[file] == wanted[file] and 1 or 0, 1, 0)
     end

@@ -63,22 +63,11 @@ a:record("work/run.csv", { columns = { z = function(run) return run:node(10).z e
 a:checkpoint("work/run.ckpt", { every = "step" }):solve()
 fabric.write("work/said.txt", ("%.17g %.17g"):format(a.energy.stored, a.energy.error))
 ]]
-local function run_program(words, kill_at)
-  return beside.shell(("KILL_AT=%s OMP_NUM_THREADS=1 '%s' --quiet %s 2>&1"):format(kill_at or "", arg[-1], words))
-end
 for _, scheme in ipairs { "implicit", "explicit" } do
   fabric.write("taut.lua", (deck:gsub("SCHEME", "'" .. scheme .. "'")))
-  os.execute "rm -rf work; mkdir work"
-  local code, talk = run_program "taut.lua"
-  assert(code == 0, talk)
-  local wanted = beside.contents "work"
+  local wanted = beside.whole "taut.lua"
   check("energies of the whole, " .. scheme, 1 + tonumber(wanted["said.txt"]:match " (%S+)"), 1, 2e-2)
-  os.execute "rm -rf work; mkdir work"
-  code, talk = run_program("taut.lua", 7)
-  assert(code == 9, talk)
-  code, talk = run_program "--restart work/run.ckpt taut.lua"
-  assert(code == 0, talk)
-  local got = beside.contents "work"
+  local got = beside.restarted("taut.lua", 7, "run.ckpt")
   for file, bytes in pairs(wanted) do check(file .. ", restarted, " .. scheme, got[file] == bytes and 1 or 0, 1, 0) end
 end
 fabric.expect(checks)

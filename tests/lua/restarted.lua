@@ -3,10 +3,7 @@
 local fabric = require "fabric"
 
 local check = dofile((arg[0]:gsub("[^/]*$", "common/check.lua")))
-local contents = check.contents
-local function run_program(words, kill_at)
-  return check.shell(("KILL_AT=%s OMP_NUM_THREADS=1 '%s' --quiet %s 2>&1"):format(kill_at or "", arg[-1], words))
-end
+local contents, run_program = check.contents, check.program
 local function says(message, part) assert(message:find(part, 1, true), message .. "\nis without: " .. part) end
 -- strip() makes a run of a strip of its own that is pulled with the given stroke; the process ends, as if killed, in the
 -- step with the number KILL_AT, counted over all runs. say() adds a line to the deck's own file, with all digits.

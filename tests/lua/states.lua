@@ -118,20 +118,9 @@ local c = watched(fabric.dynamic { from = b, duration = 2e-4 }, "swing"):solve()
 fabric.write("work/said.txt", ("%.17g %.17g"):format(c.energy.stored, c.time))
 ]]
 fabric.write("chain.lua", deck)
-local function run_program(words, kill_at)
-  return beside.shell(("KILL_AT=%s OMP_NUM_THREADS=1 '%s' --quiet %s 2>&1"):format(kill_at or "", arg[-1], words))
-end
-os.execute "rm -rf work; mkdir work"
-local code, talk = run_program "chain.lua"
-assert(code == 0, talk)
-local wanted = beside.contents "work"
+local wanted = beside.whole "chain.lua"
 for _, kill in ipairs { 3, 8, 14 } do
-  os.execute "rm -rf work; mkdir work"
-  code, talk = run_program("chain.lua", kill)
-  assert(code == 9, talk)
-  code, talk = run_program "--restart work/run.ckpt chain.lua"
-  assert(code == 0, talk)
-  local got = beside.contents "work"
+  local got = beside.restarted("chain.lua", kill, "run.ckpt")
   for _, file in ipairs { "pull.csv", "release.csv", "swing.csv", "said.txt" } do
     check(("%s, killed at step %d"):format(file, kill), got[file] == wanted[file] and 1 or 0, 1, 0)
   end

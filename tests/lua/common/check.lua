@@ -44,6 +44,28 @@ function check.contents(folder)
   return all, count
 end
 
+-- The same of this program with some words, in which a deck ends itself in the step of the number KILL_AT.
+function check.program(words, kill_at, more)
+  return check.shell(("%s KILL_AT=%s OMP_NUM_THREADS=1 '%s' --quiet %s 2>&1"):format(more or "", kill_at or "", arg[-1], words))
+end
+
+-- The contents of the folder "work" after a deck that writes there, and after it was killed in a step and went on from a
+-- checkpoint. more: variables of the shell.
+function check.whole(deck, more)
+  os.execute "rm -rf work; mkdir work"
+  local code, talk = check.program(deck, nil, more)
+  assert(code == 0, talk)
+  return check.contents "work"
+end
+function check.restarted(deck, kill_at, checkpoint, more)
+  os.execute "rm -rf work; mkdir work"
+  local code, talk = check.program(deck, kill_at, more)
+  assert(code == 9, talk)
+  code, talk = check.program(("--restart work/%s %s"):format(checkpoint, deck), nil, more)
+  assert(code == 0, talk)
+  return check.contents "work"
+end
+
 -- A mesh of quadrilaterals as one of triangles with the same sets.
 function check.in_triangles(mesh)
   local fabric = require "fabric"
