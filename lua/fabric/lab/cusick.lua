@@ -5,8 +5,8 @@
 --       (______________)     pedestal: face, rounded edge
 --        |            |      and side
 --
--- What lies between the plates does not move and is left out of the mesh. The cloth is let down slowly: its weight comes along half a wave, as a table
--- that sinks under it hands it over. Where it comes at once, the sheet buckles into many small folds, and friction keeps them.
+-- What lies between the plates does not move and is left out of the mesh. The weight of the cloth rises slowly from zero, along half a cosine, as
+-- where a table sinks away under it. Where it comes at once, the sheet buckles into many small folds, and friction keeps them.
 local define = require "fabric.define"
 local random = require "fabric.lab.random"
 local shadow = require "fabric.lab.shadow"

@@ -23,7 +23,7 @@ local function farthest(was, is)
   return math.sqrt(most), node
 end
 
--- Words of what speaks against rest; empty: it rests.
+-- The reasons, as sentences, why the run is not at rest; none: it is at rest.
 local function unrest(t, result)
   local why = {}
   if result.moved > t.still then
@@ -49,7 +49,7 @@ local function rests_before(a, time)
   return a.stopped == "at rest"
 end
 
--- What is found at the time, and words of what speaks against rest there. A run that is behind the beginning of the window already, and has
+-- The state at the time, and the reasons why it is not at rest there. A run that is behind the beginning of the window already, and has
 -- no places from there in `state`, is not judged: at_rest is nil.
 local function judged(t, a, state)
   local begins, late = t.at - t.window, nil
