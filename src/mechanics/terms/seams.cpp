@@ -28,7 +28,7 @@ constexpr double kMeet = 0.01;           // of a mean edge: a seam that is led a
 constexpr double kPatience = 0.25;       // of the time of a late seam, in which its gap has to fall
 constexpr double kNoNearer = 0.98;       // of that gap, at most
 constexpr double kSlow = 0.2;            // of a thread's own frequency: the same, in motion
-constexpr double kStiffestThread = 0.5;  // as for strings of tears: share of m / dt^2 on their way back
+constexpr double kStiffestThread = 0.5;  // as for springs of tears: share of m / dt^2 on their way back
 constexpr double kThreadOrigin =
     1e-3;  // and in steps that iterate: of the opening at which they carry nothing more
 
@@ -140,7 +140,7 @@ Seams::Seams(const model::Model& model, const Configuration& configuration, cons
   }
   late_.resize(dofs.seams().size());
   burst_.assign(stitches.size(), 0);
-  strings_.resize(stitches.size());
+  springs_.resize(stitches.size());
   share_.assign(stitches.size(), 0);
   carried_.assign(stitches.size(), Vec3::Zero());
   list_joined();
@@ -204,7 +204,7 @@ Vec3 Seams::parting(std::size_t i, std::span<const double> x) const {
 }
 
 Vec3 Seams::way(std::size_t i, std::span<const double> x) const {
-  return strings_[i].offset * strings_[i].force.normalized() - Dofs::gap(dofs_.stitches()[i], x);
+  return springs_[i].offset * springs_[i].force.normalized() - Dofs::gap(dofs_.stitches()[i], x);
 }
 
 // A force on the node, internal, and its counterpart on what it is sewn to.
@@ -232,7 +232,7 @@ Outcome Seams::add_forces(const law::Step& step, const Trial& trial, Forces& for
         if (threads_[i].is_led()) put_aside(i, forces.on_x);
         break;
       case State::burst:
-        put(i, -strings_[i].pull(way(i, trial.configuration.x())), forces.on_x);
+        put(i, -springs_[i].pull(way(i, trial.configuration.x())), forces.on_x);
         break;
       case State::closed:
       case State::open:
@@ -257,7 +257,7 @@ void Seams::couple(const Trial&, std::vector<NodePair>& pairs) {
 // back, and across, it is a spring.
 Mat3 Seams::tangent(const Trial& trial, std::size_t i) const {
   const auto x = trial.configuration.x();
-  if (state(i) == State::burst) return strings_[i].stiffness(way(i, x), false);
+  if (state(i) == State::burst) return springs_[i].stiffness(way(i, x), false);
   const Thread& t = threads_[i];
   const bool implicit = trial.motion != nullptr && trial.motion->damping_weight() > 0;
   const double c = implicit && trial.motion->dt() > 0 ? t.c / trial.motion->dt() : 0;
@@ -293,8 +293,8 @@ void Seams::add_energies(const Trial& trial, std::vector<Energy>& out) const {
     if (now == State::drawn || now == State::own)
       stored += t.stiffness() * (t.gap - t.target).squaredNorm() / 2;
     if (burst_[i] == 0) continue;
-    bridged += strings_[i].stored(way(i, trial.configuration.x()));
-    fracture += strings_[i].lost();
+    bridged += springs_[i].stored(way(i, trial.configuration.x()));
+    fracture += springs_[i].lost();
   }
   out.push_back({"threads", Account::stored, stored + bridged});
   out.push_back({"sewing", Account::dissipated, lost});
@@ -427,12 +427,12 @@ Sewn Seams::let_go(double step) {
     for (const auto& lead : stitches[i].leads)
       inverse += lead.weight * lead.weight / cloth_.mass()[lead.node];
     next.closed[i] = 0;
-    BridgingString string;
-    string.force = carried_[i];
-    string.energy = *seam(i).energy * stitches[i].length;
-    string.offset = step > 0 ? carried_[i].norm() * step * step * inverse / kStiffestThread
-                             : kThreadOrigin * string.vanishes();
-    ready_.push_back(string);
+    CohesiveSpring spring;
+    spring.force = carried_[i];
+    spring.energy = *seam(i).energy * stitches[i].length;
+    spring.offset = step > 0 ? carried_[i].norm() * step * step * inverse / kStiffestThread
+                             : kThreadOrigin * spring.vanishes();
+    ready_.push_back(spring);
     ready_at_.push_back(i);
   }
   return next;
@@ -558,11 +558,11 @@ Sewn Seams::due(double time) const {
   return next;
 }
 
-// The forces of strings that begin are those that the closed seam carried.
+// The forces of springs that begin are those that the closed seam carried.
 void Seams::renumbered(Forces& forces) {
   for (std::size_t k = 0; k < ready_.size(); ++k) {
     const std::size_t i = ready_at_[k];
-    strings_[i] = ready_[k];
+    springs_[i] = ready_[k];
     burst_[i] = 1;
     put(i, -ready_[k].force, forces.on_x);
   }
@@ -579,18 +579,18 @@ void Seams::commit() {
   average_pressing();
   time_before_ = configuration_.time();
   for (Thread& thread : threads_) thread.commit();
-  for (BridgingString& string : strings_) string.committed = string.widest;
+  for (CohesiveSpring& spring : springs_) spring.committed = spring.widest;
   committed_share_ = worst().share;
 }
 
 void Seams::rollback() {
   for (Thread& thread : threads_) thread.rollback();
-  for (BridgingString& string : strings_) string.widest = string.committed;
+  for (CohesiveSpring& spring : springs_) spring.widest = spring.committed;
 }
 
 void Seams::keep(Archive& archive) {
   for (Thread& thread : threads_) thread.keep(archive);
-  archive(burst_, share_, strings_, time_before_, late_);
+  archive(burst_, share_, springs_, time_before_, late_);
   if (!archive.reading()) return;
   list_joined();
   rollback();

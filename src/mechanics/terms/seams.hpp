@@ -85,7 +85,7 @@ class Seams final : public Term {
   };
   WorstStitch worst() const;
   double committed_share() const { return committed_share_; }  // its share
-  // Prepares strings for all closed stitches that have reached it, stable with a step in s; 0: in steps that
+  // Prepares springs for all closed stitches that have reached it, stable with a step in s; 0: in steps that
   // iterate.
   Sewn let_go(double step);
   bool has_burst(std::size_t stitch) const;
@@ -120,7 +120,7 @@ class Seams final : public Term {
   Vec3 on_place(std::size_t stitch, std::span<const Vec3> at_nodes) const;
   void deflect(std::size_t stitch, std::span<const double> x);
   void average_pressing();
-  Vec3 way(std::size_t stitch, std::span<const double> x) const;      // m, of its string from the origin
+  Vec3 way(std::size_t stitch, std::span<const double> x) const;      // m, of its spring from the origin
   Vec3 parting(std::size_t stitch, std::span<const double> x) const;  // m, of the gap, without what presses
   Mat3 tangent(const Trial& trial, std::size_t stitch) const;
   void pull(const law::Step& step, const Trial& trial, std::size_t stitch);
@@ -137,7 +137,7 @@ class Seams final : public Term {
   const Cloth& cloth_;
   const Dofs& dofs_;
   std::vector<Thread> threads_;
-  std::vector<std::uint8_t> burst_;  // per stitch: a string is there
+  std::vector<std::uint8_t> burst_;  // per stitch: a spring is there
   struct Late {
     double since = -1, gap = 0;  // s, -1: not late; m, its widest gap then
     bool told = false;
@@ -145,7 +145,7 @@ class Seams final : public Term {
   };
   const AtStepEnd* pressing_ = nullptr;          // on the edges of seams that are led
   std::vector<Late> late_;                       // per seam
-  std::vector<BridgingString> strings_, ready_;  // per stitch; ready: of stitches that are about to open
+  std::vector<CohesiveSpring> springs_, ready_;  // per stitch; ready: of stitches that are about to open
   std::vector<std::size_t> ready_at_;
   std::vector<std::vector<Index>> around_;  // per stitch: nodes of the elements at its node
   std::vector<double> share_;               // per stitch, of its strength

@@ -10,17 +10,17 @@ namespace fabricsh::mechanics {
 
 namespace {
 
-// Share of m / dt^2 that a string's way back may have in explicit motion, m being the mass of both crack
-// faces taken together. Waves in the cloth have 1.96 of the 4 that central differences bear; two strings that
+// Share of m / dt^2 that a spring's way back may have in explicit motion, m being the mass of both crack
+// faces taken together. Waves in the cloth have 1.96 of the 4 that central differences bear; two springs that
 // meet at a corner add twice this share each.
 constexpr double kStiffest = 0.5;
 
-// Distance of the origin from closed crack faces over the opening at which a string carries nothing more,
+// Distance of the origin from closed crack faces over the opening at which a spring carries nothing more,
 // where steps are not explicit: the way back is a thousand times stiffer than the way out, and the direction
 // of the force is that at the opening as long as the crack faces part less than this.
 constexpr double kOrigin = 1e-3;
 
-// Share of the opening left at which a string ends in steps along a path.
+// Share of the opening left at which a spring ends in steps along a path.
 constexpr double kLast = 1e-3;
 
 // Share of its strength from which a line is measured at each explicit step.
@@ -49,36 +49,36 @@ double carried(const Vec3& force, const Vec3& yarn, const Vec3& line) {
 
 }  // namespace
 
-// --- one string
+// --- one spring
 
-Vec3 BridgingString::way(std::span<const double> x) const {
+Vec3 CohesiveSpring::way(std::span<const double> x) const {
   return at(x, b) - at(x, a) + offset * force.normalized();
 }
 
-double BridgingString::vanishes() const { return 2 * energy / force.norm(); }
+double CohesiveSpring::vanishes() const { return 2 * energy / force.norm(); }
 
-double BridgingString::strength() const { return force.norm() * std::max(0.0, 1 - widest / vanishes()); }
+double CohesiveSpring::strength() const { return force.norm() * std::max(0.0, 1 - widest / vanishes()); }
 
-Vec3 BridgingString::pull(const Vec3& way) {
+Vec3 CohesiveSpring::pull(const Vec3& way) {
   const double opening = way.norm() - offset;
   widest = std::max(committed, opening);
   return strength() / (widest + offset) * way;
 }
 
-double BridgingString::stored(const Vec3& way) const {
+double CohesiveSpring::stored(const Vec3& way) const {
   return strength() / (widest + offset) * (way.squaredNorm() - offset * offset) / 2;
 }
 
 // The work on the way to the largest opening, less what comes back on the way from there to closed crack
 // faces.
-double BridgingString::lost() const {
+double CohesiveSpring::lost() const {
   const double w = std::min(widest, vanishes());
   const double work = force.norm() * w * (1 - w / (2 * vanishes()));
   return work - strength() * w * (w + 2 * offset) / (2 * (w + offset));
 }
 
-// On the way out a string softens along itself; on the way back, and across itself, it is a spring.
-Mat3 BridgingString::stiffness(const Vec3& way, bool onwards) const {
+// On the way out a spring softens along itself; on the way back, and across itself, it is linear.
+Mat3 CohesiveSpring::stiffness(const Vec3& way, bool onwards) const {
   const double held = strength();
   if (held == 0) return Mat3::Zero();
   Mat3 k = held / (widest + offset) * Mat3::Identity();
@@ -94,10 +94,10 @@ Mat3 BridgingString::stiffness(const Vec3& way, bool onwards) const {
 
 Outcome Tears::add_forces(const law::Step&, const Trial& trial, Forces& forces) {
   const auto x = trial.configuration.x();
-  for (BridgingString& string : strings_) {
-    const Vec3 pull = string.pull(string.way(x));
-    at(forces.on_x, string.a) -= pull;
-    at(forces.on_x, string.b) += pull;
+  for (CohesiveSpring& spring : springs_) {
+    const Vec3 pull = spring.pull(spring.way(x));
+    at(forces.on_x, spring.a) -= pull;
+    at(forces.on_x, spring.b) += pull;
   }
   measure(x, forces.on_x);
   return {};
@@ -184,10 +184,10 @@ std::vector<double> Tears::last_forces() const {
   std::vector<double> on_x(3 * model_.mesh().nodes.size()), on_d(on_x.size());
   Forces forces{on_x, on_d};
   cloth_.sum_forces(forces);
-  for (BridgingString string : strings_) {
-    const Vec3 pull = string.pull(string.way(configuration_.x()));
-    at(forces.on_x, string.a) -= pull;
-    at(forces.on_x, string.b) += pull;
+  for (CohesiveSpring spring : springs_) {
+    const Vec3 pull = spring.pull(spring.way(configuration_.x()));
+    at(forces.on_x, spring.a) -= pull;
+    at(forces.on_x, spring.b) += pull;
   }
   return on_x;
 }
@@ -216,24 +216,24 @@ Tears::WorstPlace Tears::at_support() const {
 }
 
 void Tears::add_tangent(const Trial& trial, TangentSink& sink) const {
-  for (const BridgingString& string : strings_) {
-    const Mat3 k = string.stiffness(string.way(trial.configuration.x()), onwards_);
-    sink.on_positions(string.a, string.a, k);
-    sink.on_positions(string.b, string.b, k);
-    sink.on_positions(string.a, string.b, -k);
-    sink.on_positions(string.b, string.a, -k);
+  for (const CohesiveSpring& spring : springs_) {
+    const Mat3 k = spring.stiffness(spring.way(trial.configuration.x()), onwards_);
+    sink.on_positions(spring.a, spring.a, k);
+    sink.on_positions(spring.b, spring.b, k);
+    sink.on_positions(spring.a, spring.b, -k);
+    sink.on_positions(spring.b, spring.a, -k);
   }
 }
 
 void Tears::couple(const Trial&, std::vector<NodePair>& pairs) {
-  for (const BridgingString& string : strings_) pairs.emplace_back(string.a, string.b);
+  for (const CohesiveSpring& spring : springs_) pairs.emplace_back(spring.a, spring.b);
 }
 
 void Tears::add_energies(const Trial& trial, std::vector<Energy>& out) const {
   double stored = 0, lost = 0;
-  for (const BridgingString& string : strings_) {
-    stored += string.stored(string.way(trial.configuration.x()));
-    lost += string.lost();
+  for (const CohesiveSpring& spring : springs_) {
+    stored += spring.stored(spring.way(trial.configuration.x()));
+    lost += spring.lost();
   }
   out.push_back({"bridges", Account::stored, stored});
   out.push_back({"fracture", Account::dissipated, lost});
@@ -251,7 +251,7 @@ Tears::WorstPlace Tears::worst() const {
           dofs_.reference()[static_cast<std::size_t>(site.place)]};
 }
 
-// The strings share the force of their line by the lengths for which they stand.
+// The springs share the force of their line by the lengths for which they stand.
 std::vector<Joints::Edge> Tears::let_go(double step) {
   std::vector<Joints::Edge> ends;
   for (const std::size_t i : near_) {
@@ -262,27 +262,27 @@ std::vector<Joints::Edge> Tears::let_go(double step) {
     for (const Line::Spoke& spoke : line.spokes) {
       ends.emplace_back(site.place, spoke.place);
       const double part = spoke.length / line.length;
-      BridgingString string;
-      string.a = spoke.a;
-      string.b = spoke.b;
-      string.family = line.family;
-      string.force = part * line.force;
-      string.energy = site.energy[static_cast<std::size_t>(line.family)] * spoke.length;
-      string.offset =
-          step > 0 ? line.force.norm() * step * step / (kStiffest * mass) : kOrigin * string.vanishes();
-      ready_.push_back(string);
+      CohesiveSpring spring;
+      spring.a = spoke.a;
+      spring.b = spoke.b;
+      spring.family = line.family;
+      spring.force = part * line.force;
+      spring.energy = site.energy[static_cast<std::size_t>(line.family)] * spoke.length;
+      spring.offset =
+          step > 0 ? line.force.norm() * step * step / (kStiffest * mass) : kOrigin * spring.vanishes();
+      ready_.push_back(spring);
     }
   }
   return ends;
 }
 
-// The forces of strings that begin are those that the closed joint carried.
+// The forces of springs that begin are those that the closed joint carried.
 void Tears::renumbered(Forces& forces) {
-  for (const BridgingString& string : ready_) {
-    at(forces.on_x, string.a) -= string.force;
-    at(forces.on_x, string.b) += string.force;
+  for (const CohesiveSpring& spring : ready_) {
+    at(forces.on_x, spring.a) -= spring.force;
+    at(forces.on_x, spring.b) += spring.force;
   }
-  strings_.insert(strings_.end(), ready_.begin(), ready_.end());
+  springs_.insert(springs_.end(), ready_.begin(), ready_.end());
   ready_.clear();
   find_lines();
   know_all();
@@ -296,37 +296,37 @@ void Tears::all_are_near() {
 }
 
 void Tears::commit() {
-  for (BridgingString& string : strings_) {
-    string.outwards = string.widest > string.committed && string.committed < string.vanishes();
-    // A path turns where the string is gone. Steps along it end before such a place or well beyond, and from
-    // before it ever nearer: from the last millionth of its energy on the string is gone.
-    if (onwards_ && string.outwards && string.widest > (1 - kLast) * string.vanishes())
-      string.widest = std::max(string.widest, string.vanishes());
-    string.committed = string.widest;
+  for (CohesiveSpring& spring : springs_) {
+    spring.outwards = spring.widest > spring.committed && spring.committed < spring.vanishes();
+    // A path turns where the spring is gone. Steps along it end before such a place or well beyond, and from
+    // before it ever nearer: from the last millionth of its energy on the spring is gone.
+    if (onwards_ && spring.outwards && spring.widest > (1 - kLast) * spring.vanishes())
+      spring.widest = std::max(spring.widest, spring.vanishes());
+    spring.committed = spring.widest;
   }
   committed_share_ = worst().share;
 }
 
 bool Tears::opens() const {
-  return std::any_of(strings_.begin(), strings_.end(), [](const BridgingString& s) { return s.outwards; });
+  return std::any_of(springs_.begin(), springs_.end(), [](const CohesiveSpring& s) { return s.outwards; });
 }
 
 double Tears::opening(const NodalRates& moved) const {
   double sum = 0;
   const auto x = configuration_.x();
-  for (const BridgingString& string : strings_)
-    if (string.outwards)
+  for (const CohesiveSpring& spring : springs_)
+    if (spring.outwards)
       sum +=
-          string.way(x).normalized().dot(at(std::span(moved.x), string.b) - at(std::span(moved.x), string.a));
+          spring.way(x).normalized().dot(at(std::span(moved.x), spring.b) - at(std::span(moved.x), spring.a));
   return sum;
 }
 
 void Tears::rollback() {
-  for (BridgingString& string : strings_) string.widest = string.committed;
+  for (CohesiveSpring& spring : springs_) spring.widest = spring.committed;
 }
 
 void Tears::keep(Archive& archive) {
-  archive(strings_, commits_);
+  archive(springs_, commits_);
   know_all();
   for (Line& line : lines_) archive(line.share);
   if (!archive.reading()) return;
@@ -352,10 +352,10 @@ double Tears::share(Index element, int family) const {
     for (; line != lines_.end() && line->site == number; ++line)
       if (line->family == family) most = std::max(most, line->share);
   }
-  for (const BridgingString& string : strings_)
-    if (std::find(nodes.begin(), nodes.end(), string.a) != nodes.end() ||
-        std::find(nodes.begin(), nodes.end(), string.b) != nodes.end())
-      most = std::max(most, string.family == family ? 1.0 : 0.0);
+  for (const CohesiveSpring& spring : springs_)
+    if (std::find(nodes.begin(), nodes.end(), spring.a) != nodes.end() ||
+        std::find(nodes.begin(), nodes.end(), spring.b) != nodes.end())
+      most = std::max(most, spring.family == family ? 1.0 : 0.0);
   return most;
 }
 

@@ -1,6 +1,6 @@
 // Yarns that break in tearable zones. Cloth tears along its yarns: at a place either family can break, and
 // the joint there then opens along a line of the other family. What the elements on both sides of such a
-// line hand to each other along the yarn is compared with the yarn's strength; when it is reached, strings
+// line hand to each other along the yarn is compared with the yarn's strength; when it is reached, springs
 // between the crack faces carry the force on, and less as they part, until the energy of the yarns is spent.
 #pragma once
 #include <array>
@@ -17,11 +17,11 @@
 
 namespace fabricsh::mechanics {
 
-// A string between two corners that were one: it carries the force f0 where it opens, and linearly less with
+// A spring between two corners that were one: it carries the force f0 where it opens, and linearly less with
 // the opening, down to none at 2 G / f0; back it goes to the origin. The origin lies `offset` before the
 // closed crack faces, along the force there, so that the way back is no stiffer than an explicit step or
 // Newton's method can bear.
-struct BridgingString {
+struct CohesiveSpring {
   Index a = 0, b = 0;                // nodes
   int family = 0;                    // that broke
   Vec3 force = Vec3::Zero();         // N, on a from b when it opened
@@ -63,7 +63,7 @@ class Tears final : public Term {
 
   // For steps along a path, whose direction is sought: tangents at the committed state are those of going on.
   void follow_path() { onwards_ = true; }
-  bool opens() const;                             // whether strings opened in the last step, or are new
+  bool opens() const;                             // whether springs opened in the last step, or are new
   double opening(const NodalRates& moved) const;  // m: by how much these open further with a motion
   // In explicit steps only lines near their strength are measured at each; the others when they are read.
   void go_explicit();
@@ -80,7 +80,7 @@ class Tears final : public Term {
   // Whether it is time to look there: in explicit steps now and then, in others always.
   bool supports_due() { return !grips_.empty() && (!sparing_ || ++commits_ % 64 == 0); }
   double committed_share() const { return committed_share_; }  // its share
-  // Prepares strings for all that have reached it, stable with an explicit step in s (0: the steps are not
+  // Prepares springs for all that have reached it, stable with an explicit step in s (0: the steps are not
   // explicit); returns the ends of edges to be opened next.
   std::vector<Joints::Edge> let_go(double step);
   // Force over strength at the joints of an element, the largest; 1 where a yarn has broken. family: 0 warp,
@@ -138,7 +138,7 @@ class Tears final : public Term {
   void measure(std::span<const double> x, std::span<const double> on_x);
   void measure(const Line& line, std::span<const double> x, std::span<const double> on_x) const;
   void measure_near(std::span<const double> x, std::span<const double> on_x);
-  std::vector<double> last_forces() const;  // N, of the cloth and the strings, 3 per node
+  std::vector<double> last_forces() const;  // N, of the cloth and the springs, 3 per node
   void know_all() const;
   void all_are_near();
 
@@ -149,7 +149,7 @@ class Tears final : public Term {
   std::vector<Site> sites_;
   std::vector<Line> lines_;
   std::vector<Grip> grips_;
-  std::vector<BridgingString> strings_, ready_;  // ready: of the joints that are about to open
+  std::vector<CohesiveSpring> springs_, ready_;  // ready: of the joints that are about to open
   double committed_share_ = 0;
   // Lines that were measured with the last forces, and whether these are all.
   std::vector<std::size_t> near_;
