@@ -135,13 +135,6 @@ void Dofs::begin_iterate() {
   iterate_.assign(k.begin(), k.end());
 }
 
-void Dofs::return_to_iterate() {
-  if (iterate_is_committed_) return configuration_.rollback();
-  configuration_.overwrite();
-  std::copy(iterate_.begin(), iterate_.end(), configuration_.kinematics().begin());
-  configuration_.touch();
-}
-
 std::span<const double> Dofs::iterate() const {
   return iterate_is_committed_ ? configuration_.committed_kinematics() : std::span<const double>(iterate_);
 }

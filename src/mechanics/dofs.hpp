@@ -68,7 +68,6 @@ class Dofs {
   // `targets` (m along the frames, rad).
   void begin_iterate();  // iterate = trial
   void apply_increment(std::span<const double> delta, double scale, std::span<const double> targets);
-  void return_to_iterate();  // trial = iterate
   // From now on what is held stays where it is in the committed state, not where it was in the reference.
   void hold_here();
   std::vector<double> targets(double time) const;  // of the driven freedoms; Error if not finite
