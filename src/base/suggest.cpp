@@ -17,26 +17,6 @@ bool near_enough(std::size_t distance, std::size_t letters) {
   return distance < letters && distance <= (letters + 2) / 3;
 }
 
-template <class Name>
-std::string nearest_of(std::string_view wrong, std::span<const Name> names) {
-  std::string_view best;
-  std::size_t best_distance = 0;
-  for (const std::string_view name : names) {
-    const std::size_t distance = edit_distance(wrong, name);
-    if (!near_enough(distance, std::max(wrong.size(), name.size()))) continue;
-    if (!best.empty() && distance >= best_distance) continue;
-    best = name;
-    best_distance = distance;
-  }
-  return std::string(best);
-}
-
-template <class Name>
-std::string question(std::string_view wrong, std::span<const Name> names) {
-  const std::string name = nearest_of(wrong, names);
-  return name.empty() ? std::string() : ", did you mean '" + name + "'?";
-}
-
 }  // namespace
 
 // Optimal string alignment by rows; two previous rows are kept, because a swap refers back by two.
@@ -58,16 +38,21 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 std::string nearest(std::string_view wrong, std::span<const std::string> names) {
-  return nearest_of(wrong, names);
+  std::string_view best;
+  std::size_t best_distance = 0;
+  for (const std::string_view name : names) {
+    const std::size_t distance = edit_distance(wrong, name);
+    if (!near_enough(distance, std::max(wrong.size(), name.size()))) continue;
+    if (!best.empty() && distance >= best_distance) continue;
+    best = name;
+    best_distance = distance;
+  }
+  return std::string(best);
 }
-std::string nearest(std::string_view wrong, std::span<const std::string_view> names) {
-  return nearest_of(wrong, names);
-}
+
 std::string did_you_mean(std::string_view wrong, std::span<const std::string> names) {
-  return question(wrong, names);
-}
-std::string did_you_mean(std::string_view wrong, std::span<const std::string_view> names) {
-  return question(wrong, names);
+  const std::string name = nearest(wrong, names);
+  return name.empty() ? std::string() : ", did you mean '" + name + "'?";
 }
 
 }  // namespace fabricsh

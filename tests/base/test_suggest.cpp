@@ -28,8 +28,7 @@ TEST_CASE("nearest name, or none", "[base]") {
   CHECK(nearest("", names).empty());
   CHECK(nearest("x", std::vector<std::string>{"y", "z"}).empty());
   CHECK(nearest("width", std::vector<std::string>{}).empty());
-  const std::string_view views[] = {"width", "height"};
-  CHECK(nearest("heigth", views) == "height");
+  CHECK(nearest("heigth", std::vector<std::string>{"width", "height"}) == "height");
 }
 
 TEST_CASE("the question behind an unknown name", "[base]") {
