@@ -4,12 +4,7 @@
 
 namespace fabricsh::law::incremental {
 
-struct Kind {
-  static constexpr int numbers = rate_state::count;
-  static constexpr bool symmetric = false;
-  static constexpr int stored_stress = rate_state::S;
-  static Bound bound(const WovenData& w) { return rate_bound(w); }
-};
+using Kind = RateKind;
 
 inline namespace FABRICSH_ISA {
 
@@ -18,19 +13,9 @@ Response<T> update(const WovenData& w, const Step& step, const T E[5], const T* 
   return rate_update<true>(w, step.at, E, s0, s1);
 }
 
-template <class T>
-EnergyOf<T> energy(const WovenData& w, const T*, const T* s) {
-  return rate_energy(w, s);
-}
-
-inline Internal internal(const WovenData& w, const double E[5], const double* s) {
-  return rate_internal(w, E, s);
-}
-
-template <class Entry>
-auto peaks(Entry s) {
-  return std::array{s(rate_state::E), s(rate_state::E + 1), abs(s(rate_state::E + 4))};
-}
+using rate::energy;
+using rate::internal;
+using rate::peaks;
 
 }  // namespace FABRICSH_ISA
 }  // namespace fabricsh::law::incremental

@@ -27,12 +27,17 @@ inline constexpr int created = 19;               // J/m^3, sum of the decreases 
 inline constexpr int count = 20;
 }  // namespace rate_state
 
-inline Bound rate_bound(const WovenData& w) {
-  const double D1 = w.axis[0].unloading, D2 = w.axis[1].unloading;
-  const double nu12 = w.axis[0].poisson, nu21 = w.axis[1].poisson;
-  // The coupling of [williams2010, eq. 6.24] adds to Du_max / (1 - nn); the eigenvalue includes it.
-  return {larger_eigenvalue(D1, nu21 * D1, nu12 * D2, D2) / (1.0 - nu12 * nu21), w.shear.unloading, 0};
-}
+struct RateKind {
+  static constexpr int numbers = rate_state::count;
+  static constexpr bool symmetric = false;
+  static constexpr int stored_stress = rate_state::S;
+  static Bound bound(const WovenData& w) {
+    const double D1 = w.axis[0].unloading, D2 = w.axis[1].unloading;
+    const double nu12 = w.axis[0].poisson, nu21 = w.axis[1].poisson;
+    // The coupling of [williams2010, eq. 6.24] adds to Du_max / (1 - nn); the eigenvalue includes it.
+    return {larger_eigenvalue(D1, nu21 * D1, nu12 * D2, D2) / (1.0 - nu12 * nu21), w.shear.unloading, 0};
+  }
+};
 
 inline namespace FABRICSH_ISA {
 
@@ -280,9 +285,12 @@ Response<T> rate_update(const WovenData& law, AtSwitch at, const T E[5], const T
   return out;
 }
 
+// What both laws have in common, by the names that the room expects of a law.
+namespace rate {
+
 // These laws record the work; the part that is not stored counts as dissipated.
 template <class T>
-EnergyOf<T> rate_energy(const WovenData& w, const T* s) {
+EnergyOf<T> energy(const WovenData& w, const T*, const T* s) {
   using namespace rate_state;
   const auto stored = rate_stored(w, s + S);
   EnergyOf<T> out(stored.warp + stored.weft + stored.shear);
@@ -293,7 +301,7 @@ EnergyOf<T> rate_energy(const WovenData& w, const T* s) {
   return out;
 }
 
-inline Internal rate_internal(const WovenData& w, const double E[5], const double* s) {
+inline Internal internal(const WovenData& w, const double E[5], const double* s) {
   using namespace rate_state;
   const auto yarn = [](double x, double m) {
     return x >= m - switch_width ? LoadBranch::virgin : x < 0 ? LoadBranch::slack : LoadBranch::unloading;
@@ -309,6 +317,13 @@ inline Internal rate_internal(const WovenData& w, const double E[5], const doubl
   out.shear = virgin ? LoadBranch::virgin : LoadBranch::unloading;
   return out;
 }
+
+template <class Entry>
+auto peaks(Entry s) {
+  return std::array{s(rate_state::E), s(rate_state::E + 1), abs(s(rate_state::E + 4))};
+}
+
+}  // namespace rate
 
 }  // namespace FABRICSH_ISA
 }  // namespace fabricsh::law
