@@ -36,6 +36,15 @@ struct ResultFieldTable {
   std::vector<ResultField> rows;
   Members members;
 
+  // A number for each node or element, which files have only on request.
+  ResultField& number(std::string name, std::string unit, FieldPlace place, std::string sentence,
+                      decltype(ResultField::values) values) {
+    Names components = {name};
+    rows.push_back({std::move(name), std::move(unit), FieldShape::scalar, place, std::move(sentence),
+                    std::move(components), std::move(values)});
+    rows.back().usual = false;
+    return rows.back();
+  }
   // read(run, node) gives the vector.
   template <class Read>
   void vectors(std::string name, std::string unit, std::string sentence, Names components, std::string letter,
@@ -71,37 +80,25 @@ struct ResultFieldTable {
         throw Error("field '" + name + "': nothing touches in this model (see model:contact)");
       *out = (run.contact().*what)(i);
     };
-    rows.push_back(
-        {name, std::move(unit), FieldShape::scalar, FieldPlace::node, std::move(sentence), {name}, values});
-    rows.back().touching = true;
+    ResultField& row = number(name, std::move(unit), FieldPlace::node, std::move(sentence), values);
+    row.usual = true;
+    row.touching = true;
   }
   void joined() {
     const auto values = [](const Run& run, mesh::Index i, const std::string&, double* out) {
       *out = run.assembly().dofs().joints().is_open(i) || run.assembly().dofs().has_parted(i) ? 1 : 0;
     };
-    rows.push_back(
-        {"joint_open",
-         "",
-         FieldShape::scalar,
-         FieldPlace::node,
-         "1 where a joint of a tearable zone is open, or a seam has been opened or has burst; 0 elsewhere",
-         {"joint_open"},
-         values});
-    rows.back().usual = false;
+    number("joint_open", "", FieldPlace::node,
+           "1 where a joint of a tearable zone is open, or a seam has been opened or has burst; 0 elsewhere",
+           values);
   }
   void creased() {
     const auto values = [](const Run& run, mesh::Index i, const std::string&, double* out) {
       const auto* const hinges = run.assembly().terms().find<mechanics::Hinges>();
       *out = hinges != nullptr ? hinges->angle_at(i) : 0;
     };
-    rows.push_back({"crease_angle",
-                    "degrees",
-                    FieldShape::scalar,
-                    FieldPlace::node,
-                    "angle at creases with a stiffness, the largest at the node; 0 elsewhere",
-                    {"crease_angle"},
-                    values});
-    rows.back().usual = false;
+    number("crease_angle", "degrees", FieldPlace::node,
+           "angle at creases with a stiffness, the largest at the node; 0 elsewhere", values);
   }
   void average(std::string name, std::string unit, FieldShape shape, std::string sentence, Names components,
                const Members& what, Names labels) {
@@ -120,15 +117,9 @@ struct ResultFieldTable {
     const auto values = [i](const Run& run, mesh::Index e, const std::string& ply, double* out) {
       *out = run.elements(ply)[e].lost[i];
     };
-    rows.push_back({"dissipated_" + part,
-                    "J/m^3",
-                    FieldShape::scalar,
-                    FieldPlace::element,
-                    "per reference volume: dissipated so far in " + part,
-                    {"dissipated_" + part},
-                    values});
-    rows.back().usual = false;
-    rows.back().by_ply = true;
+    number("dissipated_" + part, "J/m^3", FieldPlace::element,
+           "per reference volume: dissipated so far in " + part, values)
+        .by_ply = true;
   }
   // Of yarns, which plies with different axes have each for itself.
   void of_yarns(std::string name, std::string sentence, Names components, const Members& what) {
@@ -152,14 +143,7 @@ struct ResultFieldTable {
               std::function<double(const Run&, mesh::Index)> value) {
     const auto values = [value = std::move(value)](const Run& run, mesh::Index e, const std::string&,
                                                    double* out) { *out = value(run, e); };
-    rows.push_back({name,
-                    std::move(unit),
-                    FieldShape::scalar,
-                    FieldPlace::element,
-                    std::move(sentence),
-                    {name},
-                    values});
-    rows.back().usual = false;
+    number(name, std::move(unit), FieldPlace::element, std::move(sentence), values);
   }
   // Found for all elements together; there is no value of a single one.
   void together(const std::string& name, std::string unit, std::string sentence,
@@ -186,15 +170,7 @@ struct ResultFieldTable {
       const double t = thickness(run.model(), e, ply);
       *out = std::isnan(t) ? t : value(run.elements(ply)[e], t);
     };
-    rows.push_back({name,
-                    std::move(unit),
-                    FieldShape::scalar,
-                    FieldPlace::element,
-                    std::move(sentence),
-                    {name},
-                    values});
-    rows.back().usual = false;
-    rows.back().by_ply = true;
+    number(name, std::move(unit), FieldPlace::element, std::move(sentence), values).by_ply = true;
   }
 };
 
