@@ -279,12 +279,6 @@ Derivatives pair_derivatives(const ContactLaw& law, const Pair& pair, const Corn
   return out;
 }
 
-Matrix12 positive_part(const Matrix12& hessian) {
-  const Eigen::SelfAdjointEigenSolver<Matrix12> eigen(hessian);
-  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).asDiagonal() *
-         eigen.eigenvectors().transpose();
-}
-
 namespace {
 
 // Derivatives by one corner of all quantities in the friction at a place.

@@ -120,8 +120,6 @@ struct Derivatives {
   Matrix12 hessian = Matrix12::Zero();   // N/m
 };
 Derivatives pair_derivatives(const ContactLaw& law, const Pair& pair, const Corners& x);
-// The nearest matrix (in the Frobenius norm) without negative eigenvalues.
-Matrix12 positive_part(const Matrix12& hessian);
 
 // Derivatives of friction and damping of an implicit or static step: of the forces on the corners by the
 // corners (N/m, not symmetric) and by the turn of the rigid side, and of the torque likewise.

@@ -140,11 +140,6 @@ double FreeBody::kinetic_energy() const {
 
 Mat3 FreeBody::inertia() const { return turn_ * moments_.asDiagonal() * turn_.transpose(); }
 
-double FreeBody::inverse_mass_at(const Vec3& x, const Vec3& n) const {
-  const Vec3 own = turn_.transpose() * (x - place_).cross(n);
-  return 1 / mass_ + own.dot(own.cwiseQuotient(moments_));
-}
-
 Wrench wrench(std::span<const Vec3> x, std::span<const Vec3> force, const Vec3& about) {
   Wrench out;
   for (std::size_t i = 0; i < x.size(); ++i) {

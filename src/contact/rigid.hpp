@@ -59,8 +59,6 @@ class FreeBody {
   double kinetic_energy() const;  // J
   double mass() const { return mass_; }
   Mat3 inertia() const;  // in space, kg m2
-  // 1/kg: the inverse of the effective mass of the point x in the direction of the unit vector n.
-  double inverse_mass_at(const Vec3& x, const Vec3& n) const;
 
   template <class Archive>
   void keep(Archive& archive) {

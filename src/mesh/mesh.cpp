@@ -1,7 +1,6 @@
 #include "mesh/mesh.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <string>
 
 #include "base/error.hpp"
@@ -201,28 +200,6 @@ Vec3 Mesh::moved_warp(std::size_t element, const std::vector<Vec3>& moved) const
 
 void check_unused(const Mesh& mesh, const char* call) {
   if (mesh.in_use) throw Error(std::string(call) + ": a compiled model uses this mesh: make a new one");
-}
-
-// The shortest edge of an element, or its smallest height if it
-// is skewed: area over longest edge (twice that for a triangle).
-double smallest_length(const Mesh& mesh, Index element) {
-  const auto& ids = mesh.elements[static_cast<std::size_t>(element)];
-  const std::size_t n = corner_count(ids);
-  const auto node = [&](std::size_t i) -> const Vec3& {
-    return mesh.nodes[static_cast<std::size_t>(ids[i])];
-  };
-  double shortest = std::numeric_limits<double>::infinity(), longest = 0.0;
-  for (std::size_t i = 0; i < n; ++i) {
-    const double edge = (node((i + 1) % n) - node(i)).norm();
-    shortest = std::min(shortest, edge);
-    longest = std::max(longest, edge);
-  }
-  // Half the cross product of the diagonals is the area of a quadrilateral;
-  // the cross product of two edges is twice that of a triangle.
-  const Vec3 a = node(2) - node(0);
-  const Vec3 b = n == 4 ? Vec3(node(3) - node(1)) : Vec3(node(1) - node(0));
-  const double area = (n == 4 ? 0.5 : 1.0) * a.cross(b).norm();
-  return longest > 0.0 ? std::min(shortest, area / longest) : 0.0;
 }
 
 }  // namespace fabricsh::mesh

@@ -97,7 +97,4 @@ struct Grading {
 };
 Mesh rectangle(double width, double height, const Grading& lines, const Vec3& origin = Vec3::Zero());
 
-// Shortest edge of an element, or its smallest height where it is skewed, m: the h of the explicit step.
-double smallest_length(const Mesh& mesh, Index element);
-
 }  // namespace fabricsh::mesh

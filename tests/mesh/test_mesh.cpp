@@ -126,18 +126,6 @@ TEST_CASE("map moves every node, or none", "[mesh]") {
   CHECK(m.nodes == before);
 }
 
-TEST_CASE("smallest length", "[mesh]") {
-  CHECK(smallest_length(rectangle(3, 8, 1, 2), 1) == Approx(3).epsilon(1e-14));
-  Mesh sheared = rectangle(1, 1, 1, 1);
-  sheared.map([](const Vec3& x) { return Vec3(x.x() + x.y(), x.y(), 0); });
-  // Edges 1 and sqrt 2, area 1: the height on the long edge.
-  CHECK(smallest_length(sheared, 0) == Approx(std::sqrt(0.5)).epsilon(1e-14));
-  Mesh triangle = rectangle(3, 4, 1, 1);
-  triangle.elements[0] = {0, 1, 2, -1};
-  // The right triangle 3-4-5: height 12/5 on the longest side.
-  CHECK(smallest_length(triangle, 0) == Approx(2.4).epsilon(1e-14));
-}
-
 TEST_CASE("a rectangle in triangles: two a cell, all counter-clockwise, cuts turning from cell to cell",
           "[mesh]") {
   Mesh m = rectangle(0.3, 0.7, 3, 2);
