@@ -76,8 +76,10 @@ Run::Run(std::shared_ptr<model::Model> model, double duration, std::shared_ptr<N
 Run::~Run() = default;
 
 void Run::report_contacts() {
-  if (const auto* contact = assembly_->terms().find<mechanics::Contacts>())
-    for (const std::string& words : contact->describe()) notices_->remark("contact: " + words);
+  const auto* contact = assembly_->terms().find<mechanics::Contacts>();
+  if (contact == nullptr) return;
+  for (const std::string& words : contact->describe()) notices_->remark("contact: " + words);
+  for (const std::string& words : contact->dependent()) note("nodes", words);
 }
 
 void Run::add(std::unique_ptr<mechanics::Term> term) {

@@ -25,6 +25,7 @@ constexpr WarningKind kinds[] = {
     {"guard", "contact is pressed so far that a barrier keeps the surfaces apart"},
     {"pressed", "contact of an assumed stiffness has a noticeable part of the stored energy"},
     {"rim", "the rim of a volume of gas has left the rigid body that closes it", serious},
+    {"nodes", "the force of a ball or a rod on flat cloth depends on where the nodes lie"},
     {"fold", "cloth turns sharply between two elements where contact presses on it"},
     {"seam",
      "edges that are sewn had not met when their time was over, or are drawn against a body faster than "

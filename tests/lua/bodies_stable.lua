@@ -30,7 +30,8 @@ local function crown(t)
   return a, pcall(a.solve, a)
 end
 -- Of a spring of a share of what F needs, all steps are stable below that share of the force. The first that is not comes just above it; on a mesh
--- that is no mirror image of itself the ball leans before, and has no place any more. Cloth that gives way makes a hollow for it.
+-- that is no mirror image of itself the ball leans before, and has no place any more: triangles are none, nor are the halves of squares of an
+-- arched sheet, on which contact points lie. Cloth that gives way makes a hollow for it.
 local function first_unstable(a)
   for _, s in ipairs(a.steps) do
     assert(s.stable ~= "unchecked", s.time)
@@ -45,7 +46,7 @@ for _, triangles in ipairs { false, true } do
     local from = first_unstable(a) or not arrived and a.time
     print(name, from, #a.steps)
     assert(from and from > 0.5 and from < 0.75, ("%s: unstable from %s of the force, expected 0.6"):format(name, from))
-    if not triangles then assert(arrived and a.warnings[#a.warnings].code == "unstable", name) end
+    if not triangles and not held then assert(arrived and a.warnings[#a.warnings].code == "unstable", name) end
     for _, spring in ipairs { false, 2 * limit } do
       local b, whole = crown { triangles = triangles, held = held, spring = spring }
       assert(whole and #b.steps >= 10 and not first_unstable(b), name)

@@ -1,5 +1,5 @@
--- A ball or a rod that is small against the elements presses with the force of the law's integral over the surface, wherever it lies against the
--- nodes: on held cloth, quadrilaterals and triangles, in statics, implicit and explicit motion; and cloth between two bodies is pressed likewise.
+-- A ball or a rod presses with the force of the law's integral over the surface, wherever it lies against the
+-- nodes: small against the elements, and of any radius where the stiffness is given; on held cloth, quadrilaterals and triangles, in statics, implicit and explicit motion; and cloth between two bodies is pressed likewise.
 local fabric = require "fabric"
 local mm = fabric.units.mm
 local card = fabric.svk { young = 2e8, poisson = 0.2, density = 500, thickness = 0.5 * mm, bending = { warp = 4e-5, weft = 4e-5, twist = 2e-5 } }
@@ -33,8 +33,8 @@ local function run(m, scheme)
 end
 local worst = 0
 local function pressed(o)
-  local R, d, end_of = o.R, o.depth, o.scheme == "static" and 1 or 2e-5
-  local mesh = fabric.mesh.rectangle { width = side, height = side, nx = cells, ny = cells, origin = { -side / 2, -side / 2, 0 }, triangles = o.triangles }
+  local R, d, end_of, n = o.R, o.depth, o.scheme == "static" and 1 or 2e-5, o.cells or cells
+  local mesh = fabric.mesh.rectangle { width = side, height = side, nx = n, ny = n, origin = { -side / 2, -side / 2, 0 }, triangles = o.triangles }
   local m = fabric.model { mesh = mesh, card = card, warp = 0, points = 1 }:fix("all", "x y z rotation")
   local b = body(o.kind, R, o.x * mm, o.y * mm, o.turn or 0, R + gap + 1e-6)
   m:move(b, { z = fabric.ramp(-d - 1e-6, end_of) }):contact { between = { b, "all" }, stiffness = kappa, friction = o.friction, restitution = 1 }
@@ -56,6 +56,24 @@ for i, place in ipairs(places) do
   end
 end
 for _, turn in ipairs { math.pi / 2, math.pi / 4, 0.4 } do pressed { kind = "rod", R = 2.5 * mm, x = 0.3, y = 1.1, turn = turn, scheme = "static", depth = 0.12 * mm, triangles = turn == 0.4 } end
+
+-- Of larger radii, and on finer elements, of 2.5, 1.25 and 0.75 mm.
+for i, o in ipairs { { 3, 12 }, { 8, 6 }, { 5, 24 }, { 25, 6 }, { 12, 12 }, { 3, 40 }, { 6, 12 } } do
+  for k, kind in ipairs { "ball", "rod" } do
+    local h = 30 / o[2]
+    local scheme = ({ "static", "implicit", "explicit" })[(i + k) % 3 + 1]
+    pressed { kind = kind, R = o[1] * mm, cells = o[2], x = 0.17 * i * h, y = 0.31 * h, triangles = (i + k) % 2 == 0, scheme = scheme, depth = (0.06 + 0.01 * i) * mm }
+  end
+end
+-- With a stiffness that is assumed or stiff as a constraint they press through nodes, and the run says so, also where nothing is printed.
+for _, o in ipairs { { kappa, false }, { 1e11, true }, { nil, true } } do
+  local m = fabric.model { mesh = fabric.mesh.rectangle { width = side, height = side, nx = 6, ny = 6 }, card = card, warp = 0, points = 1 }:fix("all", "x y z rotation")
+  m:contact { between = { fabric.rigid.sphere { radius = 9 * mm, centre = { 0, 0, 9 * mm + gap + 1e-6 }, name = "bob" }, "all" }, stiffness = o[1] }
+  local a, said = fabric.static { model = m, duration = 1, step = 1 }, nil
+  a:solve()
+  for _, w in ipairs(a.warnings) do if w.code == "nodes" then said = w end end
+  assert((said ~= nil) == o[2] and (not said or not said.serious and said.text:find("bob on the cloth; its force on cloth that stays flat there depends on where the nodes lie", 1, true)), said and said.text)
+end
 
 -- Between two rods or two balls: the cloth is free to move, and takes the middle.
 for i, kind in ipairs { "rod", "ball" } do

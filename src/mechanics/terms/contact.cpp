@@ -304,7 +304,7 @@ Contacts::Meeting Contacts::meeting_of(const model::SurfacePair& m) const {
   if (!data.curve.empty())
     data.floor = std::min(data.floor, kLeast * data.curve.front().first);
   else
-    data.stiffness = given.stiffness.value_or(kDense / (data.gap - data.floor));
+    data.stiffness = given.stiffness.value_or(dense_pressure / (data.gap - data.floor));
   return out;
 }
 

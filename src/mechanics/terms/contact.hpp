@@ -22,6 +22,7 @@ namespace fabricsh::mechanics {
 // The largest explicit step with contact as a share of the cloth's stable step, and the stiffness that it
 // carries times its square over the areal mass.
 inline constexpr double contact_step_of_cloth = 0.6, carried_stiffness = 0.2;
+inline constexpr double dense_pressure = 1e6;  // Pa, presses woven cloth down to its fibres
 
 class Contacts final : public Term, public StepLimiter, public OwnUnknowns, public AtStepEnd {
  public:
@@ -183,14 +184,15 @@ class Contacts final : public Term, public StepLimiter, public OwnUnknowns, publ
   std::string words(const std::array<std::int32_t, 4>& points) const;  // "node 3 and sphere"
   // The parameters used for each contact, in lines of text.
   std::vector<std::string> describe() const;
+  // Of each ball and rod whose force on flat cloth depends much on where the nodes lie: how far, and why.
+  std::vector<std::string> dependent() const;
 
  private:
   // Whether anything may touch anything; bodies that close gas alone do not.
   bool meets() const { return !scene_.interactions().empty(); }
   contact::Totals touch(contact::Way way);
-  static constexpr double kDense = 1e6;          // Pa, pressure that presses woven cloth down to its fibres
-  struct Sheet {                                 // a surface of cloth
-    double thickness = 0, floor = 0, areal = 0;  // m, m, kg/m2
+  struct Sheet {                                              // a surface of cloth
+    double thickness = 0, floor = 0, areal = 0;               // m, m, kg/m2
     std::vector<std::pair<double, double>> compression = {};  // thickness, m, and pressure, Pa; empty: none
     std::string name = {};  // of the bodies that it consists of; empty: it is a part of one
   };

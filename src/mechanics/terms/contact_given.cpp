@@ -60,7 +60,8 @@ void Contacts::follow_elements() {
     const double gap = std::min(wanted[i], room[i]);
     if (gap <= scene_.interactions()[i].law.gap()) continue;
     m.follows = true;
-    m.data = {gap, m.data.floor, kDense / (gap - m.data.floor)};  // the floor is below the gap that it had
+    m.data = {gap, m.data.floor,
+              dense_pressure / (gap - m.data.floor)};  // the floor is below the gap that it had
     scene_.replace_law(i, contact::ContactLaw(m.data));
   }
 }

@@ -14,8 +14,11 @@ double eased(const contact::Scene& scene, const contact::Interaction& it);
 // patch that such a body presses of one element.
 double area_as_flat(const contact::Scene& scene, const contact::Interaction& it);
 
-// Words on how far the force of a ball or a rod depends on where it lies against nodes, where elements
-// without points inside are wider than what it presses of flat cloth; or none.
+// How many times the law's force that of a ball or a rod on a node of flat cloth is, roughly, where elements
+// have no points inside; 0 where all have, and of other bodies.
+double dependence(const contact::Scene& scene, const contact::Interaction& it);
+
+// Words on that where it shows, and on points inside that are too few; or none.
 std::string dependence_words(const contact::Scene& scene, const contact::Interaction& it);
 
 }  // namespace fabricsh::mechanics
