@@ -256,7 +256,7 @@ void check_nodes(const Model& model, const std::vector<Stitch>& stitches) {
   const mesh::Mesh& mesh = model.mesh().uncut();
   std::map<Index, std::string> taken;
   for (const Tie& tie : model.ties())
-    for (const std::string& set : {tie.set, tie.partner})
+    for (const std::string& set : {tie.set, tie.kind == TieKind::periodic ? tie.partner : std::string()})
       if (!set.empty())
         for (const Index n : mesh.set(set)) taken.emplace(n, "is tied (set '" + set + "')");
   for (const Zone& zone : model.zones())

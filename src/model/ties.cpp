@@ -118,6 +118,7 @@ class Builder {
     for (const auto& tie : model.ties()) {
       if (tie.kind == TieKind::rigid && !tie.partner.empty()) {  // to a rigid body, which moves by itself
         want_body(model.interactions(), tie.partner);
+        take_along(tie);
         continue;
       }
       tied_ = text(tie);
@@ -159,12 +160,24 @@ class Builder {
   using Leads = std::vector<Lead>;
 
   static void want_body(const Interactions& all, const std::string& name) {
-    for (const RigidPointer& body : all.bodies())
-      if (all.name_of(*body) == name) return;
+    int found = 0;
+    for (const RigidPointer& body : all.bodies()) found += all.name_of(*body) == name ? 1 : 0;
+    if (found == 1) return;
+    if (found > 1)
+      throw Error("tie: " + std::to_string(found) + " bodies have the name '" + name +
+                  "': expected a body with a name of its own");
     throw Error(
         "tie: the body '" + name +
         "' neither touches anything nor closes gas: expected m:contact{between={it, ...}} or lids= of "
         "m:gas");
+  }
+
+  // Springs to two bodies would hold a node somewhere between them.
+  void take_along(const Tie& tie) {
+    for (const mesh::Index n : mesh_.set(tie.set))
+      if (const auto [at, first] = with_body_.emplace(n, tie.partner); !first && at->second != tie.partner)
+        throw Error("tie: node " + std::to_string(n + 1) + " of set '" + tie.set +
+                    "' is tied to the bodies '" + at->second + "' and '" + tie.partner + "': expected one");
   }
 
   void follow(mesh::Index node, int component, Leads leads) {
@@ -254,6 +267,7 @@ class Builder {
   std::vector<std::pair<Key, Leads>> again_;
   std::vector<mesh::NodeSet> bodies_;
   std::set<mesh::Index> in_body_;
+  std::map<mesh::Index, std::string> with_body_;  // the rigid body that takes a node along
 };
 
 }  // namespace

@@ -79,6 +79,38 @@ do
   check.fails("the sphere closes no hole: expected a hole of the surface whose rim lies at it", function() fabric.static { model = m, duration = 1 } end)
 end
 
+-- Bodies to which nodes are tied have names of their own, a node goes along with one of them, and seams of the same model stay what they are.
+do
+  local function tube()
+    local mesh = fabric.mesh.rectangle { width = 1, height = long, nx = 10, ny = 2 }
+    mesh:map(function(x, y)
+      local turn = 2 * math.pi * x
+      return radius * math.cos(turn), radius * math.sin(turn), y
+    end)
+    mesh:set("rim", function(x, _, z) return z > 0.99 * long and x < 0.99 * radius end)
+    local m = fabric.model { mesh = mesh, card = card, warp = { 0, 0, 1 }, membrane = true }
+    return m:fix("bottom", "x y z"):seam { "left", "right" }
+  end
+  local function body(name, up) return fabric.rigid.disc { name = name, radius = 0.07, edge = 1e-3, centre = { 0, 0, long + up }, normal = { 0, 0, 1 } } end
+  local m, lid = tube(), body("lid", 1e-3)
+  m:gas { lids = { "bottom", lid }, initial = 500 }
+  m:tie("rigid", "rim", lid):move(lid, { z = fabric.ramp(2e-3, 1) })
+  local a = fabric.static { model = m, duration = 1, step = 0.5 }:solve()
+  row("sewn tube, its rim", a:node(m.mesh:set("rim")[3]).uz, 2e-3, { relative = 1e-3 })
+  local function refused(words, second, name)
+    local n, one = tube(), body("one", 1e-3)
+    local other = second(name)
+    n:gas { lids = { "bottom", one } }
+    n:contact { between = { other, "all" } }
+    n:tie("rigid", "rim", one)
+    if name ~= "one" then n:tie("rigid", "rim", other) end
+    check.fails(words, function() fabric.static { model = n, duration = 1 } end)
+  end
+  local function above(name) return body(name, 6e-3) end
+  refused("tie: 2 bodies have the name 'one': expected a body with a name of its own", above, "one")
+  refused("is tied to the bodies 'one' and 'two': expected one", above, "two")
+end
+
 -- A rim that leaves its body is told.
 do
   local mesh = fabric.mesh.cylinder { radius = radius, length = long, around = around, along = along }
