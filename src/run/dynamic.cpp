@@ -82,6 +82,45 @@ DynamicOptions checked(DynamicOptions options) {
   return options;
 }
 
+// Whether any of the histories changes between two times: at their middle or end.
+struct Driven {
+  double from, to;
+  bool any = false;
+  template <class Load>
+  void about(const Load&) {}
+  void history(const char*, const history::History& h, const char*) {
+    const double first = h.value(from);
+    any = any || h.value((from + to) / 2) != first || h.value(to) != first;
+  }
+  void components(const model::Components& value, const char* unit) {
+    for (const auto& h : value)
+      if (h) history("", *h, unit);
+  }
+  void stiffness(const std::array<double, 3>&, const char*) {}
+  void frame(const Mat3&) {}
+};
+
+// What is moved or loaded slowly has next to no kinetic energy, and does not rest.
+bool driven(const Run& run, double look) {
+  const model::Model& model = run.model();
+  const double from = run.time() - look, to = run.time();
+  Driven seen{from, to, run.released_over() > 0 && from < run.began() + run.released_over()};
+  for (const auto& motion : model.motions()) seen.components(motion.displacement, "m");
+  for (const auto& turn : model.turns()) seen.history("", turn.angle, "degrees");
+  model::tell_each(model.loads(), seen);
+  seen.components(model.gravity(), "m/s^2");
+  for (const auto& motion : model.interactions().motions()) {
+    seen.components(motion.displacement, "m");
+    if (motion.turn) seen.history("", motion.turn->angle, "degrees");
+  }
+  for (const auto& load : model.interactions().loads()) seen.components(load.total, "N");
+  for (const auto& body : model.interactions().bodies())
+    if (const auto* shapes = body->moving(); shapes != nullptr && !shapes->times.empty())
+      seen.any = seen.any || from < shapes->times.back();
+  for (const auto& gas : model.gases()) seen.any = seen.any || (gas->inflow && gas->inflow->value(to) != 0);
+  return seen.any;
+}
+
 }  // namespace
 
 Dynamic::Dynamic(std::shared_ptr<model::Model> model, const DynamicOptions& options,
@@ -113,13 +152,17 @@ bool Dynamic::is_calm(const EnergyAccount& e) const {
 // What only turns around is not calm for as long as the window.
 void Dynamic::watch_rest() {
   if (now_.rested) return;
-  if (!is_calm(energy()) || (seams_ != nullptr && seams_->draws())) {
+  if (!is_calm(energy()) || (seams_ != nullptr && seams_->draws()) ||
+      driven(*this, options_.until_rest->window / kLooksForRest)) {
     now_.calm_since = -1;
     return;
   }
   if (now_.calm_since < 0) now_.calm_since = time();
   if (time() - now_.calm_since < options_.until_rest->window * (1 - 1e-9)) return;
   now_.rested = true;
+  if (const std::vector<double> kinks = model().kinks(); !kinks.empty() && time() < kinks.back())
+    notices().remark("dynamic: at rest at " + number(time()) + " s; loads or motions of the model go on to " +
+                     number(kinks.back()) + " s, and are not waited for");
   stop("at rest");
 }
 
@@ -127,6 +170,8 @@ void Dynamic::report_unrest(const EnergyAccount& e) {
   if (!options_.until_rest || now_.rested) return;
   std::string why;
   if (seams_ != nullptr && seams_->draws()) why = "seams are still drawn together";
+  if (driven(*this, options_.until_rest->window / kLooksForRest))
+    why += (why.empty() ? "" : ", ") + std::string("loads or motions still change");
   if (!is_calm(e))
     why += (why.empty() ? "" : ", ") + std::string("the kinetic energy is ") +
            number(e.stored > 0 ? e.kinetic / e.stored : e.kinetic, 3) +

@@ -73,3 +73,24 @@ local dressed = fabric.lab.dress { analysis = b, at = 0.4 }
 print(("sewn at %.4g s"):format(dressed.time))
 assert(dressed.at_rest and dressed.open == 0 and dressed.time == b.time and dressed.stopped == "at rest")
 assert(b.time >= 0.035 * (1 - 1e-9) and b.time < 0.0365)
+
+-- What is pulled or turned slowly has next to no kinetic energy, and does not rest before it stands; a load that comes later is not waited for.
+for _, scheme in ipairs { "implicit", "explicit" } do
+  local soft = fabric.svk { young = 20e6, poisson = 0, density = 600, thickness = 0.4 * mm, bending = { warp = 2e-5, weft = 2e-5, twist = 1e-5 } }
+  local function pulled(history)
+    local mesh = fabric.mesh.rectangle { width = 0.03, height = 0.02, nx = 3, ny = 2 }
+    local m = fabric.model { mesh = mesh, card = soft, warp = 0 }
+    m:fix("left", "x y z rotation"):fix("right", "y z"):move("right", { x = history })
+    return fabric.dynamic { model = m, duration = 0.4, scheme = scheme, step = scheme == "implicit" and 4e-3 or nil, damping = { mass = 100 }, until_rest = { window = 0.02 } }
+  end
+  for _, history in ipairs { fabric.ramp(1.5 * mm, 0.2), function(t) return 1.5 * mm * math.min(1, t / 0.2) end } do
+    local run = pulled(history):solve()
+    local node = run.model.mesh:set("right")[1]
+    assert(run.stopped == "at rest" and run.time > 0.2195 and run.time < 0.25, run.time)
+    assert(math.abs(run:node(node).ux - 1.5 * mm) < 1e-12)
+  end
+  local still = pulled(fabric.ramp(1.5 * mm, 0.5)):solve()
+  assert(not still.stopped and said(still, "rest"):find("loads or motions still change", 1, true))
+  local later = pulled(fabric.history { { 0, 0 }, { 0.1, mm }, { 0.3, mm }, { 0.35, 2 * mm } }):solve()
+  assert(later.stopped == "at rest" and later.time > 0.1195 and later.time < 0.15, later.time)
+end
