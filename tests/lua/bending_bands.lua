@@ -61,6 +61,15 @@ assert(found_loss or (e.text or ""):find("bands of bending: the values alone are
 assert(not card:with { bending = false }.bands.bending)
 refused("field 'bands.bending': expected a card with bending of its own, got one without", duck.with, duck, { bending = false, bands = { bending = { low = { 1 }, high = { 1 }, covariance = { 1 } } } })
 refused("field 'bands.bending.low': expected 3 numbers, got 1", card.with, card, { bands = { bending = { low = { 1e-6 }, high = { 2e-6 }, covariance = { 0 } } } })
+do
+  local own = card:with { bending = { warp = 7e-6, weft = 5e-6, twist = 3e-6 } }
+  local low, high, none = { 6e-6, 4e-6, 2e-6 }, { 8e-6, 6e-6, 4e-6 }, { 1e-12, 0, 0, 0, 1e-12, 0, 0, 0, 1e-12 }
+  assert(own:with { bands = { bending = { low = low, high = high, covariance = none } } }.bands.bending)
+  refused("field 'bands.bending.high': expected at least 8e-06, that of low, got 6e-06 at place 1", own.with, own, { bands = { bending = { low = high, high = low, covariance = none } } })
+  for _, c in ipairs { { 1e-12, 0, 0, 0, -1e-12, 0, 0, 0, 1e-12 }, { 1e-12, 5e-13, 0, 0, 1e-12, 0, 0, 0, 1e-12 }, { 1e-12, 0, 3e-12, 0, 1e-12, 0, 3e-12, 0, 1e-12 } } do
+    refused("field 'bands.bending.covariance': expected that of real numbers", own.with, own, { bands = { bending = { low = low, high = high, covariance = c } } })
+  end
+end
 
 -- without strips at 45 degrees the twist is assumed, with a range, and not in the band
 local two = lab.twist { warp = strips.warp, weft = strips.weft }

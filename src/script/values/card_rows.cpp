@@ -3,6 +3,7 @@
 #include "script/values/card_rows.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/number.hpp"
 #include "card/fields.hpp"
@@ -20,6 +21,25 @@ namespace {
 
 // --- checks that involve several fields ---
 
+// Samples are drawn between low and high, with the covariance of a real distribution.
+void check_band(const Fields& band, std::size_t n) {
+  const auto low = band.numbers("low"), high = band.numbers("high"), c = band.numbers("covariance");
+  for (std::size_t i = 0; i < n; ++i) {
+    if (high[i] < low[i])
+      band.refuse("high", "expected at least " + exact_number(low[i]) + ", that of low, got " +
+                              exact_number(high[i]) + " at place " + std::to_string(i + 1));
+    for (std::size_t k = 0; k <= i; ++k) {
+      const double own = c[i * n + i] * c[k * n + k], one = c[i * n + k], other = c[k * n + i];
+      if (c[i * n + i] < 0 || std::abs(one - other) > 1e-4 * std::sqrt(own) || one * one > own * (1 + 1e-4))
+        band.refuse("covariance",
+                    "expected that of real numbers, symmetric and with correlations from -1 to 1, "
+                    "got " +
+                        exact_number(one) + " and " + exact_number(other) + " at row " +
+                        std::to_string(i + 1) + ", column " + std::to_string(k + 1));
+    }
+  }
+}
+
 // A band must have as many numbers as the group of its name has parameters.
 void check_bands(const Fields& fields, const Card& card) {
   const Fields bands = fields.fields("bands");
@@ -35,6 +55,7 @@ void check_bands(const Fields& fields, const Card& card) {
       if (got != want)
         band.refuse(name, "expected " + std::to_string(want) + " numbers, got " + std::to_string(got));
     }
+    check_band(band, n);
     lua_pop(fields.L(), 1);
   }
   lua_pop(fields.L(), 1);
