@@ -298,8 +298,9 @@ void Explicit::report_cost() {
                     contact_->words(nearest.point) + ", " + number(nearest.gap) +
                     " m above the smallest distance): if that lasts, the " + number(left) +
                     " s that are left take " + number(left / step, 2) + " more, in place of " +
-                    number(left / now_.step, 2) + (caught.empty() ? "" : "; " + caught) + ".\nTry: " +
-                    (caught.empty() ? "" : "a longer field 'over' of m:seam; or ") + against_passing() + ".");
+                    number(left / now_.step, 2) + (caught.empty() ? "" : "; " + caught) +
+                    ".\nTry: " + (caught.empty() ? "" : "a longer field 'over' of m:seam; or ") +
+                    against_pressing() + ".");
 }
 
 void Explicit::split() {
@@ -449,6 +450,21 @@ std::string Explicit::against_passing() const {
          "more thickness= or stiffness= of m:contact (as it is, it stops cloth that comes with " +
          number(stopped.anywhere) + " m/s anywhere, with " + number(stopped.flat) +
          " m/s where it meets something flat)";
+}
+
+// Cloth that tools pinch is pressed for as long as they do, so that the speed that contact stops says nothing
+// about it. A stiffer law makes all steps shorter, but by the root of its stiffness: far less than the guard.
+std::string Explicit::against_pressing() const {
+  const auto found = contact_->pressed(contact_->nearest());
+  if (!found) return against_passing();
+  const double step = std::min(now_.step, found->step);
+  return "stiffness=" + number(found->stiffness, 2) + " in m:contact, with steps of " + number(step, 2) +
+         " s: these nodes are pressed with " + number(found->pressure, 2) +
+         " Pa, and contact as it is carries " + number(found->carried, 2) +
+         " Pa before its barrier begins (between two tools in a fixed gap the pressure grows with the "
+         "stiffness: there a wider gap, or a holder with m:force; on an edge more thickness= with tools set "
+         "off by half of it, or a rounder edge); or, if the cloth comes fast, " +
+         against_passing();
 }
 
 // Where the reference configuration does not allow the step, its element is named: later all are torn.

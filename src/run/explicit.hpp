@@ -31,7 +31,8 @@ class Explicit final : public Dynamic {
   std::vector<CentralDifferences::Weight> added_inertia() const;
   const mechanics::Motion& motion() const override { return motion_; }
   double hidden_energy() const override;
-  std::string against_passing() const;  // advice where surfaces are pressed to the smallest distance
+  std::string against_pressing() const;  // where cloth is pressed for long, or as against_passing()
+  std::string against_passing() const;   // advice where surfaces are pressed to the smallest distance
   std::string against_long_step() const override;
   std::string finer_elements() const override;
   void memory(Archive& archive) override;

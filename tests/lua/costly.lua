@@ -33,6 +33,15 @@ for _, warning in ipairs(a.warnings) do
       { "steps that are left", tonumber(left) / tonumber(step), tonumber(more), relative = 0.05 },
     }
     assert(tonumber(times) >= 32)
+    -- The stiffness rises over the first fifth of the range, and the barrier begins three quarters down.
+    local stiffness, shorter, pressure, carried = warning.text:match "stiffness=(%S+) in m:contact, with steps of (%S+) s: these nodes are pressed with (%S+) Pa, and contact as it is carries (%S+) Pa"
+    local law, range = 2.28347e9, 0.19 * mm - 0.0747333 * mm
+    fabric.expect {
+      { "pressure before the barrier, Pa", law * range * (0.75 - 0.1), tonumber(carried), relative = 0.05 },
+      { "stiffness that is proposed, Pa/m", 2 * law * tonumber(pressure) / tonumber(carried), tonumber(stiffness), relative = 0.08 },
+      { "steps with it, s", a.step_size * math.sqrt(law / tonumber(stiffness)), tonumber(shorter), relative = 0.05 },
+    }
+    assert(warning.text:find("fixed gap", 1, true) and tonumber(shorter) > tonumber(step))
   end
 end
 assert(said == 1, table.concat(lines, "\n"))

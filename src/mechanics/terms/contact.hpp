@@ -165,6 +165,13 @@ class Contacts final : public Term, public StepLimiter, public OwnUnknowns, publ
     std::array<std::int32_t, 4> point;  // corners, -1: none
   };
   NearestPair nearest() const;
+  // What presses a pair of cloth and a body, and what its law carries before the guard begins.
+  struct Pressed {
+    double pressure, carried;  // Pa
+    double stiffness,
+        step;  // Pa/m, that would carry this pressure with a margin; s, the largest step with it
+  };
+  std::optional<Pressed> pressed(const NearestPair& pair) const;  // empty: no more than is carried
   double gap(Index node) const;       // m, above the floor; at most the range of contact
   double pressure(Index node) const;  // Pa, without friction, of both faces added
   // What the cloth does to a body whose shape is a surface.

@@ -14,7 +14,8 @@ namespace {
 
 constexpr double kInGuard = 1;  // stiffness * step^2 / areal mass while the guard acts
 constexpr double kBesideTie =
-    0.5;  // of the step without ties to bodies, which take 10/4 of the cloth's stiffness
+    0.5;                       // of the step without ties to bodies, which take 10/4 of the cloth's stiffness
+constexpr double kMargin = 2;  // of a stiffness that is proposed, for what a pair is pressed with later
 constexpr double kAboutNode = 2;  // areas of a node that press a ball on it: half its own and its facets'
 
 }  // namespace
@@ -94,6 +95,30 @@ Contacts::Stopped Contacts::speed_stopped() const {
     least.anywhere = std::min(least.anywhere, here.anywhere);
   }
   return least;
+}
+
+// Of several contacts between the cloth and a body that of the pair's nodes counts. A body has no law of its
+// own, and two sheets that meet give way to each other.
+std::optional<Contacts::Pressed> Contacts::pressed(const NearestPair& pair) const {
+  int body = -1;
+  for (const std::int32_t p : pair.point)
+    if (p >= 0 && static_cast<std::size_t>(p) >= nodes_) body = surface_of(p);
+  if (body < 0) return {};
+  const auto of_cloth = [&](const std::vector<std::int32_t>& points) {
+    return std::any_of(points.begin(), points.end(), [&](std::int32_t p) {
+      return std::find(pair.point.begin(), pair.point.end(), p) != pair.point.end();
+    });
+  };
+  for (const auto& it : scene_.interactions()) {
+    if (it.rigid || it.second != static_cast<int>(sheets_.size()) + body) continue;
+    if (!of_cloth(scene_.surfaces()[it.first].points)) continue;
+    const double pressure = it.law(it.law.floor() + pair.gap).pressure;
+    const double carried = it.law(it.law.guard_gap()).pressure;
+    if (!(std::isfinite(pressure) && pressure > carried)) return {};
+    const double stiffness = kMargin * pressure / carried * it.law.stiffest();
+    return Pressed{pressure, carried, stiffness, std::sqrt(carried_stiffness * least_areal_ / stiffness)};
+  }
+  return {};
 }
 
 std::vector<Contacts::DrawnThrough> Contacts::drawn_through() const {
