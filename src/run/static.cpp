@@ -759,9 +759,10 @@ void Static::give_up(const StepReport& report) {
   step_.jumps = now_.jumps && reports_.empty();
   if (step_.jumps) step_.jump = find_jumps(*model_, options_.duration);
   step_.bends = bends_by_itself(*model_);
-  step_.relaxed = relaxation_ != nullptr || helper_ || settling_;
-  step_.both = options_.method == Method::either || options_.method == Method::automatic;
-  step_.stabilised = stabilisation_ != nullptr;
+  // Nothing is advised that bodies which forces place would refuse.
+  step_.relaxed = relaxation_ != nullptr || helper_ || settling_ || places_bodies_;
+  step_.both = options_.method == Method::either || options_.method == Method::automatic || places_bodies_;
+  step_.stabilised = stabilisation_ != nullptr || places_bodies_;
   fail(step_, report, now_.step.largest());
 }
 
