@@ -462,8 +462,9 @@ std::string Explicit::against_pressing() const {
          " s: these nodes are pressed with " + number(found->pressure, 2) +
          " Pa, and contact as it is carries " + number(found->carried, 2) +
          " Pa before its barrier begins (between two tools in a fixed gap the pressure grows with the "
-         "stiffness: there a wider gap, or a holder with m:force; on an edge more thickness= with tools set "
-         "off by half of it, or a rounder edge); or, if the cloth comes fast, " +
+         "stiffness: there a wider gap, or a holder with m:force; on an edge elements no longer than its "
+         "radius, more thickness= with tools set off by half of it, or a rounder edge); or, if the cloth "
+         "comes fast, " +
          against_passing();
 }
 
