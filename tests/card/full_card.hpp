@@ -62,7 +62,9 @@ inline card::Card full_card(const std::string& kind) {
     for (const auto& [part, place] : card::banded_parts) {
       const std::size_t n = parameters(*card::find_field(card::fields(card), part), card).size();
       auto& band = *woven->bands.*place;
-      band.low.resize(n), band.high.resize(n), band.covariance.resize(n * n, 0.5);
+      band.low.resize(n), band.high.resize(n), band.covariance.resize(n * n);
+      for (std::size_t i = 1; i < n; ++i)
+        band.covariance[i * n + i] = 0.5;  // no part goes along with another
     }
   }
   return card;
