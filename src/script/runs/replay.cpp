@@ -129,7 +129,7 @@ void add_value(lua_State* L, const DeckRun& run, const Fields& fields, const Arg
   bytes(name, value);
 }
 
-std::string arguments_of(const Call& call, const DeckRun& run) {
+std::string replayed_arguments(const Call& call, const DeckRun& run) {
   Archive bytes;
   for (const Argument& row : call.entry().arguments) add_value(call.L(), run, call, row, bytes);
   return bytes.bytes();
@@ -218,7 +218,7 @@ int execute(Call& call) {
   if (entry.touches == Touches::nothing || entry.touches == Touches::whole_run) return entry.run(call);
   DeckRun& run = *call.self<DeckRun>();
   if (!run.passes_over() && !notes_readings(run)) return entry.run(call);
-  const std::string arguments = arguments_of(call, run);
+  const std::string arguments = replayed_arguments(call, run);
   if (run.passes_over() && entry.name == "analysis:write") want_file(run, call);
   return read_between(call.L(), run, last_word(entry.name), arguments, [&] { return entry.run(call); });
 }
