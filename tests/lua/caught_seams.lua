@@ -1,5 +1,6 @@
 -- Shoulders that are drawn straight through a trunk against friction: they are led over it with steps as planned, close and rest; a seam that cannot close is said.
 local fabric = require "fabric"
+local check = dofile((arg[0]:gsub("[^/]*$", "common/check.lua")))
 local mm = fabric.units.mm
 local card = fabric.card("blend", { bending = "estimated" })
 local long = os.getenv "FABRICSH_TEST_LONG"
@@ -66,15 +67,9 @@ end
 assert((#stuck == 1 or #stuck == 2 and stuck[1] ~= stuck[2]) and unrest == 1 and not short.stopped)
 assert(short.joints.closed < short.joints.stitches and #short.steps < 1.5 * short.time / short.step_size)
 
-local function child(options, what)
-  local pipe = assert(io.popen(("'%s' --quiet %s '%s' %s 2>/dev/null"):format(arg[-1], options, arg[0], what)))
-  local text = pipe:read "a"
-  assert(pipe:close(), options .. " " .. what)
-  return text
-end
-local one = child("--threads 1", "whole")
-child("--threads 1", "half")
-assert(#one > 1000 and one == child("--threads 2 --restart caught.ckpt", "whole"), "bits after a restart while the seams are led")
+local one = check.child("--threads 1", "whole")
+check.child("--threads 1", "half")
+assert(#one > 1000 and one == check.child("--threads 2 --restart caught.ckpt", "whole"), "bits after a restart while the seams are led")
 
 if long then
   for _, scale in ipairs { 0.8, 1, 1.2 } do

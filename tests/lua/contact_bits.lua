@@ -37,17 +37,4 @@ for _, x in ipairs { a:reaction(ball) } do io.write(("%a "):format(x)) end
 for _, name in ipairs { "stored", "contact", "stick", "friction", "external" } do io.write(("%a "):format(a.energy[name])) end
 ]]
 file:close()
-local function program(words) return check.shell(("'%s' --quiet %s 2>scheme_bits.log"):format(arg[-1], words)) end
-for _, scheme in ipairs { "static", "relaxation", "implicit" } do
-  os.remove "scheme_bits.ckpt"
-  local code, first = program("--threads 1 scheme_bits.lua " .. scheme)
-  assert(code == 0 and #first > 1e5, scheme .. ": " .. code)
-  local _, two = program("--threads 2 scheme_bits.lua " .. scheme)
-  assert(two == first, scheme .. ", 2 threads")
-  os.remove "scheme_bits.ckpt"
-  code = program("--threads 2 scheme_bits.lua " .. scheme .. " dies")
-  assert(code == 9, scheme .. ": " .. code)
-  local _, again = program("--threads 1 --restart scheme_bits.ckpt scheme_bits.lua " .. scheme)
-  assert(again == first, scheme .. ", after a restart")
-  print(("%s: the same %d bytes with 1 and 2 threads and after a restart"):format(scheme, #first))
-end
+check.same_bits("scheme_bits.lua", "scheme_bits.ckpt", { "static", "relaxation", "implicit" }, 1e5)

@@ -1,7 +1,8 @@
 -- A piece wrapped around an arm is sewn and comes to rest: the rule of rest, the same bits on two threads and after a restart, and what starts through the body.
 local fabric = require "fabric"
 local mm = fabric.units.mm
-local fails = dofile((arg[0]:gsub("[^/]*$", "common/check.lua"))).fails
+local check = dofile((arg[0]:gsub("[^/]*$", "common/check.lua")))
+local fails = check.fails
 local card = fabric.card("blend", { bending = "estimated" })
 local long, open = 80 * mm, 8 * mm -- of the sleeve; between its edges at first
 local function sleeve(t)
@@ -43,17 +44,10 @@ assert(late.at_rest == nil and late.moved == nil)
 local again = fabric.lab.dress { analysis = a, at = 0.08, state = kept }
 assert(again.at_rest and again.moved == dressed.moved and again.gap == dressed.gap)
 
-local here = arg[0]
-local function child(options, what)
-  local pipe = assert(io.popen(("'%s' --quiet %s '%s' %s 2>/dev/null"):format(arg[-1], options, here, what)))
-  local text = pipe:read "a"
-  assert(pipe:close(), options .. " " .. what)
-  return text
-end
-local one = child("--threads 1", "whole")
-assert(#one > 1000 and one == child("--threads 2", "whole"), "bits on two threads")
-child("--threads 1", "half")
-assert(one == child("--threads 2 --restart dress.ckpt", "whole"), "bits after a restart in the middle of sewing")
+local one = check.child("--threads 1", "whole")
+assert(#one > 1000 and one == check.child("--threads 2", "whole"), "bits on two threads")
+check.child("--threads 1", "half")
+assert(one == check.child("--threads 2 --restart dress.ckpt", "whole"), "bits after a restart in the middle of sewing")
 
 -- Edges that meet are sewn from the start; the cloth on either side of them may touch itself.
 assert(sleeve { closed = true, duration = 1e-3 }:solve().joints.closed == 7)

@@ -2,30 +2,13 @@
 -- and triangles. A quarter of a pillow of two sheets, whose outer half is turned up about a line, or which is drawn too large.
 -- warns: edges that are sewn were still
 local fabric = require "fabric"
+local check = dofile((arg[0]:gsub("[^/]*$", "common/check.lua")))
 local side, gap, n = 0.2, 0.004, 4
 local nodes = (n + 1) * (n + 1)
 local soft = fabric.svk { young = 1e6, poisson = 0.25, density = 700, thickness = 0.3e-3 }
 
--- The mesh with other nodes.
-local function moved(mesh, f)
-  local places, elements = {}, {}
-  for i = 1, #mesh.nodes do places[i] = { f(table.unpack(mesh.nodes[i])) } end
-  for i = 1, #mesh.elements do elements[i] = mesh.elements[i] end
-  local copy = fabric.mesh { nodes = places, elements = elements }
-  for _, name in ipairs(mesh.sets) do copy:set(name, mesh:set(name)) end
-  return copy
-end
-
 local function bag(start, triangles)
-  local function body(name, z)
-    local cut = fabric.mesh.rectangle { width = side / 2, height = side / 2, nx = n, ny = n, triangles = triangles }:map(function(x, y) return x, y, z end)
-    return { name = name, mesh = start and moved(cut, start) or cut, reference = start and cut or nil, card = soft, warp = 0 }
-  end
-  local m = fabric.model { membrane = true, bodies = { body("up", gap / 2), body("down", -gap / 2) } }
-  for _, edge in ipairs { "right", "top" } do m:seam { "up." .. edge, "down." .. edge, over = 0.02, hinge = true } end
-  for _, name in ipairs { "up", "down" } do m:symmetry(name .. ".left", "x"):symmetry(name .. ".bottom", "y") end
-  m.mesh:set("below", { 1 + nodes })
-  return m:fix("below", "z")
+  return check.pillow { side = side, gap = gap, n = n, card = soft, over = 0.02, start = start, triangles = triangles }
 end
 
 -- Gas flows in until there are 0.9 g of it.

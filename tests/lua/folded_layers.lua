@@ -1,30 +1,14 @@
 -- A bag that begins folded onto itself, with contact between its layers, is blown up to the shape of the flat one; quadrilaterals and
 -- triangles. A quarter of a pillow of two sheets whose outer part lies on the inner one, or stands up at 149 degrees from where it was cut.
 local fabric = require "fabric"
+local check = dofile((arg[0]:gsub("[^/]*$", "common/check.lua")))
 local side, gap, n = 0.16, 8e-4, 4
 local nodes = (n + 1) * (n + 1)
 local soft = fabric.svk { young = 1e6, poisson = 0.25, density = 700, thickness = 0.3e-3 }
 
-local function moved(mesh, f)
-  local places, elements = {}, {}
-  for i = 1, #mesh.nodes do places[i] = { f(table.unpack(mesh.nodes[i])) } end
-  for i = 1, #mesh.elements do elements[i] = mesh.elements[i] end
-  local copy = fabric.mesh { nodes = places, elements = elements }
-  for _, name in ipairs(mesh.sets) do copy:set(name, mesh:set(name)) end
-  return copy
-end
-
 local function bag(start, triangles)
-  local function body(name, z)
-    local cut = fabric.mesh.rectangle { width = side / 2, height = side / 2, nx = n, ny = n, triangles = triangles }:map(function(x, y) return x, y, z end)
-    return { name = name, mesh = start and moved(cut, start) or cut, reference = start and cut or nil, card = soft, warp = 0 }
-  end
-  local m = fabric.model { membrane = true, bodies = { body("up", gap / 2), body("down", -gap / 2) } }
-  for _, edge in ipairs { "right", "top" } do m:seam { "up." .. edge, "down." .. edge, over = 0.01, hinge = true } end
-  for _, name in ipairs { "up", "down" } do m:symmetry(name .. ".left", "x"):symmetry(name .. ".bottom", "y") end
-  m.mesh:set("below", { 1 + nodes })
-  if start then m:contact { self = "all", friction = 0, stiffness = 4e9 } end
-  return m:fix("below", "z")
+  local m = check.pillow { side = side, gap = gap, n = n, card = soft, over = 0.01, start = start, triangles = triangles }
+  return start and m:contact { self = "all", friction = 0, stiffness = 4e9 } or m
 end
 
 local function blown(start, triangles)

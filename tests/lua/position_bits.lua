@@ -31,20 +31,7 @@ for _, body in ipairs { ball, rod } do for _, x in ipairs { a:reaction(body) } d
 for _, name in ipairs { "stored", "contact", "stick", "friction", "external" } do io.write(("%a "):format(a.energy[name])) end
 ]]
 file:close()
-local function program(words) return check.shell(("'%s' --quiet %s 2>position_bits.log"):format(arg[-1], words)) end
-for _, scheme in ipairs { "static", "implicit", "explicit" } do
-  os.remove "position_bits.ckpt"
-  local code, first = program("--threads 1 position_bits_deck.lua " .. scheme)
-  assert(code == 0 and #first > 5000, scheme .. ": " .. code)
-  local _, two = program("--threads 2 position_bits_deck.lua " .. scheme)
-  assert(two == first, scheme .. ", 2 threads")
-  os.remove "position_bits.ckpt"
-  code = program("--threads 2 position_bits_deck.lua " .. scheme .. " dies")
-  assert(code == 9, scheme .. ": " .. code)
-  local _, again = program("--threads 1 --restart position_bits.ckpt position_bits_deck.lua " .. scheme)
-  assert(again == first, scheme .. ", after a restart")
-  print(("%s: the same %d bytes with 1 and 2 threads and after a restart"):format(scheme, #first))
-end
+check.same_bits("position_bits_deck.lua", "position_bits.ckpt", { "static", "implicit", "explicit" }, 5000)
 
 -- Of larger bodies a run says how far their force depends on where the nodes lie.
 local words = assert(io.open("position_words.lua", "wb"))

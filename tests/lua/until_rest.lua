@@ -1,6 +1,7 @@
 -- A run that ends by itself where all rests: the strip of cloth that falls onto a floor, and a cuff that is sewn around an arm. The same bits after a
 -- restart; solve() goes on; what does not rest in its time is said.
 local fabric = require "fabric"
+local check = dofile((arg[0]:gsub("[^/]*$", "common/check.lua")))
 local mm = fabric.units.mm
 local card = fabric.card("blend", { bending = "estimated" })
 
@@ -46,16 +47,9 @@ assert(not short.stopped and short.time == 0.02)
 print(said(short, "rest"))
 assert(said(short, "rest"):find("not at rest at the end, 0.02 s: the kinetic energy is", 1, true))
 
-local here = arg[0]
-local function child(options, what)
-  local pipe = assert(io.popen(("'%s' --quiet %s '%s' %s 2>/dev/null"):format(arg[-1], options, here, what)))
-  local text = pipe:read "a"
-  assert(pipe:close(), options .. " " .. what)
-  return text
-end
-local one = child("--threads 1", "whole")
-child("--threads 1", "half")
-assert(#one > 500 and one == child("--threads 2 --restart rest.ckpt", "whole"), "bits after a restart")
+local one = check.child("--threads 1", "whole")
+check.child("--threads 1", "half")
+assert(#one > 500 and one == check.child("--threads 2 --restart rest.ckpt", "whole"), "bits after a restart")
 
 -- A cuff that is drawn together around an arm does not rest before it is sewn, however calm it is. fabric.lab.dress ends with the run.
 local function cuff()

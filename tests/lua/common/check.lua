@@ -66,6 +66,59 @@ function check.restarted(deck, kill_at, checkpoint, more)
   return check.contents "work"
 end
 
+-- What the deck that runs prints as a child with these options, whose argument is `what`.
+function check.child(options, what)
+  local pipe = assert(io.popen(("'%s' --quiet %s '%s' %s 2>/dev/null"):format(arg[-1], options, arg[0], what)))
+  local text = pipe:read "a"
+  assert(pipe:close(), options .. " " .. what)
+  return text
+end
+
+-- A deck prints the same bytes for each scheme, of which there are more than `least`: on 1 and 2 threads, and where it ends itself on the way
+-- ("dies", exit code 9) and goes on from its checkpoint.
+function check.same_bits(deck, checkpoint, schemes, least)
+  local function program(words) return check.shell(("'%s' --quiet %s 2>%s.log"):format(arg[-1], words, deck)) end
+  for _, scheme in ipairs(schemes) do
+    os.remove(checkpoint)
+    local code, first = program(("--threads 1 %s %s"):format(deck, scheme))
+    assert(code == 0 and #first > least, scheme .. ": " .. code)
+    local _, two = program(("--threads 2 %s %s"):format(deck, scheme))
+    assert(two == first, scheme .. ", 2 threads")
+    os.remove(checkpoint)
+    code = program(("--threads 2 %s %s dies"):format(deck, scheme))
+    assert(code == 9, scheme .. ": " .. code)
+    local _, again = program(("--threads 1 --restart %s %s %s"):format(checkpoint, deck, scheme))
+    assert(again == first, scheme .. ", after a restart")
+    print(("%s: the same %d bytes with 1 and 2 threads and after a restart"):format(scheme, #first))
+  end
+end
+
+-- The mesh with other nodes, f(x, y, z) in the place of x, y, z.
+function check.moved(mesh, f)
+  local fabric = require "fabric"
+  local places, elements = {}, {}
+  for i = 1, #mesh.nodes do places[i] = { f(table.unpack(mesh.nodes[i])) } end
+  for i = 1, #mesh.elements do elements[i] = mesh.elements[i] end
+  local copy = fabric.mesh { nodes = places, elements = elements }
+  for _, name in ipairs(mesh.sets) do copy:set(name, mesh:set(name)) end
+  return copy
+end
+
+-- A quarter of a pillow of two membranes, n elements a side, sewn within `over`; start: where its nodes begin, nil: flat.
+function check.pillow(p)
+  local fabric, n = require "fabric", p.n
+  local function body(name, z)
+    local cut = fabric.mesh.rectangle { width = p.side / 2, height = p.side / 2, nx = n, ny = n, triangles = p.triangles }
+    cut:map(function(x, y) return x, y, z end)
+    return { name = name, mesh = p.start and check.moved(cut, p.start) or cut, reference = p.start and cut or nil, card = p.card, warp = 0 }
+  end
+  local m = fabric.model { membrane = true, bodies = { body("up", p.gap / 2), body("down", -p.gap / 2) } }
+  for _, edge in ipairs { "right", "top" } do m:seam { "up." .. edge, "down." .. edge, over = p.over, hinge = true } end
+  for _, name in ipairs { "up", "down" } do m:symmetry(name .. ".left", "x"):symmetry(name .. ".bottom", "y") end
+  m.mesh:set("below", { 1 + (n + 1) * (n + 1) })
+  return m:fix("below", "z")
+end
+
 -- A mesh of quadrilaterals as one of triangles with the same sets.
 function check.in_triangles(mesh)
   local fabric = require "fabric"
