@@ -7,12 +7,12 @@
 
 namespace fabricsh::test {
 
-// A quarter of the repetitions, unless FABRICSH_TEST_DRAWS states another share of them: all in the long form
+// A tenth of the repetitions, unless FABRICSH_TEST_DRAWS states another share of them: all in the long form
 // of a room's tests, fewer for the sanitizers, under which each takes many times as long (.ci/also). At least
 // one.
 inline int draws(int all) {
   const char* given = std::getenv("FABRICSH_TEST_DRAWS");
-  if (given == nullptr) given = "0.25";
+  if (given == nullptr) given = "0.1";
   char* end = nullptr;
   const double share = std::strtod(given, &end);
   if (end == given || *end != 0 || !(share > 0 && share <= 1))

@@ -1,4 +1,4 @@
--- The drape of the cards that come along: coefficient, folds and amplitude with their scatter over discs, outlines side by side. Minutes to hours.
+-- The drape of the program's cards: coefficient, folds and amplitude with their scatter over discs, outlines side by side. Minutes to hours.
 --
 --   fabricsh scripts/long/drape_table.lua                          a disc of every card but wool by relaxation, into out/drape: two minutes
 --   fabricsh scripts/long/drape_table.lua 10 6 "worsted broad"     ten discs, six elements over the overhang, these cards ("all": every card)

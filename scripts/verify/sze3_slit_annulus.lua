@@ -22,8 +22,8 @@ local function make(across, around, step)
   local mesh = fabric.mesh.annulus { inner = 6, outer = 10, around = around, across = across, slit = true }
   local m = fabric.model { mesh = mesh, card = problem.plate(21e6, 0, 0.03) }
   m:fix("start", "x y z rotation"):traction("end", { z = fabric.ramp(0.8, 1) })
-  local lip = mesh:set "end"
-  local A, B = lip[1], lip[#lip]
+  local edge = mesh:set "end"
+  local A, B = edge[1], edge[#edge]
   return fabric.static { model = m, duration = 1, step = step }, function(a) return a:node(A).uz, a:node(B).uz end
 end
 

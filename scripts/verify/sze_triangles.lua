@@ -21,8 +21,8 @@ local problems = {
     local mesh = cut(fabric.mesh.annulus { inner = 6, outer = 10, around = n, across = 2 * n // 15, slit = true })
     local m = fabric.model { mesh = mesh, card = problem.plate(21e6, 0, 0.03), warp = 0 }
     m:fix("start", "x y z rotation"):traction("end", { z = fabric.ramp(0.8, 1) })
-    local lip = mesh:set "end"
-    return run(m, 0.25), function(a) return a:node(lip[1]).uz, a:node(lip[#lip]).uz end
+    local edge = mesh:set "end"
+    return run(m, 0.25), function(a) return a:node(edge[1]).uz, a:node(edge[#edge]).uz end
   end },
   { name = "hemisphere with a hole: V, -U", want = { 4.067, 8.178 }, size = "%d each way", cells = 8, make = function(n, cut)
     local mesh = cut(fabric.mesh.hemisphere { radius = 10, around = n, along = n, angle = 90 })

@@ -140,7 +140,7 @@ Tally kill_often(int kills, int restarts, unsigned seed) {
 
 }  // namespace
 
-TEST_CASE("killed ten times, all files open and the results are the same bits") { kill_often(10, 3, 1); }
+TEST_CASE("killed five times, all files open and the results are the same bits") { kill_often(5, 2, 1); }
 
 TEST_CASE("killed two hundred times, all files open and the results are the same bits", "[long]") {
   const Tally tally = kill_often(200, 100, 8);

@@ -1,6 +1,6 @@
 -- One page of the documents: its blocks run in order, in the folder where this is started, which gets links to the tree.
 --
---   fabricsh tests/doc/page.lua <root of the tree> <page.md>
+--   fabricsh tests/doc/page.lua <root of the tree> <page.md> [form]     form: runs nothing, looks at links and at what blocks are
 --
 --   ```lua [name.lua]     saved (as name.lua) and run as a deck
 --   ```sh                 run by a shell that finds fabricsh
@@ -146,15 +146,18 @@ local function has_test(name)
 end
 
 -- The blocks find the program and start in an empty folder: this deck again, under another PATH.
-if arg[3] ~= "again" then
+local form = arg[3] == "form"
+if not form and arg[3] ~= "again" then
   local folder = program:match "^(.*)/[^/]*$" or "."
   local ok = os.execute(("rm -rf page && mkdir page && cd page && PATH=\"$PWD:%s:$PATH\" '%s' '%s' '%s' '%s' again"):format(
     folder, program, arg[0], root, page))
   os.exit(ok and 0 or 1)
 end
-write("fabricsh", ("#!/bin/sh\nexec '%s' \"$@\"\n"):format(program))
-os.execute "chmod +x fabricsh"
-for _, name in ipairs { "share", "scripts", "meshes", "lua", "src" } do os.execute(("ln -s '%s/%s' %s"):format(root, name, name)) end
+if not form then
+  write("fabricsh", ("#!/bin/sh\nexec '%s' \"$@\"\n"):format(program))
+  os.execute "chmod +x fabricsh"
+  for _, name in ipairs { "share", "scripts", "meshes", "lua", "src" } do os.execute(("ln -s '%s/%s' %s"):format(root, name, name)) end
+end
 
 local file = assert(io.open(page))
 local text = file:read "a"
@@ -176,7 +179,11 @@ for _, block in ipairs(blocks) do
   else
     if block.kind ~= "text" then left_out = false end
     local act = run_block[block.kind] or error(("%s: a block of '%s' cannot be run"):format(what, block.kind), 0)
-    act(block.rest, block.text, what)
+    if not form then
+      act(block.rest, block.text, what)
+    elseif block.kind == "lua" then
+      assert(load(block.text, "=" .. what))
+    end
   end
 end
 print(("%s: %d blocks"):format(page, count))

@@ -1,8 +1,7 @@
 """The site and the manual: every page in a browser at a phone's width and a desk's, links, pictures, formulas, search, versions.
 
     site.py <tree> <version> [long]      in a folder of the test's own
-What needs no tool is looked at first: the gallery's pictures and decks, that every page is listed. The short form looks at the pages at
-a phone's width, where they overflow first; the long form at a desk's, too, and makes the manual.
+The short form looks at what needs no tool: the gallery's pictures and decks. The long form builds the site and the manual.
 """
 import functools
 import http.server
@@ -44,7 +43,9 @@ for deck in (tree / "scripts/gallery").glob("*.lua"):
 
 if faults:
     sys.exit("\n".join(faults))
-absent = build.missing(pdf=long)
+if not long:
+    sys.exit()
+absent = build.missing()
 if absent:
     print("SKIPPED: the site was not built: apt-get install --no-install-recommends " + " ".join(absent))
     sys.exit(77)
@@ -52,9 +53,7 @@ if absent:
 out = pathlib.Path("site").resolve()
 (out / "0.0.1").mkdir(parents=True, exist_ok=True)  # an older version beside it
 (out / "0.0.1/index.html").write_text("<!DOCTYPE html><title>old</title>old")
-build.build(tree, out, version, pdf=long)
-if not long:
-    (out / version / "fabricsh-manual.pdf").touch()  # which pages link to
+build.build(tree, out, version, pdf=True)
 expect(build.versions(out) == [version, "0.0.1"], "versions", build.versions(out))
 
 # The pages in a browser, from a server of this test's own. One page visits all others in a frame, and says what it saw.
@@ -87,7 +86,7 @@ const load = url => new Promise(done => { frame.onload = () => setTimeout(() => 
 </script>"""
 
 pages = sorted(str(path.relative_to(out)) for path in (out / version).rglob("*.html") if "_static" not in path.parts)
-(out / "visit.html").write_text(VISIT.replace("PAGES", json.dumps(pages)).replace("WIDTHS", "[360, 1200]" if long else "[360]").replace("VERSION", version))
+(out / "visit.html").write_text(VISIT.replace("PAGES", json.dumps(pages)).replace("WIDTHS", "[360, 1200]").replace("VERSION", version))
 told, ready = {}, threading.Event()
 
 
@@ -139,16 +138,14 @@ for page, s in told.items():
             expect(mark in ids[path], page, "dead link", path + "#" + mark)
 theory, law = told.get(f"{version}/theory.html", {}), told.get(f"{version}/law.html", {})
 expect(theory.get("formulas", 0) > 50 and law.get("formulas", 0) >= 1, "formulas of theory and law:", theory.get("formulas"), law.get("formulas"))
-count = 0
-if long:
-    manual = (out / version / "fabricsh-manual.pdf").read_bytes()
-    count = len(re.findall(rb"/Type\s*/Page\b", manual))
-    expect(manual.startswith(b"%PDF-") and count > 100, "the manual has", count, "pages")
-    listed = build.chapter_pages(out / version / "fabricsh-manual.pdf")
-    shown = dict(re.findall(r'href="(?:index.html)?#(document-[^"]+)"><span[^>]*>[^<]*</span></a><span class="page">(\d+)</span>',
-                            (out / ".work/manual/index.html").read_text()))
-    expect(len(shown) > 40 and all(listed.get(name) == int(page) for name, page in shown.items()), "page numbers of the contents:",
-           {name: (page, listed.get(name)) for name, page in shown.items() if listed.get(name) != int(page)} or len(shown))
+manual = (out / version / "fabricsh-manual.pdf").read_bytes()
+count = len(re.findall(rb"/Type\s*/Page\b", manual))
+expect(manual.startswith(b"%PDF-") and count > 100, "the manual has", count, "pages")
+listed = build.chapter_pages(out / version / "fabricsh-manual.pdf")
+shown = dict(re.findall(r'href="(?:index.html)?#(document-[^"]+)"><span[^>]*>[^<]*</span></a><span class="page">(\d+)</span>',
+                        (out / ".work/manual/index.html").read_text()))
+expect(len(shown) > 40 and all(listed.get(name) == int(page) for name, page in shown.items()), "page numbers of the contents:",
+       {name: (page, listed.get(name)) for name, page in shown.items() if listed.get(name) != int(page)} or len(shown))
 if faults:
     sys.exit("\n".join(faults))
-print(f"{len(told)} pages, {links} links" + (f", manual of {count} pages" if long else ""))
+print(f"{len(told)} pages, {links} links, manual of {count} pages")

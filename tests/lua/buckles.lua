@@ -1,17 +1,10 @@
 -- Static runs leave shapes that are not stable, with bending of the card's own and through the thickness, whatever the steps; and each step says whether it is stable.
+-- The short form has fewer sizes and steps.
 -- warns: the shape has become unstable
 local fabric = require "fabric"
 local checks = {}
 
-local function elliptic(k)
-  local K, E, n = 0, 0, 2000
-  for i = 1, n do
-    local s = math.sin(math.pi / 2 * (i - 0.5) / n)
-    local root = math.sqrt(1 - k * k * s * s)
-    K, E = K + math.pi / 2 / n / root, E + math.pi / 2 / n * root
-  end
-  return K, E
-end
+local elliptic = dofile((arg[0]:gsub("[^/]*$", "common/check.lua"))).elliptic
 -- How far the end of a column that is held at its foot goes aside, over its length, at a load over Euler's [timoshenko1961].
 local function aside(load)
   if load <= 1 then return 0 end
@@ -57,11 +50,14 @@ local function column(name, load, step, ny, triangles, method)
   end
   assert(all_stable(a), what .. "not stable")
 end
+local long = os.getenv "FABRICSH_TEST_LONG"
 for name in pairs(cards) do
+  if not long and name == "svk" then goto next end
   column(name, 0.95, 0.2, 2, false)
   column(name, 1.25, 1, 1, false)
   column(name, 1.25, 0.1, 3, true)
   column(name, 2.2, 0.5, 3, false)
+  ::next::
 end
 column("svk", 1.04, 0.02, 1, false)
 column("woven", 1.6, 0.25, 2, false, "relaxation")
@@ -90,7 +86,7 @@ end
 -- Limp strips that stand and fall over come to the same place from any step: no step is halved towards the bifurcation for ever.
 for _, name in ipairs { "wool", "muslin" } do
   local tops = {}
-  for _, step in ipairs { 1, 0.25, 0.05 } do
+  for _, step in ipairs(long and { 1, 0.25, 0.05 } or { 1, 0.25 }) do
     local mesh = fabric.mesh.rectangle { width = 0.025, height = 0.055, nx = 2, ny = 11 }
     local m = fabric.model { mesh = mesh, card = fabric.card(name, { bending = "estimated" }), warp = 90 }
     m:fix("bottom", "x y z rotation"):gravity { 0, fabric.ramp(-9.81, 1), 0 }

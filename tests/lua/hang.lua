@@ -10,9 +10,9 @@ local function says(act, words)
   assert(not ok and tostring(message):find(words, 1, true), tostring(message))
 end
 
--- --- the elastica, B k' = w (l - s) cos(phi) + H sin(phi), phi' = k, in 2000 steps of Runge and Kutta: the end's angle, curvature, x, z
+-- --- the elastica, B k' = w (l - s) cos(phi) + H sin(phi), phi' = k, in 400 steps of Runge and Kutta: the end's angle, curvature, x, z
 local function elastica(l, phi, k, w, H, B)
-  local n = 2000
+  local n = 400
   local h, x, z = l / n, 0, 0
   local function rate(s, p, c) return c, (w * (l - s) * math.cos(p) + H * math.sin(p)) / B, math.cos(p), math.sin(p) end
   for i = 0, n - 1 do

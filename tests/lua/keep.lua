@@ -262,7 +262,7 @@ for i, there in pairs { [0] = true, true, false, true, true, true } do
   assert((io.open("gone/" .. name) ~= nil) == there, name)
 end
 
--- --- run.json speaks of all runs in its folder ---
+-- --- run.json lists all runs in its folder ---
 local json = text_of "out/run.json"
 assert(select(2, json:gsub('"number": ', "")) == 1 and json:find('"status": "done"', 1, true))
 for i = 1, 2 do make():record("out/" .. i .. ".csv", { columns = { x = function() return 0 end } }):solve() end

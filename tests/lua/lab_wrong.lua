@@ -1,6 +1,6 @@
 -- Wrong values deep inside the tables that the laboratory takes: every complaint names the deck's line and none is the library's own
--- stumble over them. The arguments are those of the rows' examples, one value at a time put wrong. The short form puts three of the twelve
--- values at each place, other ones at the next, the long one all.
+-- stumble over them. The arguments are those of the rows' examples, one value at a time put wrong. The short form puts one of the twelve
+-- values at each place, another one at the next, the long one all.
 local fabric = require "fabric"
 local registry = require "fabric.define".registry
 
@@ -40,7 +40,7 @@ local function places(t, path, out)
   return out
 end
 
-local apart = os.getenv "FABRICSH_TEST_LONG" and 1 or 4
+local apart = os.getenv "FABRICSH_TEST_LONG" and 1 or 12
 local wrong = { false, true, "x", {}, { {} }, { "x" }, -1, 0.0, 0 / 0, 1e300, print, "nothing" }
 
 -- A copy of the arguments with another value at a place.

@@ -1,4 +1,4 @@
--- Meshes from and to files from a deck's side: what comes along, round trips, files that lie, reports, orientation.
+-- Meshes from and to files from a deck's side: those that come with the program, round trips, damaged files, reports, orientation.
 local fabric = require "fabric"
 
 local function refused(part, f, ...)
@@ -13,7 +13,7 @@ local function write(name, text)
   return name
 end
 
--- Each mesh that comes along, in both forms.
+-- Each mesh that comes with the program, in both forms.
 for _, name in ipairs { "strip", "disc", "sleeve", "wavy" } do
   local a, b = fabric.mesh.read(name .. ".msh"), fabric.mesh.read(name .. ".vtu")
   assert(#a.nodes == #b.nodes and #a.elements == #b.elements and #a.sets == #b.sets)

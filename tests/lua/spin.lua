@@ -1,5 +1,5 @@
 -- A free sheet that turns, in implicit steps: it keeps its energy and angular momentum, or says what a step turns it by. Damping of high frequencies would take energy of the
--- turning, too, so that steps become shorter instead.
+-- turning, too, so that steps become shorter instead. The short form has two of the four sheets.
 -- warns: the ledger's error is
 -- warns: since the cloth turns by
 local fabric = require "fabric"
@@ -37,10 +37,11 @@ local function spin(o)
 end
 
 local z = { 0, 0, 1 }
-for _, o in ipairs {
+for k, o in ipairs {
   { card = "blend", rate = 15, turns = 3, steps = 100, axis = z }, { card = "blend", rate = 15, turns = 3, steps = 100, axis = z, triangles = true },
   { card = "denim", rate = 25, turns = 3, steps = 60, axis = z, triangles = true }, { card = "muslin", rate = 10, turns = 2, steps = 100, axis = { 1, 0, 0 } },
 } do
+  if k % 2 == 1 and not os.getenv "FABRICSH_TEST_LONG" then goto next end
   local a, got = spin(o)
   print(o.card, o.triangles and "triangles" or "quads", #a.steps .. " steps", got.damping, got.momentum, got.error)
   fabric.expect {
@@ -48,4 +49,5 @@ for _, o in ipairs {
     { "angular momentum", got.momentum, 1, relative = 0.02 }, -- what damping takes before the steps are short
     { "ledger", got.error, 0, absolute = 0.04 }, -- each time that steps become shorter it has risen by 1 %
   }
+  ::next::
 end

@@ -2,14 +2,10 @@
 local fabric = require "fabric"
 os.execute "rm -rf refused; mkdir refused"
 local program = ("'%s' --quiet"):format(arg[-1])
-local function write(path, text)
-  local f <close> = assert(io.open(path, "w"))
-  f:write(text)
-end
+local check = dofile((arg[0]:gsub("[^/]*$", "common/check.lua")))
+local write = check.write
 local function said(command)
-  local pipe = assert(io.popen(command .. " 2>&1"))
-  local text = pipe:read "a"
-  local _, _, code = pipe:close()
+  local code, text = check.shell(command .. " 2>&1")
   return text, code
 end
 

@@ -7,6 +7,7 @@
 #include "mechanics/assembly.hpp"
 #include "mechanics/terms/gas.hpp"
 #include "mesh/generators.hpp"
+#include "tangent_error.hpp"
 #include "test_cards.hpp"
 
 using namespace fabricsh;
@@ -32,35 +33,18 @@ double tangent_error(const model::GasGiven& gas, double time) {
   const auto n = static_cast<std::size_t>(a.dofs().unknowns());
   std::mt19937 random(5);
   std::uniform_real_distribution<double> number(-1, 1);
-  std::vector<double> way(n), direction(n), product(n);
+  std::vector<double> way(n), direction(n);
   for (std::size_t i = 0; i < n; ++i) {
     way[i] = 3e-4 * number(random);
     direction[i] = 1e-3 * number(random);
   }
-  const auto targets = a.dofs().targets(0);
   a.set_time(time);
   a.begin_iterate();
-  a.apply_increment(way, 1, targets);
+  a.apply_increment(way, 1, a.dofs().targets(0));
   linear::Matrix K;
   REQUIRE(a.tangent({0, time}, K, {}, {}));
   REQUIRE(K.ranks.columns.size() == 1);
-  linear::multiply(K, direction, product);
-  a.begin_iterate();
-  const auto residual = [&](double h) {
-    a.apply_increment(direction, h, targets);
-    REQUIRE(a.forces({0, time}));
-    std::vector<double> external(3 * a.dofs().reference().size(), 0), r(n);
-    a.residual(external, r);
-    return r;
-  };
-  const double h = 1e-4;
-  const auto up = residual(h), down = residual(-h);
-  double worst = 0, scale = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    worst = std::max(worst, std::abs(product[i] + (up[i] - down[i]) / (2 * h)));
-    scale = std::max(scale, std::abs(product[i]));
-  }
-  return worst / scale;
+  return test::tangent_error(a, K, direction, 1e-4, {0, time});
 }
 
 }  // namespace

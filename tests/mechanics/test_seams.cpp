@@ -6,6 +6,7 @@
 #include "catch.hpp"
 #include "mechanics/assembly.hpp"
 #include "mechanics/terms/seams.hpp"
+#include "tangent_error.hpp"
 #include "test_cards.hpp"
 
 using namespace fabricsh;
@@ -35,7 +36,7 @@ double tangent_error(Assembly& a, double strain, double amplitude) {
   const auto n = static_cast<std::size_t>(a.dofs().unknowns());
   std::mt19937 random(3);
   std::uniform_real_distribution<double> number(-1, 1);
-  std::vector<double> state(n), direction(n), product(n, 0);
+  std::vector<double> state(n), direction(n);
   for (double& s : state) s = amplitude * number(random);
   for (std::size_t i = 0; i < a.dofs().reference().size(); ++i)
     if (const auto eq = a.dofs().freedoms().nodes[i].equation[1]; eq >= 0)
@@ -45,26 +46,7 @@ double tangent_error(Assembly& a, double strain, double amplitude) {
   a.apply_increment(state, 1, a.dofs().targets(0));
   linear::Matrix K;
   REQUIRE(a.tangent({}, K, {}, {}));
-  for (std::size_t c = 0; c < n; ++c)
-    for (auto k = K.pattern->column[c]; k < K.pattern->column[c + 1]; ++k)
-      product[static_cast<std::size_t>(K.pattern->row[k])] += K.value[k] * direction[c];
-  a.begin_iterate();
-  const auto residual = [&](double h) {
-    a.apply_increment(direction, h, a.dofs().targets(0));
-    REQUIRE(a.forces({}));
-    std::vector<double> external, r(n);
-    a.terms().external(0, external);
-    a.residual(external, r);
-    return r;
-  };
-  const double h = 1e-4;
-  const auto up = residual(h), down = residual(-h);
-  double worst = 0, scale = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    worst = std::max(worst, std::abs(product[i] + (up[i] - down[i]) / (2 * h)));
-    scale = std::max(scale, std::abs(product[i]));
-  }
-  return worst / scale;
+  return test::tangent_error(a, K, direction, 1e-4);
 }
 
 std::string refusal(const std::function<void()>& call) {

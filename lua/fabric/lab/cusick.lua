@@ -50,7 +50,7 @@ local function pedestal(t, model)
   if t.self then model:contact { self = "all", friction = t.friction } end
 end
 
--- Weight over time: it comes along a half wave.
+-- Weight over time: half a cosine wave.
 local function weight(t)
   return function(time) return -gravity * (time < t.lowering and (1 - math.cos(math.pi * time / t.lowering)) / 2 or 1) end
 end

@@ -31,6 +31,23 @@ function check.shell(command)
   return code, talk
 end
 
+-- Writes a file of the deck's folder, a script for instance.
+function check.write(path, text)
+  local f <close> = assert(io.open(path, "w"))
+  f:write(text)
+end
+
+-- The complete elliptic integrals of the first and the second kind, of the modulus k.
+function check.elliptic(k)
+  local K, E, n = 0, 0, 2000
+  for i = 1, n do
+    local s = math.sin(math.pi / 2 * (i - 0.5) / n)
+    local root = math.sqrt(1 - k * k * s * s)
+    K, E = K + math.pi / 2 / n / root, E + math.pi / 2 / n * root
+  end
+  return K, E
+end
+
 -- The bytes of a folder's files by name, but for run.json and checkpoints; and how many files these are.
 function check.contents(folder)
   local all, count = {}, 0

@@ -75,7 +75,7 @@ for _, how in ipairs { "table", "function" } do
 end
 
 -- Two balls meet aslant, so shortly that the line of their centres hardly turns meanwhile: along the line of their centres the speed of approach is turned round and falls to the share e, across it nothing
--- changes; momentum is kept, and what is lost is booked.
+-- changes; momentum is conserved, and lost energy is in the balance.
 local function stage(triangles)
   local mesh = fabric.mesh.rectangle { width = 1e-3, height = 1e-3, nx = 4, ny = 4, triangles = triangles, origin = { 1, 1, 1 } }
   return fabric.model { mesh = mesh, card = cloth(0.5e-3, 400), points = 1, warp = 0 }:fix("all", "x y z rotation")
