@@ -110,19 +110,23 @@ assert(mine.bending.warp == 7e-6)
       b and ("%.0f, %.0f"):format(2e3 * bending_length(b.warp, mass), 2e3 * bending_length(b.weft, mass)) or "",
       short(shear_stiffness(card)), short(pull(card, 0)), short(pull(card, 90))))
   end
-  add "\n## Sources, and what is assumed"
+  add "\n## Sources and assumptions"
+  local first = {} -- card of a list of assumptions
   for _, name in ipairs(fabric.cards()) do
     local card = fabric.card(name)
-    add(("\n**%s.** %s."):format(name, (card.source:gsub("%.$", ""))))
     local rules = assumed(card)
-    if #rules > 0 then
+    local all = table.concat(rules, "\n")
+    local as = first[all] and (" Assumed: as for `%s`."):format(first[all]) or ""
+    add(("\n**%s.** %s.%s"):format(name, (card.source:gsub("%.$", "")), as))
+    if #rules > 0 and not first[all] then
+      first[all] = name
       add "Assumed:\n"
       for _, rule in ipairs(rules) do add(rule) end
     end
   end
   add [[
 
-## What is missing
+## Missing cards
 There is no card with a complete KES sheet of one cloth, because the available publications contain either bending or tension, but not all properties with their loops. The
 measured cloths of Wang, Ramamoorthi and O'Brien (2011) are licensed for scholarly use only and are not included. The bending rigidities of `wool`,
 `nylon`, `glass`, `tarpaulin` and `aramid` follow from a rule, and warp, weft and shear of `broad`, `tropical` and the cards `cloth...` are those of
