@@ -28,10 +28,6 @@ void check_point(const std::vector<std::pair<double, double>>& points, std::size
                                                  ", got " + text(t));
 }
 
-double slope(const std::pair<double, double>& a, const std::pair<double, double>& b) {
-  return (b.second - a.second) / (b.first - a.first);
-}
-
 // The first point later than t.
 auto later(const std::vector<std::pair<double, double>>& points, double t) {
   return std::upper_bound(points.begin(), points.end(), t,
@@ -88,13 +84,6 @@ double History::value(double t) const {
   // This form is exact at both ends of the interval.
   const double w = (t - last.first) / (next->first - last.first);
   return (1.0 - w) * last.second + w * next->second;
-}
-
-double History::rate(double t, double step) const {
-  if (callback_) return (value(t + step) - value(t - step)) / (2.0 * step);
-  const auto next = later(*points_, t);
-  if (next == points_->begin() || next == points_->end()) return 0.0;
-  return slope(*(next - 1), *next);
 }
 
 }  // namespace fabricsh::history

@@ -19,8 +19,6 @@ class History {
   static History callback(std::function<double(double)> f);
 
   double value(double t) const;
-  // d value / dt to the right of t; for callbacks by central difference over step.
-  double rate(double t, double step = 1e-6) const;
   bool is_constant() const { return !callback_ && points_->size() <= 1; }
   const std::vector<double>& kinks() const { return *kinks_; }
 

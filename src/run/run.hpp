@@ -218,7 +218,7 @@ class Run {
   virtual void resize() {}
   // Afterwards: continues from the committed state with these rates of the unknowns.
   virtual void take(const mechanics::Transfer& change, const std::vector<double>& rates) = 0;
-  // s, with which strings between the crack faces of a tear must be stable; 0: steps are not explicit.
+  // s, with which cohesive springs of a tear must be stable; 0: steps are not explicit.
   virtual double tear_step() const { return 0; }
 
   // --- to be defined by a kind of run. A step's size is the time at its end; along an arc, its length.

@@ -18,7 +18,6 @@ TEST_CASE("a constant", "[history]") {
   const History h = History::constant(2.5);
   CHECK(h.value(-1) == 2.5);
   CHECK(h.value(1e9) == 2.5);
-  CHECK(h.rate(3) == 0);
   CHECK(h.kinks().empty());
   CHECK_THROWS_AS(History::constant(not_a_number), Error);
 }
@@ -35,15 +34,6 @@ TEST_CASE("a table is linear between its rows, exact on them, held outside", "[h
   CHECK(h.kinks() == std::vector<double>{1, 2, 4});
 }
 
-TEST_CASE("the rate is taken from the right", "[history]") {
-  const History h = History::table({{1, 0}, {2, 4}, {4, -2}});
-  CHECK(h.rate(0) == 0);
-  CHECK(h.rate(1) == 4);
-  CHECK(h.rate(1.9) == 4);
-  CHECK(h.rate(2) == -3);
-  CHECK(h.rate(4) == 0);
-}
-
 TEST_CASE("a ramp rises and is held", "[history]") {
   const History h = History::ramp(6, 3);
   CHECK(h.value(-1) == 0);
@@ -53,18 +43,10 @@ TEST_CASE("a ramp rises and is held", "[history]") {
   CHECK(h.kinks() == std::vector<double>{0, 3});
 }
 
-TEST_CASE("a callback has values, rates and no kinks", "[history]") {
+TEST_CASE("a callback has values and no kinks", "[history]") {
   const History h = History::callback([](double t) { return std::sin(t); });
   CHECK(h.value(1) == std::sin(1.0));
-  // Central difference with step 1e-6: truncation 1e-13, rounding 1e-10.
-  CHECK(h.rate(1) == Approx(std::cos(1.0)).epsilon(1e-9));
   CHECK(h.kinks().empty());
-}
-
-TEST_CASE("the step of a callback's rate shows second order", "[history]") {
-  const History h = History::callback([](double t) { return std::exp(t); });
-  const double coarse = std::abs(h.rate(0, 1e-2) - 1), fine = std::abs(h.rate(0, 1e-3) - 1);
-  CHECK(coarse / fine == Approx(100).epsilon(0.01));  // the next term of the series
 }
 
 TEST_CASE("bad histories are refused with row and value", "[history]") {
