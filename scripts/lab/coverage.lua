@@ -1,4 +1,4 @@
--- How often the bands of fitted loading curves hold the truth, and how wide they are.
+-- How often the bands of fitted loading curves hold the true values, and how wide they are.
 --
 --   fabricsh scripts/lab/coverage.lua [sets] [law] [specimens]      default: 16 sets of each law (quadratic, exponential, toe) with 1, 2, 3 and 5 specimens
 --
@@ -108,7 +108,7 @@ for _, name in ipairs { "quadratic", "exponential", "toe" } do
     end
   end
   -- five places of one set are hardly two independent ones: three deviations of the count beside the 90 to 98 % of many sets
-  if kinds > 0 then expected[#expected + 1] = { name .. ": part of the truth inside", whole / kinds, 0.95, absolute = 0.03 + 3 * math.sqrt(0.05 / (2 * sets * kinds)) } end
+  if kinds > 0 then expected[#expected + 1] = { name .. ": share of true values inside", whole / kinds, 0.95, absolute = 0.03 + 3 * math.sqrt(0.05 / (2 * sets * kinds)) } end
 end
 if not only then
   local _, said = run("exponential", 3, false)

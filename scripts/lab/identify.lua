@@ -30,7 +30,7 @@ local bending = lab.identify {
   tests = { { name = "cantilever", measured = read, noise = 1e-4, predict = function(p) return tips(10 ^ p["log10 B"], 12) end } },
 }
 print(bending.text)
-checks[#checks + 1] = { "bending rigidity over the truth", 10 ^ bending.parameters["log10 B"] / truth, 1, absolute = 0.01 } -- reading and mesh
+checks[#checks + 1] = { "bending rigidity over the true one", 10 ^ bending.parameters["log10 B"] / truth, 1, absolute = 0.01 } -- reading and mesh
 
 -- The biaxial spring of a card: a 1:1 pull tells its loading modulus; its unloading modulus only a pull that comes back.
 local spring = { alpha = 1.568, offset = 0.1606, loading = 294 * u.MPa, unloading = 111 * u.MPa }
@@ -57,7 +57,7 @@ local biaxial = lab.identify {
   },
 }
 print(biaxial.text)
-checks[#checks + 1] = { "biaxial loading modulus over the truth", 10 ^ (biaxial.parameters.q - real.q), 1, absolute = 0.01 } -- read to 1 N
+checks[#checks + 1] = { "biaxial loading modulus over the true one", 10 ^ (biaxial.parameters.q - real.q), 1, absolute = 0.01 } -- read to 1 N
 checks[#checks + 1] = { "unloading reported as unknown", biaxial.text:find "Tu.*not known" and 1 or 0, 1, absolute = 0 }
 checks[#checks + 1] = { "the further test is the one that comes back", biaxial.further[1].name:find "back" and 1 or 0, 1, absolute = 0 }
 fabric.expect(checks)

@@ -51,7 +51,7 @@ local function P(E) return yarn.loading[1] * E + yarn.loading[2] * E ^ 2 / 2 end
 local function way(m, x) return m - (1 - x) * P(m) / Du end
 local E = path(way)
 
--- 1. The truth is a card.
+-- 1. The reference is a card.
 local own = tensile(E, stresses(fabric.point(card):uniaxial("warp", E)), 1)
 local back = fabric.lab.loops { tests = { own } }
 print("1. a cloth with curved loops\n" .. back.text)

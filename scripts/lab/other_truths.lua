@@ -150,16 +150,16 @@ for seed = 1, seeds do
 end
 os.execute("rm -r '" .. here .. "'")
 
--- The last seed's intervals, in parts of the truth.
+-- The last seed's intervals, relative to the true values.
 local bars, names, inside = { x = {}, y = {}, xerror = { low = {}, high = {} }, style = "points" }, {}, 0
-print "cloth          what          truth    inside     half width   last: value, 95 % interval"
+print "cloth          quantity      true     inside     half width   last: value, 95 % interval"
 for i, row in ipairs(rows) do
   local place = #rows + 1 - i
   names[place], bars.x[i], bars.y[i] = row.cloth .. ", " .. row.name:match "^%a+", row.value / row.truth, place
   bars.xerror.low[i], bars.xerror.high[i] = row.low / row.truth, row.high / row.truth
   inside = inside + row.inside
   print(("%-14s %-11s %8.4g  %3d of %-3d  %8.1f %%   %.4g, %.4g to %.4g"):format(row.cloth, row.name, row.truth, row.inside, seeds, 100 * row.width, row.value, row.low, row.high))
-  checks[#checks + 1] = { ("%s, %s: half the interval over the truth"):format(row.cloth, row.name), row.width, 0, absolute = 0.3 }
+  checks[#checks + 1] = { ("%s, %s: half the interval over the true value"):format(row.cloth, row.name), row.width, 0, absolute = 0.3 }
 end
 fabric.plot { file = out .. "/intervals.svg", xlabel = "computed over true", xunit = "%", ynames = names, curves = { bars, { x = { 1, 1 }, y = { 0.5, #rows + 0.5 }, style = "dashed", colour = "black" } },
   size = { 0.12, 0.075 } }

@@ -1,4 +1,4 @@
--- From synthetic tests back to the card: does the truth lie in the bands as often as they say?
+-- From synthetic tests back to the card: do the true values lie in the bands as often as they say?
 --
 --   fabricsh scripts/lab/round_trip.lua [repeats] [specimens] [fabric ...]
 --

@@ -1,4 +1,4 @@
--- Curved loops found from made records: does the truth lie in the bands of one specimen as often as they say?
+-- Curved loops found from made records: do the true values lie in the bands of one specimen as often as they say?
 --
 --   fabricsh scripts/long/lab_loops.lua [repeats]
 --
@@ -51,7 +51,7 @@ for _, truth in ipairs {
     -- Three deviations of a count below 95 %; where friction and reach hang together the bands are known to be narrow.
     local hangs = truth.name == "narrow" and (name == "friction" or name == "reach")
     local share, wanted = inside[name] / repeats, hangs and 0.87 or 0.97
-    rows[#rows + 1] = { ("%s: %s, share of the truth inside"):format(truth.name, name), share, wanted, absolute = 0.03 + 3 * math.sqrt(0.07 / repeats) }
+    rows[#rows + 1] = { ("%s: %s, share of true values inside"):format(truth.name, name), share, wanted, absolute = 0.03 + 3 * math.sqrt(0.07 / repeats) }
     print(("%-7s %-10s inside %3d of %d, rms deviation %.2f %%"):format(truth.name, name, inside[name], repeats, 100 * math.sqrt(off[name])))
   end
 end

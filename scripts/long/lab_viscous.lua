@@ -1,4 +1,4 @@
--- The part of shear that relaxes, found from made tests: does the truth lie in the bands as often as they say?
+-- The part of shear that relaxes, found from made tests: do the true values lie in the bands as often as they say?
 --
 --   fabricsh scripts/long/lab_viscous.lua [repeats]
 --

@@ -9,8 +9,8 @@ struct Candidate {
   std::int32_t interaction = 0;
   Pair pair;
   Spot spot;                 // where the first corner is a contact point inside a facet
-  double whole = 1;          // pair.scale where nothing is being opened
-  double start = 1;          // share of it to begin with, where an overlap is (Interaction::opening)
+  double whole = 1;          // pair.scale, once an overlap of the start has been opened
+  double start = 1;          // the share of it with which such a pair begins (Interaction::opening)
   bool crack_faces = false;  // whether its sides were joined before; see Scene::set_apart
 };
 

@@ -58,6 +58,7 @@ struct MeshFormat {
   const char* ending;
   mesh::Mesh (*read)(const std::string& name, std::string_view bytes, Remarks* remarks);  // null: not read
   void (*write)(const std::string& path, const mesh::Mesh& mesh) = nullptr;               // null: not written
+  // The stress-free shape that a file may hold beside the mesh; null: files of this kind have none.
   mesh::Mesh (*read_at_rest)(const std::string& name, std::string_view bytes, Remarks* remarks) = nullptr;
 };
 

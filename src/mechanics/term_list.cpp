@@ -1,6 +1,7 @@
 #include "mechanics/term_list.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <type_traits>
 
 namespace fabricsh::mechanics {
@@ -12,6 +13,7 @@ void keep_worse(Outcome& worst, Outcome one) {
 
 }  // namespace
 
+// The term is entered in the list of each facet that it has. The first term is the cloth: masses are its.
 void TermList::append(std::unique_ptr<Term> term) {
   const auto list = [&](auto& facets) {
     if (auto* const facet = dynamic_cast<std::remove_reference_t<decltype(*facets.front())>*>(term.get()))

@@ -51,7 +51,7 @@ std::shared_ptr<model::Model> make_sheet(const Case& c) {
   return std::make_shared<model::Model>(mesh, card, options);
 }
 
-// m/s: of the rows of nodes in a run, which has no velocities of its own for every node.
+// m/s, the same for a row of nodes: a run takes initial velocities by sets of nodes.
 Vec3 row_velocity(double y) { return {5 * std::sin(9 * y), 4 * std::sin(21 * y), 0}; }
 
 // Branches of all law points, sampled between steps.

@@ -1,4 +1,4 @@
--- fabric.lab.identify with a model that is a little wrong: its error bars hold the truth, and it says that the data contradict the model.
+-- fabric.lab.identify with a model that is a little wrong: its error bars hold the true value, and it says that the data contradict the model.
 local fabric = require "fabric"
 local lab = fabric.lab
 local draw = require "fabric.lab.random"(31)
@@ -14,7 +14,7 @@ local function model(p)
 end
 local truth = { a = 1.3, b = 0.8 }
 
--- Fits records that differ from the model by `size` times the noise, smoothly; the parts of the truth within 1.96 deviations, of records that are said to contradict, and the mean deviation of a.
+-- Fits records that differ from the model by `size` times the noise, smoothly; the parts of the true values within 1.96 deviations, of records that are said to contradict, and the mean deviation of a.
 local function fitted(size, sets)
   local inside, told, width = 0, 0, 0
   for _ = 1, sets do

@@ -117,7 +117,7 @@ check("without noise: unloading", exact.unloading, 300 * MPa, 2e-3)
 assert(exact.rms.curved.all < 1e-3 and exact.rms.straight.unloading > 0.05 and exact.text:find("the straight law misses it by rms", 1, true), exact.text)
 local plain = lab.loops { tests = tests_of(straight, 1, 0.004) }
 assert(not plain.curved and plain.loop == nil and plain.text:find("The straight law is good enough", 1, true), plain.text)
--- Bands of single specimens hold the truth as often as they say.
+-- Bands of single specimens hold the true value as often as they say.
 local inside, all = 0, 0
 for _ = 1, 12 do
   local l = lab.loops { tests = tests_of(card, 1, 0.005) }

@@ -2,6 +2,7 @@
 -- collects and tries again, and an error names the limit that was reached.
 local fabric = require "fabric"
 local shell = dofile((arg[0]:gsub("[^/]*$", "common/check.lua"))).shell
+-- limit: of the memory of the process, kB.
 local function run_program(limit, words) return shell(("ulimit -d %d; OMP_NUM_THREADS=1 '%s' --quiet %s 2>&1"):format(limit, arg[-1], words)) end
 local function says(message, part) assert(message:find(part, 1, true), message .. "\nis without: " .. part) end
 

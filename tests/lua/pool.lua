@@ -1,4 +1,4 @@
--- Several specimens in one identification: bands that hold the truth and the next specimen, the speed, the mesh, a model that the data contradict.
+-- Several specimens in one identification: bands that hold the true value and the next specimen, the speed, the mesh, a model that the data contradict.
 local fabric = require "fabric"
 local lab = fabric.lab
 local draw = require "fabric.lab.random" (7)
@@ -57,7 +57,7 @@ assert(left > 0.9 and left < 0.995, left)
 assert(math.abs(math.sqrt(squares) / scatter - 1) < 0.1, math.sqrt(squares))
 
 -- Specimens whose curves differ in shape too: what is left beside a factor hangs together along the curve, and is known from few. The band of the next
--- one holds as many of its points as it says, and not nearly all, that of a parameter the truth.
+-- one holds as many of its points as it says, and not nearly all, that of a parameter the true value.
 local function wavy()
   local y, own = curve(8, 400), 1 + scatter * draw.normal()
   local a, b = 0.02 * draw.normal(), 0.02 * draw.normal()

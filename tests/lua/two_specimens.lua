@@ -1,4 +1,4 @@
--- Two pulls of a cloth with a soft toe: the samples of the card hold the truth in the middle of the pull, and where the band reaches below zero the text of the fit, which the report prints, and the
+-- Two pulls of a cloth with a soft toe: the samples of the card hold the true value in the middle of the pull, and where the band reaches below zero the text of the fit, which the report prints, and the
 -- card's provenance say that samples leave this out.
 local fabric = require "fabric"
 local lab = fabric.lab
@@ -47,6 +47,6 @@ for set = 1, sets do
   table.sort(values)
   inside = inside + (values[2] <= stress(reach / 2) and stress(reach / 2) <= values[#values - 1] and 1 or 0) / sets
 end
-print(("%d sets: %.0f %% of the samples' ranges hold the truth at half the reach; %d are said to be cut"):format(sets, 100 * inside, told))
+print(("%d sets: %.0f %% of the samples' ranges hold the true value at half the reach; %d are said to be cut"):format(sets, 100 * inside, told))
 assert(inside >= 0.8, inside)
 assert(told > 0)

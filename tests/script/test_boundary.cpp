@@ -39,8 +39,9 @@ int call_back(Call& call) {
   return 0;
 }
 
-struct Lab {
-  Lab() : session(SessionOptions{}) {
+// A session in which the functions above are fabric.*; called with a chunk, it runs it as deck.lua.
+struct DeckRunner {
+  DeckRunner() : session(SessionOptions{}) {
     Entry lua{"fabric.lua_error"}, deck{"fabric.deck_error"}, fail{"fabric.failure"}, other{"fabric.other"},
         back{"fabric.back"};
     lua.run = raise_lua_error;
@@ -69,44 +70,44 @@ struct Lab {
 }  // namespace
 
 TEST_CASE("a Lua error raised inside a binding runs C++ destructors") {
-  Lab lab;
-  CHECK(lab("return select(2, pcall(fabric.lua_error))") == "from Lua");
+  DeckRunner run;
+  CHECK(run("return select(2, pcall(fabric.lua_error))") == "from Lua");
   CHECK(destroyed == 1);
 }
 
 TEST_CASE("a deck error says deck:line and the call") {
-  Lab lab;
-  CHECK(lab("\nfabric.deck_error()") ==
+  DeckRunner run;
+  CHECK(run("\nfabric.deck_error()") ==
         "uncaught: deck.lua:2: deck_error: field 'x': expected a mesh, got nil");
   CHECK(destroyed == 1);
 }
 
 TEST_CASE("a numerical failure is a table with text") {
-  Lab lab;
-  CHECK(lab("local ok, e = pcall(function()\n fabric.failure() end) return "
+  DeckRunner run;
+  CHECK(run("local ok, e = pcall(function()\n fabric.failure() end) return "
             "e.kind..e.time..e.element..e.yarn..' '..tostring(e)") ==
         "numerical0.257warp deck.lua:2: failure: no step");
 }
 
 TEST_CASE("any other exception is an error too, and the session lives") {
-  Lab lab;
-  CHECK(lab("return select(2, pcall(function() fabric.other() end))") ==
+  DeckRunner run;
+  CHECK(run("return select(2, pcall(function() fabric.other() end))") ==
         "deck.lua:1: other: internal error: beyond");
-  CHECK(lab("return 1 + 1") == "2");
+  CHECK(run("return 1 + 1") == "2");
 }
 
 TEST_CASE("an error in a callback keeps its own line and passes through C++") {
-  Lab lab;
-  CHECK(lab("\nreturn select(2, pcall(fabric.back, function()\n error 'mine' end))") == "deck.lua:3: mine");
+  DeckRunner run;
+  CHECK(run("\nreturn select(2, pcall(fabric.back, function()\n error 'mine' end))") == "deck.lua:3: mine");
   CHECK(destroyed == 1);
-  CHECK(lab("return select(2, pcall(fabric.back, function() error({7}) end))[1]") == "7");
+  CHECK(run("return select(2, pcall(fabric.back, function() error({7}) end))[1]") == "7");
 }
 
 TEST_CASE("callbacks run on the coroutine that calls") {
-  Lab lab;
-  CHECK(lab("local co = coroutine.wrap(function() return pcall(fabric.back, function() error('inside', 0) "
+  DeckRunner run;
+  CHECK(run("local co = coroutine.wrap(function() return pcall(fabric.back, function() error('inside', 0) "
             "end) end) "
             "return select(2, co())") == "inside");
-  CHECK(lab("local co = coroutine.create(function() fabric.deck_error() end) return select(2, "
+  CHECK(run("local co = coroutine.create(function() fabric.deck_error() end) return select(2, "
             "coroutine.resume(co))") == "deck.lua:1: deck_error: field 'x': expected a mesh, got nil");
 }

@@ -138,7 +138,7 @@ end
 define {
   name = "fabric.lab.synthetic",
   arguments = {
-    { name = "card", of = "card", sentence = "the truth" },
+    { name = "card", of = "card", sentence = "the card whose tests are made" },
     { name = "direction", kind = "text", choices = { "warp", "weft", "bias" }, default = "warp", sentence = "of the pull" },
     { name = "specimens", kind = "integer", low = 1, high = 10000, default = 5, sentence = "replicates" },
     { name = "seed", kind = "integer", low = 0, default = 1, sentence = "of all that is random" },
