@@ -1,7 +1,7 @@
 """The site and the manual: every page in a browser at a phone's width and a desk's, links, pictures, formulas, search, versions.
 
     site.py <tree> <version> [long]      in a folder of the test's own
-The short form looks at what needs no tool: the gallery's pictures and decks. The long form builds the site and the manual.
+The short form looks at what needs no tool: the gallery's pictures and decks, and links to headings. The long form builds the site and the manual.
 """
 import functools
 import http.server
@@ -40,6 +40,20 @@ for picture in (tree / "share/doc/figures/gallery").iterdir():
     expect(picture.stat().st_size < most, picture.name, f"is larger than {most} bytes")
 for deck in (tree / "scripts/gallery").glob("*.lua"):
     expect(deck.name in gallery, "gallery: nobody shows", deck.name)
+
+
+
+def anchor(heading):
+    return re.sub(r"[^\w\- ]", "", re.sub(r"[`*]", "", heading).strip().lower()).replace(" ", "-")
+
+
+# Links to headings of other pages and of the same one.
+texts = {page: re.sub(r"```.*?```", "", page.read_text(), flags=re.S) for page in [*(tree / "share/doc").rglob("*.md"), *tree.glob("*.md")]}
+headings = {page: {anchor(h) for h in re.findall(r"^#+ (.*)$", text, flags=re.M)} for page, text in texts.items()}
+for page, text in texts.items():
+    for path, mark in re.findall(r"\]\(([^)\s#:]*)#([^)\s]+)\)", text):
+        other = (page.parent / path).resolve() if path else page
+        expect(mark in headings.get(other, {mark}), page.relative_to(tree), "links to no heading", f"{path}#{mark}")
 
 if faults:
     sys.exit("\n".join(faults))
