@@ -12,6 +12,17 @@ build=$root/build
 
 say() { printf '%s\n' "$*" >&2; }
 
+# Adds what stands around the program (Python, notebooks, the site, other programs that read what it writes) to the packages, as far as
+# the system has it; a test that finds none says so.
+want_surroundings() {
+  local name around=(python3-numpy python3-pandas python3-meshio python3-ipykernel python3-nbclient
+    python3-sphinx python3-myst-parser furo python3-pypdf libjs-katex chromium lua-check
+    calculix-ccx assimp-utils python3-vtk9 python3-openpyxl python3-joblib)
+  for name in "${around[@]}"; do
+    if apt-cache show "$name" >/dev/null 2>&1; then packages+=("$name"); else say "no $name for this system"; fi
+  done
+}
+
 # run_logged <log> <command...>: quiet when it works, the end of the log when it does not.
 run_logged() {
   local log=$1

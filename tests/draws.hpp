@@ -8,8 +8,7 @@
 namespace fabricsh::test {
 
 // A tenth of the repetitions, unless FABRICSH_TEST_DRAWS states another share of them: all in the long form
-// of a room's tests, fewer for the sanitizers, under which each takes many times as long (.ci/also). At least
-// one.
+// of a room's tests. At least one.
 inline int draws(int all) {
   const char* given = std::getenv("FABRICSH_TEST_DRAWS");
   if (given == nullptr) given = "0.1";
