@@ -3,20 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesh/edges.hpp"
+#include "mesh/matching.hpp"
 
 namespace fabricsh::mesh {
 
 namespace {
 
 constexpr double kLeastSine = 0.5;     // of a corner
+constexpr int kMostNew = 10;           // pairs in place of others that join two more triangles
 constexpr double kLeastFlat = 0.9848;  // cosine between the two triangles: 10 degrees
-
-struct Pair {
-  std::int64_t rank;  // the largest first
-  std::size_t first, second;
-  std::array<Index, 4> ids;
-};
 
 std::size_t place_of(Index i) { return static_cast<std::size_t>(i); }
 
@@ -36,26 +31,6 @@ std::int64_t goodness(const Mesh& mesh, const std::array<Index, 4>& ids) {
   return worst < kLeastSine ? 0 : std::llround(1000 * worst);
 }
 
-std::vector<Pair> pairs_of(const Mesh& mesh) {
-  std::vector<Pair> pairs;
-  for_each_edge(edges(mesh), [&](const Edge* begin, const Edge* end) {
-    if (end - begin != 2 || begin[0].forward == begin[1].forward) return;
-    for (const Edge* e : {begin, begin + 1})
-      if (mesh.elements[place_of(e->element)][3] >= 0) return;
-    const auto third = [&](const Edge& edge) {
-      for (const Index id : mesh.elements[place_of(edge.element)])
-        if (id != edge.first && id != edge.second) return id;
-      return Index{-1};
-    };
-    const Edge &one = begin[0].forward ? begin[0] : begin[1], &other = begin[0].forward ? begin[1] : begin[0];
-    const std::array<Index, 4> ids{one.first, third(other), one.second, third(one)};
-    if (const auto good = goodness(mesh, ids); good > 0)
-      pairs.push_back({good, place_of(one.element), place_of(other.element), ids});
-  });
-  std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.rank > b.rank; });
-  return pairs;
-}
-
 }  // namespace
 
 Index pair_triangles(Mesh& mesh) {
@@ -63,8 +38,8 @@ Index pair_triangles(Mesh& mesh) {
   constexpr auto single = static_cast<std::size_t>(-1);
   std::vector<std::size_t> partner(mesh.elements.size(), single);
   std::vector<std::array<Index, 4>> joined = mesh.elements;
-  for (const Pair& pair : pairs_of(mesh)) {
-    if (partner[pair.first] != single || partner[pair.second] != single) continue;
+  const auto rank = [&mesh](const std::array<Index, 4>& ids) { return goodness(mesh, ids); };
+  for (const TrianglePair& pair : match_triangles(mesh, rank, kMostNew)) {
     partner[pair.first] = pair.second;
     partner[pair.second] = pair.first;
     joined[std::min(pair.first, pair.second)] = pair.ids;

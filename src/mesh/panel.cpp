@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <tuple>
 
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "mesh/check.hpp"
-#include "mesh/edges.hpp"
 #include "mesh/generators.hpp"
 #include "mesh/lattice.hpp"
+#include "mesh/matching.hpp"
 #include "mesh/rim.hpp"
 #include "mesh/triangulate.hpp"
 
@@ -21,7 +22,7 @@ std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 // The points of the mesh: first those of the rim, then those of the lattice inside.
 struct Points {
-  std::vector<Vec2> local;                 // along and across the grain, m
+  std::vector<Vec2> local;                 // along and across the rows, m
   std::vector<GridPoint> grid;             // the same on the finest grid of integers
   std::vector<std::array<Index, 2>> cell;  // column and row of a point of the lattice
   Index rim = 0;                           // how many are on the rim
@@ -113,7 +114,7 @@ Vec2 PanelMesher::meeting(const Rim::RimEdge& a, const Rim::RimEdge& b) const {
   return x(a.first) + std::clamp(share, 0.0, 1.0) * p;
 }
 
-// By a sweep along the grain.
+// By a sweep along the rows.
 void PanelMesher::check_lines() const {
   const auto& x = points_.grid;
   const auto low = [&x](const Rim::RimEdge& l) { return std::min(x[at(l.first)][0], x[at(l.second)][0]); };
@@ -230,41 +231,15 @@ bool one_cell(const std::array<Index, 4>& ids, const Points& points) {
   return high[0] - low[0] == 1 && high[1] - low[1] == 1;
 }
 
-struct TrianglePair {
-  std::int64_t rank;  // the largest first
-  std::size_t first, second;
-  std::array<Index, 4> ids;
-};
-
-// All pairs of neighbours that form a good quadrilateral, the best first: cells of the lattice, then by the
-// squareness in steps of a thousandth, so that rounding does not decide.
-std::vector<TrianglePair> pairs_of(const std::vector<Corners>& triangles, const Points& points) {
-  Mesh mesh;
-  for (const Corners& t : triangles) mesh.elements.push_back({t[0], t[1], t[2], -1});
-  std::vector<TrianglePair> pairs;
-  for_each_edge(edges(mesh), [&](const Edge* begin, const Edge* end) {
-    if (end - begin != 2) return;
-    const auto third = [&](const Edge& edge) {
-      for (const Index id : triangles[at(edge.element)])
-        if (id != edge.first && id != edge.second) return id;
-      return Index{-1};
-    };
-    const Edge &one = begin[0].forward ? begin[0] : begin[1], &other = begin[0].forward ? begin[1] : begin[0];
-    const std::array<Index, 4> ids{one.first, third(other), one.second, third(one)};
-    const auto good = std::llround(1000 * squareness(ids, points));
-    if (good > 0)
-      pairs.push_back({one_cell(ids, points) ? 2000 : good, at(one.element), at(other.element), ids});
-  });
-  std::stable_sort(pairs.begin(), pairs.end(),
-                   [](const TrianglePair& a, const TrianglePair& b) { return a.rank > b.rank; });
-  return pairs;
-}
-
 void PanelMesher::pair_up(const std::vector<Corners>& triangles) {
   std::vector<char> used(triangles.size(), 0);
+  Mesh mesh;
+  for (const Corners& t : triangles) mesh.elements.push_back({t[0], t[1], t[2], -1});
+  const auto rank = [this](const std::array<Index, 4>& ids) -> std::int64_t {
+    return one_cell(ids, points_) ? 2000 : std::llround(1000 * squareness(ids, points_));
+  };
   if (!shape_.triangles)
-    for (const TrianglePair& pair : pairs_of(triangles, points_)) {
-      if (used[pair.first] != 0 || used[pair.second] != 0) continue;
+    for (const TrianglePair& pair : match_triangles(mesh, rank, 0)) {
       used[pair.first] = used[pair.second] = 1;
       elements_.push_back(pair.ids);
     }
@@ -343,7 +318,7 @@ Mesh PanelMesher::make() {
     mesh.nodes.emplace_back(x.x(), x.y(), 0);
   }
   mesh.elements = elements_;
-  mesh.warp.assign(mesh.elements.size(), Vec3(weave_.along.x(), weave_.along.y(), 0));
+  mesh.warp.assign(mesh.elements.size(), direction(shape_.grain));
   mesh.flat = true;
   mesh.origin = "panel";
   name_sets(mesh);
@@ -351,12 +326,75 @@ Mesh PanelMesher::make() {
   return mesh;
 }
 
+// Degrees from the grain to the nearest line along or across it, -45 to 45.
+double off_grain(double degrees, double grain) { return std::remainder(degrees - grain, 90.0); }
+
+// Directions of the straight sides that run obliquely to the grain, degrees, at most four: those of the
+// greatest lengths. Sides at right angles are one.
+std::vector<double> oblique_sides(const Panel& shape) {
+  constexpr double same = 0.1, along = 5;  // degrees
+  struct Direction {
+    double degrees, length;
+  };
+  std::vector<Direction> found;
+  const auto add = [&](const Loop& loop) {
+    for (const OutlinePiece& piece : loop) {
+      if (!piece.curve.straight()) continue;
+      const Vec2 side = piece.curve.end() - piece.curve.start();
+      const double degrees = std::atan2(side.y(), side.x()) * 180 / std::numbers::pi;
+      if (std::abs(off_grain(degrees, shape.grain)) <= along) continue;
+      const auto like = std::find_if(found.begin(), found.end(), [&](const Direction& d) {
+        return std::abs(std::remainder(d.degrees - degrees, 90.0)) < same;
+      });
+      if (like != found.end())
+        like->length += side.norm();
+      else
+        found.push_back({degrees, side.norm()});
+    }
+  };
+  add(shape.outline);
+  for (const Loop& hole : shape.holes) add(hole);
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Direction& a, const Direction& b) { return a.length > b.length; });
+  std::vector<double> directions;
+  for (std::size_t i = 0; i < std::min<std::size_t>(found.size(), 4); ++i)
+    directions.push_back(found[i].degrees);
+  return directions;
+}
+
+std::ptrdiff_t triangles_of(const Mesh& mesh) {
+  return std::count_if(mesh.elements.begin(), mesh.elements.end(),
+                       [](const auto& element) { return element[3] < 0; });
+}
+
+// Stiff yarns lock the triangles of a rim that they cross obliquely, so rows are along sides that are oblique
+// to the grain where these leave less than half as many.
+Mesh best_of_rows(const Panel& shape) {
+  Mesh best = PanelMesher(shape).make();
+  std::ptrdiff_t fewest = (triangles_of(best) + 1) / 2;
+  for (const double rows : oblique_sides(shape)) {
+    if (fewest == 0) break;
+    Panel turned = shape;
+    turned.rows = rows;
+    try {
+      Mesh other = PanelMesher(turned).make();
+      if (triangles_of(other) >= fewest) continue;
+      fewest = triangles_of(other);
+      best = std::move(other);
+    } catch (const Error&) {
+      // These rows give no good mesh; the one along the grain is there.
+    }
+  }
+  return best;
+}
+
 }  // namespace
 
 Mesh panel(const Panel& shape) {
   check_length("panel", "size", shape.size);
   if (!std::isfinite(shape.grain)) refuse_panel("grain", "expected an angle in degrees");
-  return PanelMesher(shape).make();
+  if (shape.rows && !std::isfinite(*shape.rows)) refuse_panel("rows", "expected an angle in degrees");
+  return shape.rows || shape.triangles ? PanelMesher(shape).make() : best_of_rows(shape);
 }
 
 }  // namespace fabricsh::mesh

@@ -39,13 +39,16 @@ struct Panel {
   std::vector<Loop> holes = {};
   std::vector<Dart> darts = {};
   std::vector<Notch> notches = {};
-  double size = 0;         // of an element, m
-  double grain = 0;        // direction of the warp, degrees counter-clockwise from +x
-  bool triangles = false;  // equilateral inside, instead of squares along the grain
+  double size = 0;   // of an element, m
+  double grain = 0;  // direction of the warp, degrees counter-clockwise from +x
+  // Direction of the rows of elements, degrees as above; none: along the grain, or along straight sides that
+  // are oblique to it where that leaves less than half as many triangles.
+  std::optional<double> rows = {};
+  bool triangles = false;  // equilateral inside, instead of squares
 };
 
-// A flat mesh in the x-y plane, normal +z. Inside: squares along the grain that fit the panel's extent along
-// and across it. Between them and the border: triangles, and quadrilaterals where two triangles form a good
+// A flat mesh in the x-y plane, normal +z. Inside: rows of squares that fit the panel's extent along and
+// across them. Between them and the border: triangles, and quadrilaterals where two triangles form a good
 // one. All border nodes lie on the curves. Numbers: first the nodes of the outline, counter-clockwise from
 // its start (or from its end if it was drawn clockwise), then those of the holes, then row by row inside. The
 // warp of each element is along the grain. Sets: the edges; of an edge that darts cut, also its parts NAME_1,

@@ -292,7 +292,7 @@ Border border_of(const Panel& shape, std::vector<Vec2>& notches) {
 }
 
 Weave weave_of(const Panel& shape, const Border& border) {
-  const Vec3 along = direction(shape.grain);
+  const Vec3 along = direction(shape.rows.value_or(shape.grain));
   Weave weave{{along.x(), along.y()}, {-along.y(), along.x()}};
   Vec2 low = weave.local(border[0].front().curve.start()), high = low;
   for (const Side& side : border[0]) {

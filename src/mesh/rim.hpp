@@ -30,7 +30,7 @@ using Border = std::vector<std::vector<Side>>;  // the outline, then the holes
 // shape.
 Border border_of(const Panel& shape, std::vector<Vec2>& notches);
 
-// Axes along and across the grain, and the lattice of squares that fits the extent of the panel.
+// Axes along and across the rows of elements, and the lattice of squares that fits the extent of the panel.
 struct Weave {
   Vec2 along, across;
   Vec2 low = Vec2::Zero(), size = Vec2::Zero();  // of the panel, in these axes, m

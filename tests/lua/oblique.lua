@@ -28,9 +28,10 @@ local function force(n, angle, kind, yarns)
   return select(2, run:reaction "top"), table.concat(codes, " "), mesh
 end
 
--- The same of a panel whose grain is at an angle to its sides, as it is meshed and refined.
-local function of_panel(n, angle, refined)
-  local mesh = fabric.mesh.panel { outline = { { 0, 0 }, { W, 0, name = "low" }, { W, H }, { 0, H, name = "high" }, { 0, 0 } }, size = W / n, grain = angle }
+-- The same of a panel whose grain is at an angle to its sides: with rows along the grain, so that it has a rim of
+-- triangles, as it is meshed and refined; and with those that it takes by itself.
+local function of_panel(n, angle, rows, refined)
+  local mesh = fabric.mesh.panel { outline = { { 0, 0 }, { W, 0, name = "low" }, { W, H }, { 0, H, name = "high" }, { 0, 0 } }, size = W / n, grain = angle, rows = rows }
   if refined then mesh:refine() end
   local m = fabric.model { mesh = mesh, card = card }
   m:fix("all", "z rotation"):fix("low", "x y"):fix("high", "x"):move("high", { y = fabric.ramp(pull, 1) })
@@ -49,8 +50,9 @@ local quads = force(6, 31)
 local locked, said, mesh = force(6, 31, "triangles")
 print("45 degrees: limit", limit, "3 across", coarse, "8 across", fine, "full", force(3, 45, nil, "full"), "moved", force(8, 45, "moved"))
 print("31 degrees: 6", quads, "12", force(12, 31), "pairs", pairs_of, "triangles", locked)
-local rim, rim_said = of_panel(6, 45)
-local refined, refined_said = of_panel(3, 45, true)
+local rim, rim_said = of_panel(6, 45, 45)
+local refined, refined_said = of_panel(3, 45, 45, true)
+local usual, usual_said = of_panel(6, 31)
 print("panel at 45 degrees: 6 across", rim, "refined", refined, "over quads", force(6, 45))
 local report = mesh:check(card, 31)
 print(report)
@@ -70,6 +72,8 @@ fabric.expect {
   { "which is said, with a way out (1: yes)", rim_said:find("mesh:refine()", 1, true) and 1 or 0, 1, relative = 1e-12 },
   { "a refined panel keeps less than two fifths of the excess (1: yes)", refined - force(6, 45) < 0.4 * (rim - force(6, 45)) and 1 or 0, 1, relative = 1e-12 },
   { "and is silent (1: yes)", refined_said:find "lock" and 0 or 1, 1, relative = 1e-12 },
+  { "a panel's rows are along its sides by default", usual, quads, relative = 1e-6 },
+  { "and it is silent (1: yes)", usual_said:find "lock" and 0 or 1, 1, relative = 1e-12 },
   { "quadrilaterals say nothing (1: yes)", (silent .. no_word):find "oblique" and 0 or 1, 1, relative = 1e-12 },
   { "check: stiffness over shear", report.yarns.stiffness, 900 / 0.1, relative = 1e-9 },
   { "check: all triangles lock", report.yarns.locking, 1, relative = 1e-9 },

@@ -78,7 +78,7 @@ TEST_CASE("straight outlines keep their area, holes and darts theirs", "[mesh][p
   const Loop trapezoid = polygon({{0, 0}, {0.31, 0}, {0.24, 0.22}, {0.05, 0.22}});
   const double whole = 0.5 * (0.31 + 0.19) * 0.22;
   for (const double grain : {0.0, 17.0, 45.0, 90.0}) {
-    const Mesh mesh = panel({.outline = trapezoid, .size = 0.013, .grain = grain});
+    const Mesh mesh = panel({.outline = trapezoid, .size = 0.013, .grain = grain, .rows = grain});
     sound(mesh);
     CHECK(area(mesh) == Approx(whole).epsilon(1e-13));
     CHECK(along(mesh, grain) > 0.6 * static_cast<double>(mesh.elements.size()));
@@ -109,6 +109,42 @@ TEST_CASE("straight outlines keep their area, holes and darts theirs", "[mesh][p
   double right = 0;
   for (const Index n : cut.set("hem_1")) right = std::max(right, cut.nodes[n].x());
   CHECK(right == Approx(0.09).epsilon(1e-15));
+}
+
+TEST_CASE("rows follow straight sides oblique to the grain where few triangles are left", "[mesh][panel]") {
+  const auto triangles = [](const Mesh& mesh) { return check(mesh).measures.triangles; };
+  const auto turned = [](std::vector<Vec2> points, double degrees) {
+    const double c = std::cos(degrees * pi / 180), s = std::sin(degrees * pi / 180);
+    for (Vec2& x : points) x = Vec2(c * x.x() - s * x.y(), s * x.x() + c * x.y());
+    return polygon(points);
+  };
+  // A strip and an angle piece, each turned by 20 degrees: rows along their sides leave no triangle.
+  const Loop strip = turned({{0, 0}, {0.05, 0}, {0.05, 0.2}, {0, 0.2}}, 20);
+  const Loop ell = turned({{0, 0}, {0.3, 0}, {0.3, 0.12}, {0.12, 0.12}, {0.12, 0.24}, {0, 0.24}}, 20);
+  for (const Loop& outline : {strip, ell})
+    for (const double grain : {-25.0, 65.0, 50.0}) {
+      const Mesh mesh = panel({.outline = outline, .size = 0.01, .grain = grain});
+      sound(mesh, 80);
+      CHECK(triangles(mesh) == 0);
+      CHECK(along(mesh, 20) == mesh.elements.size());
+      for (const Vec3& warp : mesh.warp)
+        CHECK((warp - Vec3(std::cos(grain * pi / 180), std::sin(grain * pi / 180), 0)).norm() < 1e-12);
+      const Mesh asked = panel({.outline = outline, .size = 0.01, .grain = grain, .rows = grain});
+      CHECK(triangles(asked) > 20);
+      CHECK(asked.warp.front() == mesh.warp.front());
+    }
+  // A trapezoid with its grain at 45 degrees has fewer than half the triangles of rows along the grain.
+  const Loop trapezoid = polygon({{0, 0}, {0.31, 0}, {0.24, 0.22}, {0.05, 0.22}});
+  const Mesh mesh = panel({.outline = trapezoid, .size = 0.013, .grain = 45});
+  sound(mesh);
+  CHECK(2 * triangles(mesh) <
+        triangles(panel({.outline = trapezoid, .size = 0.013, .grain = 45, .rows = 45})));
+  // A circle has no straight side; sides within five degrees of the grain do not count.
+  const Loop circle{{PlaneCurve::circle({0, 0}, 0.1), "rim"}};
+  CHECK(panel({.outline = circle, .size = 0.01, .grain = 30}).elements ==
+        panel({.outline = circle, .size = 0.01, .grain = 30, .rows = 30}).elements);
+  CHECK(panel({.outline = strip, .size = 0.01, .grain = 24}).elements ==
+        panel({.outline = strip, .size = 0.01, .grain = 24, .rows = 24}).elements);
 }
 
 TEST_CASE("arcs: area of the polygon on the circle, which converges to that of the circle", "[mesh][panel]") {

@@ -389,6 +389,7 @@ int panel(Call& call) {
   each_in(call, "notches", [&](const std::string& path) { shape.notches.push_back(read_notch(L, path)); });
   shape.size = call.number("size");
   if (call.has("grain")) shape.grain = call.number("grain");
+  if (call.has("rows")) shape.rows = call.number("rows");
   shape.triangles = call.flag("triangles");
   auto made = std::make_shared<mesh::Mesh>(mesh::panel(shape));
   if (const std::string doubt = mesh::doubt_about_units(*made); !doubt.empty()) {
@@ -423,8 +424,14 @@ Entry panel_row() {
        value_("darts", table, "{ {from=, tip=, to=, name=}, ... }: wedges cut from the outline").optional(),
        value_("notches", table, "{ {name=, edge=, at=|share=|point=}, ... }: places that get a node")
            .optional(),
-       value_("triangles", boolean, "equilateral ones, in place of squares along the grain").or_else(false)},
-      "A panel from its outline, in the x-y plane, normal +z: squares along the grain, and a rim of "
+       value_("triangles", boolean, "equilateral ones, in place of squares").or_else(false),
+       number_(
+           "rows", "degrees", everything,
+           "direction of the rows of elements, counter-clockwise from +x; default: the grain, or straight "
+           "sides oblique to it where that leaves less than half as many triangles")
+           .optional()},
+      "A panel from its outline, in the x-y plane, normal +z: rows of squares along the grain or along sides "
+      "oblique to it, and a rim of "
       "quadrilaterals and triangles whose border nodes lie on the outline. A piece is a straight line to {x, "
       "y}, "
       "{arc={to=, through=|centre=, clockwise=}}, {spline={ {x, y}, ... }}, {bezier={c, c, to}}, or {name=}, "
