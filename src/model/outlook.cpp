@@ -169,7 +169,9 @@ std::string warning_of(const Outlook& o) {
   if (o.yarns.locking < kMuch) return {};
   std::string text = words(o)[0];
   if (o.yarns.triangles > 0.5)
-    text += "; quadrilaterals lock far less: mesh:pair() joins triangles to them";
+    text +=
+        "; quadrilaterals lock far less: mesh:pair() joins triangles to them (unstructured ones, 6 elements "
+        "across, at 45 degrees: from 22 times too strong to 1.4)";
   else if (o.yarns.triangles > 0)
     text +=
         "; quadrilaterals lock far less: mesh:refine() makes them of all elements, so that one may begin "
