@@ -75,6 +75,27 @@ void check_provenance(const card::Card& card, CheckReport& report) {
                             {}});
 }
 
+// Samples lie about the card's own values, so that a band which does not hold its value is of another one.
+void check_bands(const card::Card& card, const card::Woven& woven, CheckReport& report) {
+  if (!woven.bands) return;
+  for (const auto& [part, place] : card::banded_parts) {
+    const card::ParameterBand& band = *woven.bands.*place;
+    if (band.low.empty()) continue;
+    const auto values = card::parameters(*card::find_field(card::fields(card), part), card);
+    for (std::size_t i = 0; i < std::min(values.size(), band.low.size()); ++i) {
+      if (values[i] >= band.low[i] && values[i] <= band.high[i]) continue;
+      report.items.push_back({std::string("band.") + part,
+                              Severity::warning,
+                              "the band of " + std::string(part) +
+                                  " does not hold the card's own value of number " + std::to_string(i + 1) +
+                                  ": " + number(band.low[i]) + " to " + number(band.high[i]) + ", got " +
+                                  number(values[i]),
+                              {{"value", values[i]}, {"low", band.low[i]}, {"high", band.high[i]}}});
+      break;
+    }
+  }
+}
+
 // Parts of the card that its law does not use.
 void check_unused(const card::Woven& woven, CheckReport& report) {
   if (woven.law == card::LawKind::potential) return;
@@ -106,6 +127,7 @@ CheckReport check(const card::Card& card, double element_size) {
   const auto* woven = std::get_if<card::Woven>(&card.law);
   if (woven != nullptr) {
     check_unused(*woven, report);
+    check_bands(card, *woven, report);
     check_curves(*woven, *law, report);
     check_continuity(*law, report);
   }

@@ -181,9 +181,13 @@ class Surface {
     return std::all_of(ring.begin(), ring.end(),
                        [&](Index n) { return std::binary_search(nodes.begin(), nodes.end(), n); });
   }
+  const std::string* lid_of(const EdgeRing& ring) const {
+    const auto found =
+        std::find_if(gas_.lids.begin(), gas_.lids.end(), [&](const auto& set) { return inside(ring, set); });
+    return found == gas_.lids.end() ? nullptr : &*found;
+  }
   bool is_closed_otherwise(const EdgeRing& ring) const {
-    for (const auto& set : gas_.lids)
-      if (inside(ring, set)) return true;
+    if (lid_of(ring) != nullptr) return true;
     for (const Support& s : model_.supports())
       if (s.symmetry >= 0 && inside(ring, s.set)) return true;
     return std::all_of(ring.begin(), ring.end(), [&](Index n) { return is_at_seam(n); });
@@ -214,6 +218,9 @@ class Surface {
     for (EdgeRing& hole : holes()) {
       if (is_in_planes(hole)) continue;
       const RigidPointer body = body_at(hole);
+      if (const std::string* set = lid_of(hole); body && set != nullptr)
+        refuse(gas_, "field 'lids': set '" + *set + "' and the " + name_of(*body) +
+                         " close the same hole, at " + place_of(at(hole.front())) + ": expected one of them");
       if (!body && !is_closed_otherwise(hole)) continue;
       add(std::move(hole));
       closed_by_.push_back(body);

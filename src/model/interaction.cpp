@@ -258,14 +258,15 @@ std::vector<RigidPointer> Interactions::bodies() const {
 }
 
 std::string Interactions::name_of(const Rigid& body) const {
-  if (!body.name().empty()) return body.name();
+  const auto given = [](const Rigid& r) { return r.name().empty() ? r.kind() : r.name(); };
+  const std::string name = given(body);
   int number = 0, count = 0;
   for (const RigidPointer& other : bodies()) {
-    if (other->kind() != body.kind()) continue;
+    if (given(*other) != name) continue;
     ++count;
     if (other.get() == &body) number = count;
   }
-  return count < 2 || number == 0 ? body.kind() : body.kind() + " " + std::to_string(number);
+  return count < 2 || number == 0 ? name : name + " " + std::to_string(number);
 }
 
 const BodyMotion* Interactions::motion_of(const Rigid& body) const {

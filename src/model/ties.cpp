@@ -161,7 +161,7 @@ class Builder {
 
   static void want_body(const Interactions& all, const std::string& name) {
     int found = 0;
-    for (const RigidPointer& body : all.bodies()) found += all.name_of(*body) == name ? 1 : 0;
+    for (const RigidPointer& body : all.bodies()) found += body->name() == name ? 1 : 0;
     if (found == 1) return;
     if (found > 1)
       throw Error("tie: " + std::to_string(found) + " bodies have the name '" + name +

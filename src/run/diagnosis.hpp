@@ -128,6 +128,7 @@ struct Diagnosis {
   std::string slides;    // the pair of them with the largest force, in words
   double aspect = 0;     // of the element with the residual: its longest side over its shortest
   bool bends = false;    // cloth with bending of its own, which relaxation takes along the overdamped path
+  std::string loose;     // the rigid bodies that nothing holds, in words
   bool relaxed = false;  // relaxation has been tried
   bool both = false;     // Newton's method and relaxation have been tried in turn
 

@@ -260,6 +260,7 @@ std::vector<std::string> Diagnosis::advice() const {
   // What moves freely moves under a small load too.
   const bool free = f.mechanism.driven || ends_singular(f);
   advise_on_sliding(f, all);
+  if (!f.loose.empty()) all.push_back(f.loose);
   if (f.mechanism.driven) advise_on_mechanism(f, all);
   advise_on_shape(f, all);
   if (free) advise_on_tangent(f, all);

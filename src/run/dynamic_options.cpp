@@ -36,7 +36,7 @@ field::FieldOf<O> damping_row() {
 field::FieldOf<O> rest_row() {
   using field::number;
   const std::vector<field::FieldOf<UntilRest>> rows = field::with_defaults<UntilRest>(
-      {number("calm", &UntilRest::calm, "", positive, "kinetic energy over the energy stored"),
+      {number("calm", &UntilRest::calm, "", {0, 1, true, true}, "kinetic energy over the energy stored"),
        number("window", &UntilRest::window, "s", positive, "how long it has to be that calm")});
   return field::group("until_rest", &O::until_rest, rows,
                       "end where all rests: when every seam that is drawn has closed and the kinetic energy "

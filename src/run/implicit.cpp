@@ -35,6 +35,10 @@ constexpr int kMostHalvings = 3;
 // Where the cloth turns by more than this in a step, 400 steps a turn, shorter steps go first; then by
 // halves, down to a part of it.
 constexpr double kTurn = 2 * std::numbers::pi / 400, kFurther = 4;
+// Without damping, too, forces that are averaged over a turn make energy of it where stiff cloth turns
+// further in a step: energy and angular momentum hold to some thousandths with a hundred steps a turn, and
+// are lost with half as many.
+constexpr double kWideTurn = 2 * std::numbers::pi / 100;
 constexpr double kTurning = 0.9;  // of the kinetic energy about the centre of mass
 // Yarns of a cloth at rest switch between branches within any step. A residual that still is within so many
 // tolerances when the iterations are over is of such, and shorter steps would not change it.
@@ -176,7 +180,10 @@ void Implicit::return_to_start(Repeatable::Try next) {
 }
 
 double Implicit::try_step(double limit, StepReport& report) {
-  if (!repeats()) mark_repeatable();
+  if (!repeats()) {
+    watch_turning();
+    mark_repeatable();
+  }
   double size = control_.end(committed_time(), next_landing(limit, control_.current()));
   step_.tries.clear();
   while (!attempt(size, report)) {
@@ -286,14 +293,30 @@ double Implicit::turn_per_step() const {
 }
 
 std::string Implicit::shorten_for_turning() {
-  const double turn = turn_per_step(), step = control_.current();
+  const double turn = turn_per_step();
   if (!(turn > 1.01 * kTurn / kFurther)) return {};
-  control_.limit(step * std::min(kTurn / turn, 0.5));
+  const std::string words = shorten(turn, std::min(kTurn / turn, 0.5));
+  return words.empty() ? words : words + " and damping would take energy of the turning; ";
+}
+
+// To a part of the present step, in which the cloth turns by so many rad.
+std::string Implicit::shorten(double turn, double part) {
+  const double step = control_.current();
+  control_.limit(step * part);
   if (!(control_.current() < step)) return {};
   now_.step = control_.current();
   return "from here on steps are at most " + number(control_.largest()) + " s, since the cloth turns by " +
-         number(turn * 180 / std::numbers::pi, 2) + " degrees in one of " + number(step) +
-         " s and damping would take energy of the turning; ";
+         number(turn * 180 / std::numbers::pi, 2) + " degrees in one of " + number(step) + " s";
+}
+
+void Implicit::watch_turning() {
+  const double turn = damps() ? 0 : turn_per_step();
+  if (!(turn > 1.01 * kWideTurn)) return;
+  const std::string words = shorten(turn, kWideTurn / turn);
+  if (!words.empty() && !warned("step"))
+    warn("step", "dynamic: at time " + number(committed_time()) + " s: " + words +
+                     ", which would make energy of the turning: a hundred steps a turn keep it to some "
+                     "thousandths");
 }
 
 void Implicit::damp(Damping damping) {

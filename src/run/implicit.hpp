@@ -46,6 +46,8 @@ class Implicit final : public Dynamic {
   void damp(Damping damping);
   double turn_per_step() const;       // rad, of a motion that is a turning for the most part, else 0
   std::string shorten_for_turning();  // empty: the motion turns little in a step
+  std::string shorten(double turn, double part);
+  void watch_turning();  // of a scheme that does not damp
   std::string damping_text() const;
   bool takes_back() override;
   bool tries_again(bool failed) override;

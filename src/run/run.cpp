@@ -447,7 +447,8 @@ void Run::watch_folds() {
       model_->element_name(fold->other) + ", about " + place_text(fold->place) +
       ", where contact presses on it: the forces across such an edge depend on the mesh; elements of " +
       number(1e3 * fold->size * fine / angle, 2) + " mm there (now " + number(1e3 * fold->size, 2) +
-      " mm) would turn by " + number(fine) + " degrees";
+      " mm), or a body there that is rounded to " + number(1e3 * fold->size / (fine * degree), 2) +
+      " mm or more, make that " + number(fine) + " degrees";
   moves() ? note("fold", text, fold->element) : warn("fold", text, fold->element);
 }
 

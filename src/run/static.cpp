@@ -156,24 +156,6 @@ Static::~Static() = default;
 
 bool Static::takes_unsymmetric() const { return !takes_symmetric(options_, *assembly_); }
 
-void Static::check_bodies() const {
-  const mechanics::Contacts* contact = assembly_->terms().find<mechanics::Contacts>();
-  if (contact == nullptr) return;
-  for (const auto& given : model().interactions().contacts())
-    if (given.viscosity)
-      throw Error(
-          "static: contact: field 'film': nothing slides with a speed in a static run, so that a film would "
-          "do "
-          "nothing: expected none, or fabric.dynamic");
-  if (contact->bodies().any_free() &&
-      (options_.control == Control::arc || options_.stabilise > 0 || options_.method == Method::relaxation))
-    throw Error(
-        "static: a rigid body that forces place (a mass, m:force, m:spring, m:fix of a part) is sought by "
-        "Newton's method alone: expected control=\"load\", no stabilise and no method=\"relaxation\"");
-  if (options_.control == Control::arc && contact->bodies().any_driven())
-    throw Error("static: field 'control': \"arc\" does not work with moved rigid bodies: expected \"load\"");
-}
-
 std::string Static::method() const {
   std::ostringstream text;
   text << std::boolalpha << "static with control " << (arc_ ? "arc" : "load") << ", method "
@@ -540,7 +522,7 @@ void Static::note_shape() {
 
 solver::Stability Static::judge() {
   if (!check_) {
-    judging_ = make_solver(options_.solver, !takes_unsymmetric());
+    if (!judging_) judging_ = make_solver(options_.solver, !takes_unsymmetric());
     check_ = std::make_unique<solver::StabilityCheck>(*judging_, assembly_->terms().symmetric(),
                                                       judge_of(*model_, *assembly_));
   }
@@ -550,21 +532,6 @@ solver::Stability Static::judge() {
   linear::absolute_sums(K, D);
   const solver::Stability cloth = check_->of(K, D);
   return places_bodies_ && cloth == solver::Stability::stable ? judge_bodies(K) : cloth;
-}
-
-// Of cloth that is stable while the bodies stand: bodies and cloth together are so if the stiffness of the
-// bodies, cloth following them, has no negative eigenvalue.
-solver::Stability Static::judge_bodies(const linear::Matrix& K) {
-  constexpr double kNothing = 1e-9;  // of the largest: of what turns or rolls freely
-  judging_->set_doubtful(false);
-  if (K.size() > 0 && !judging_->factorise(K)) return solver::Stability::unchecked;
-  const Eigen::MatrixXd A = assembly_->own_stiffness([&](std::span<const double> b, std::span<double> x) {
-    return judging_->solve(K, b, x) && linear::all_finite(x);
-  });
-  if (A.size() == 0 || !A.allFinite()) return solver::Stability::unchecked;
-  const Eigen::VectorXd values = A.eigenvalues().real();
-  return values.minCoeff() < -kNothing * values.cwiseAbs().maxCoeff() ? solver::Stability::unstable
-                                                                      : solver::Stability::stable;
 }
 
 bool Static::finish(solver::NewtonResult result, double end, StepReport& report) {
@@ -656,10 +623,19 @@ void Static::report_notices(const StepReport& report) {
              "goes on with one to which the energy falls: its mirror image, or another pattern with "
              "other steps, may be as good");
   }
-  if (report.stability == solver::Stability::unstable && !arc_ && !warned("unstable"))
+  now_.left += step_.last.left_unstable;
+  if (now_.left > 1 && !warned("branches"))
+    warn("branches", "static: by time " + number(report.time) +
+                         " s the shape has become unstable again after the run had left an unstable one "
+                         "before: from there on it has several stable shapes, and which of them this run "
+                         "reaches may depend on its steps, mesh and solver");
+  if (report.stability == solver::Stability::unstable && !arc_ && !warned("unstable")) {
+    const std::string loose = loose_bodies();
     warn("unstable", "static: the shape at time " + number(report.time) +
                          " s is an equilibrium but not stable, and no stable one was found beside it: real "
-                         "cloth leaves it for another; fabric.dynamic with damping shows which");
+                         "cloth leaves it for another; fabric.dynamic with damping shows which" +
+                         (loose.empty() ? "" : "; " + loose));
+  }
   const double lost = stabilisation_ == nullptr ? 0 : stabilisation_->lost();
   if (lost > 0.01 * work_.largest() && !now_.reported_damping) {
     now_.reported_damping = true;
@@ -763,6 +739,7 @@ void Static::give_up(const StepReport& report) {
   step_.relaxed = relaxation_ != nullptr || helper_ || settling_ || places_bodies_;
   step_.both = options_.method == Method::either || options_.method == Method::automatic || places_bodies_;
   step_.stabilised = stabilisation_ != nullptr || places_bodies_;
+  step_.loose = loose_bodies();
   fail(step_, report, now_.step.largest());
 }
 

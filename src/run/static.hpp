@@ -125,7 +125,10 @@ class Static final : public Run {
   solver::NewtonResult lifted(const solver::NewtonOptions& options);  // begins beside a flat membrane
   solver::NewtonResult complete(const solver::NewtonResult& relaxed, const solver::NewtonOptions& options);
   solver::Stability judge();  // of the trial state, where the solver that found it has not asked
+  // --- rigid bodies that forces place (static_bodies.cpp)
   solver::Stability judge_bodies(const linear::Matrix& K);
+  Eigen::MatrixXd stiffness_of_bodies(const linear::Matrix& K);
+  std::string loose_bodies();  // in words; empty: none, or they cannot be told
   bool finish(solver::NewtonResult result, double end, StepReport& report);
   void report_notices(const StepReport& report);  // gives notices
   void check_balance();                           // stops the run if energy was made from nothing
@@ -162,6 +165,7 @@ class Static final : public Run {
     StepControl step;
     double arc_length = 0, tried_length = 0, longest_length = 0, landing = 0;  // along an arc
     bool reported_pivots = false, reported_damping = false, reported_error = false, reported_balance = false;
+    std::int64_t left = 0;                  // unstable equilibria, of all steps
     bool jumps = false;                     // whether loads or motions begin with a jump at time 0
     bool settled = false;                   // whether that first step was relaxed
     bool inverted = false, turned = false;  // whether an element or a director of the committed state is
@@ -179,7 +183,7 @@ class Static final : public Run {
     int path_parts = 2;  // in which the step that errs most was made again
     void keep(Archive& archive) {
       archive(step, arc_length, tried_length, longest_length, landing, reported_pivots, reported_damping,
-              reported_error, reported_balance, jumps, settled, inverted, turned, relaxed, made, unsure,
+              reported_error, reported_balance, left, jumps, settled, inverted, turned, relaxed, made, unsure,
               fallen, internal, way, path_force, path_moved, path_pulled, path_worst, path_step, path_time,
               path_ratio, path_asked, path_next, path_gap, path_parts);
     }

@@ -77,6 +77,12 @@ do
   local m = fabric.model { mesh = fabric.mesh.cylinder { radius = radius, length = long, around = around, along = along }, card = card, warp = { 0, 0, 1 }, membrane = true }
   m:fix("all", "x y z"):gas { lids = { "bottom", "top", fabric.rigid.sphere { radius = 0.03, centre = { 0, 0, 1 } } } }
   check.fails("the sphere closes no hole: expected a hole of the surface whose rim lies at it", function() fabric.static { model = m, duration = 1 } end)
+
+  -- A hole has one lid: a set and a body are two.
+  local twice = fabric.model { mesh = fabric.mesh.cylinder { radius = 0.03, length = 0.07, around = 16, along = 2 }, card = card, warp = { 0, 0, 1 }, membrane = true }
+  local cap = fabric.rigid.plane { point = { 0, 0, 0.07 }, normal = { 0, 0, -1 }, name = "cap" }
+  twice:fix("all", "x y z"):gas { lids = { "bottom", "top", cap } }
+  check.fails("set 'top' and the cap close the same hole, at (0.03, 0, 0.07)", function() fabric.static { model = twice, duration = 1 } end)
 end
 
 -- Bodies to which nodes are tied have names of their own, a node goes along with one of them, and seams of the same model stay what they are.
@@ -124,3 +130,14 @@ do
   assert(told and told:find("against the lid that closes it", 1, true), told)
 end
 fabric.expect(rows)
+
+-- A plate on gas that nothing keeps from turning: the run says which body, and what it may do.
+do
+  local m = fabric.model { mesh = fabric.mesh.cylinder { radius = radius, length = long, around = 12, along = 4 }, card = fabric.card("blend", { bending = "estimated" }), warp = { 0, 0, 1 } }
+  local plate = fabric.rigid.disc { radius = 0.06, edge = 1e-3, centre = { 0, 0, long + 1e-3 }, normal = { 0, 0, 1 }, name = "plate", mass = 0.05 }
+  m:fix("bottom", "x y z rotation"):gas { lids = { "bottom", plate }, initial = 500 }
+  m:force(plate, { z = fabric.ramp(-1, 1) }):fix(plate, "x y")
+  local a = fabric.static { model = m, duration = 1, step = 0.25 }:solve()
+  local words = a.warnings[1].text
+  assert(a.warnings[1].code == "unstable" and words:find("nothing holds the plate that forces place, which may turn about x and turn about y: m:fix or m:spring of the body", 1, true), words)
+end

@@ -103,6 +103,16 @@ assert(a.time == 1 and #a.steps > 1 and math.abs(a:node(1).x + 0.03) < 1e-9)
 assert(talk("small", "fabric.point(card):strain{ E11=0.02, E12=3e-17 }\nfabric.point(card):strain{ E22=-2e-300 }") == "")
 assert(talk("large", "fabric.point(card):strain{ E12=12 }"):find("field 'E12': 12 is far from what cloth is: strains are numbers, not per cent", 1, true))
 
+-- A name that is nil at the end of a call is what a misspelt variable is: asked about, and refused where a body is meant. Not so one that is left out, or in the modules.
+do
+  local sheet = "local mesh = fabric.mesh.rectangle{ width=0.07, height=0.05, nx=2, ny=2 }\nlocal m = fabric.model{ mesh=mesh, card=card, points=1, warp=0 }\n"
+  local words = talk("nameless", sheet .. "local edge\nm:pressure(3, edge)")
+  assert(words:find("nameless.lua:7: pressure: argument 'set': nil stands for none (or is it a misspelt variable?)", 1, true), words)
+  assert(talk("left", sheet .. "m:pressure(3)\nm:tie('rigid', 'left')\nmesh:check()") == "")
+  words = talk("unknown", sheet .. "local c\nprint(pcall(mesh.check, mesh, c))")
+  assert(words:find("check: argument 'card': expected a card, or no value, got nil (a misspelt variable?)", 1, true), words)
+end
+
 -- An angle in radians, several numbers with one wrong unit, a card without tested strains, and a name out of a long list: one line each.
 do
   local sheet = "local mesh = fabric.mesh.rectangle{ width=0.08, height=0.06, nx=4, ny=3 }\nlocal m = fabric.model{ mesh=mesh, card=card, points=1, warp=%s }\n"

@@ -60,13 +60,13 @@ local function cuff()
   panel:wrap { cylinder = { radius = r, axis = { 1, 0, 0 }, from = { -28 * mm, 0, 0 }, towards = { 0, 0, -1 } } }
   local m = fabric.model { mesh = panel, card = card, points = 1 }
   m:gravity { 0, 0, -9.81 }:seam { "left", "right", over = 0.03, hinge = true }:contact { between = { arm, "all" }, friction = 0.3 }
-  return fabric.dynamic { model = m, duration = 0.5, damping = { mass = 100 }, until_rest = { calm = 1e9, window = 5e-3 } }
+  return fabric.dynamic { model = m, duration = 0.5, damping = { mass = 100 }, until_rest = { calm = 0.9, window = 5e-3 } }
 end
 local b = cuff()
 local dressed = fabric.lab.dress { analysis = b, at = 0.4 }
 print(("sewn at %.4g s"):format(dressed.time))
 assert(dressed.at_rest and dressed.open == 0 and dressed.time == b.time and dressed.stopped == "at rest")
-assert(b.time >= 0.035 * (1 - 1e-9) and b.time < 0.0365)
+assert(b.time >= 0.035 * (1 - 1e-9) and b.time < 0.1)
 
 -- What is pulled or turned slowly has next to no kinetic energy, and does not rest before it stands; a load that comes later is not waited for.
 for _, scheme in ipairs { "implicit", "explicit" } do

@@ -93,9 +93,8 @@ void Bodies::add_seats(const Body& body, contact::Scene& scene) {
 }
 
 void Bodies::add_tied(const Body& body, contact::Scene& scene) {
-  const model::Interactions& all = model_.interactions();
   for (const model::Tie& tie : model_.ties()) {
-    if (tie.kind != model::TieKind::rigid || tie.partner != all.name_of(*body.given)) continue;
+    if (tie.kind != model::TieKind::rigid || tie.partner != body.given->name()) continue;
     for (const Index n : model_.mesh().set(tie.set)) {
       tied_.push_back({n, scene.reference().size() - model_.mesh().nodes.size()});
       scene.add_followers(std::array<Vec3, 1>{model_.mesh().nodes[static_cast<std::size_t>(n)]});

@@ -7,6 +7,7 @@
 #include "base/number.hpp"
 #include "base/suggest.hpp"
 #include "script/call/boundary.hpp"
+#include "script/call/chain.hpp"
 #include "script/call/parts.hpp"
 #include "script/call/words.hpp"
 
@@ -459,6 +460,21 @@ bool takes_a_table(lua_State* L, const Entry& entry, int first, int given) {
          entry.arguments.front().kinds == text;
 }
 
+// To Lua a misspelt variable is nil, and as the last argument the same as none. Where a body, a set or
+// another thing is named, what is then meant is something else: no body, or the whole sheet.
+void watch_last(lua_State* L, int index, const Entry& entry, const Argument& row) {
+  lua_Debug caller;
+  if (row.required || !lua_isnil(L, index) || (row.kinds & (object | text)) == 0) return;
+  if (lua_getstack(L, 1, &caller) == 0) return;
+  lua_getinfo(L, "S", &caller);
+  if (own_module(caller.source)) return;
+  const std::string where = "argument '" + row.name + "': ";
+  if ((row.kinds & object) != 0)
+    throw Error(where + "expected " + expected(row) + ", or no value, got nil (a misspelt variable?)");
+  Session::of(L).warn("deck", position(L) + last_word(entry.name) + ": " + where +
+                                  "nil stands for none (or is it a misspelt variable?); leave it out");
+}
+
 // Leaves the table of named arguments on the stack and returns its index.
 int gather(lua_State* L, const Entry& entry) {
   const int first = entry.method() || entry.style == Style::property ? 2 : 1;
@@ -484,6 +500,8 @@ int gather(lua_State* L, const Entry& entry) {
   if (entry.style == Style::positional && given > most)
     throw Error("expected at most " + std::to_string(most) + " argument" + (most == 1 ? "" : "s") + ", got " +
                 std::to_string(given));
+  if (given > 0 && given <= most)
+    watch_last(L, first + given - 1, entry, entry.arguments[static_cast<std::size_t>(given - 1)]);
   lua_createtable(L, 0, most);
   for (int i = 0; i < most && i < given; ++i) {
     lua_pushvalue(L, first + i);

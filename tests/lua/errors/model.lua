@@ -182,6 +182,8 @@ wrong("model:velocity", "model:velocity('top', { spin={1} })",
   "deck.lua:1: velocity: field 'spin': expected {x, y, z}, got 1 number")
 wrong("model:tie", "model:tie('rigid', 'top', 7)",
   "deck.lua:1: tie: argument 'second': expected a string or a body, got 7")
+wrong("model:tie", "model:tie('rigid', 'top', nil)",
+  "deck.lua:1: tie: argument 'second': expected a string or a body, or no value, got nil (a misspelt variable?)")
 wrong("model:tie", "model:tie('rigid', 'top', card)",
   "deck.lua:1: tie: argument 'second': expected a string or a body, got a card")
 wrong("model:tie", "model:tie('equal', 'top', fabric.rigid.sphere{ radius=0.1, centre={0, 0, 1}, name='ball' })",

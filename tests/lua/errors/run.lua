@@ -183,7 +183,9 @@ wrong("fabric.dynamic", "fabric.dynamic{ model=held, duration=1, damping=5 }",
 wrong("fabric.dynamic", "fabric.dynamic{ model=held, duration=1, until_rest=true }",
   "deck.lua:1: dynamic: field 'until_rest': expected a table {calm, window}, got true")
 wrong("fabric.dynamic", "fabric.dynamic{ model=held, duration=1, until_rest={ calm=0 } }",
-  "deck.lua:1: dynamic: field 'until_rest.calm': expected a positive number, got 0")
+  "deck.lua:1: dynamic: field 'until_rest.calm': expected a number above 0 to below 1, got 0")
+wrong("fabric.dynamic", "fabric.dynamic{ model=held, duration=1, until_rest={ calm=1e300 } }",
+  "deck.lua:1: dynamic: field 'until_rest.calm': expected a number above 0 to below 1, got 1e+300")
 wrong("fabric.dynamic", "fabric.dynamic{ model=held, duration=1, until_rest={ windows=0.1 } }",
   "deck.lua:1: dynamic: unknown field 'until_rest.windows', did you mean 'until_rest.window'?")
 wrong("fabric.dynamic", "fabric.dynamic{ model=held, duration=1, until_rest={ window=1 } }",
