@@ -156,7 +156,8 @@ Mat3 weighing_tangent(const section::Section& section, const PointFrame& middle,
 // x 8 in the samples) and the enhanced strains E alpha j0/j, both in the middle's axes:
 //   sum_g (E^T C E j0/j) alpha = -sum_g E^T C c.
 // For a homogeneous strain alpha is zero, since E has zero mean [simo1990, section 3].
-Modes enhanced_modes(const Mat3& C, const Eigen::Vector2d& w) {
+// held: the mode that is left out, or -1.
+Modes enhanced_modes(const Mat3& C, const Eigen::Vector2d& w, int held) {
   Eigen::Matrix4d own = Eigen::Matrix4d::Zero();
   Modes coupling = Modes::Zero();
   for (const double r : {-1 / std::sqrt(3.0), 1 / std::sqrt(3.0)})
@@ -174,7 +175,31 @@ Modes enhanced_modes(const Mat3& C, const Eigen::Vector2d& w) {
       own += E.transpose() * C * E / (F11 * F22 - F12 * F21);
       coupling += E.transpose() * C * to_point.inverse() * c;
     }
+  if (held >= 0) {
+    own.row(held).setZero();
+    own.col(held).setZero();
+    own(held, held) = 1;
+    coupling.row(held).setZero();
+  }
   return -own.ldlt().solve(coupling);
+}
+
+// A narrow element that stiff fibres cross on the short way bends in its plane without shear, as a beam does,
+// which takes an enhanced strain: its sides bulge. Beside another that bends the other way they cannot, since
+// the fibres go on there; but such strains are each element's own, and a moment along the fibres, which
+// couples that bending with a turn of the directors, would make all of them bend to and fro. Returns the mode
+// that is left out there, so that shear holds them: 2, 3 for fibres along eta, xi; else -1.
+int held_mode(const section::Section& section, const Edges& e, const std::array<double, 8>& column) {
+  constexpr double kNarrow = 2, kStiff = 1000;
+  if (!section.bends_apart) return -1;
+  for (int f = 0; f < 2; ++f) {
+    const auto& over_shear = section.yarns_over_shear;
+    if (!(over_shear[f] > kStiff && over_shear[f] > kStiff * over_shear[1 - f])) continue;
+    const double xi = e.mid1.norm(), eta = e.mid2.norm();
+    const bool along_xi = std::abs(column[2 * f]) * xi > std::abs(column[2 * f + 1]) * eta;
+    if ((along_xi ? eta / xi : xi / eta) > kNarrow) return along_xi ? 3 : 2;
+  }
+  return -1;
 }
 
 // The stiffness of a yarn over that of shear up to which its strain varies within any element. For isotropic
@@ -182,7 +207,7 @@ Modes enhanced_modes(const Mat3& C, const Eigen::Vector2d& w) {
 constexpr double kHeldByShear = 20;
 
 // Writes samples, distortion and enhanced modes of the assumed membrane field.
-void put_membrane(const Edges& e, const Mat3& C, const std::function<void(int, double)>& put) {
+void put_membrane(const Edges& e, const Mat3& C, int held, const std::function<void(int, double)>& put) {
   const auto [w, flat] = distortion_of(e);
   const double middle[4] = {e.mid1.squaredNorm() / 2, e.mid2.squaredNorm() / 2, e.mid1.dot(e.mid2),
                             flat.squaredNorm() / 2};
@@ -191,7 +216,7 @@ void put_membrane(const Edges& e, const Mat3& C, const std::function<void(int, d
     put(Shell4Layout::samples + 4 + i, middle[i]);
   }
   for (int i = 0; i < 2; ++i) put(Shell4Layout::distortion + i, w[i]);
-  const Modes modes = enhanced_modes(C, w);
+  const Modes modes = enhanced_modes(C, w, held);
   for (int i = 0; i < kEnhanced; ++i)
     for (int k = 0; k < kSamples; ++k) put(Shell4Layout::modes + kSamples * i + k, modes(i, k));
 }
@@ -250,7 +275,9 @@ void shell4_rest_geometry(const section::Section& section, const Placed<4>& refe
     }
   }
   for (int f = 0; f < 2; ++f) put(Shell4Layout::easing + f, eased(oblique[f], section.yarns_over_shear[f]));
-  put_membrane(edges, weighing_tangent(section, frame_at(edges, X, D, 0, 0), warp), put);
+  const PointFrame middle = frame_at(edges, X, D, 0, 0);
+  const int held = held_mode(section, edges, PointColumns(section, middle, warp)(0, 1.0));
+  put_membrane(edges, weighing_tangent(section, middle, warp), held, put);
 }
 
 namespace {

@@ -358,7 +358,9 @@ Sides sides_of(const std::array<mesh::Index, 4>& e, const std::vector<Vec3>& X) 
 // The moment M along the fibres couples the turn of an element's sides in its plane, u_y,x, with the splay of
 // the directors, phi_y,x. Across elements of length h along and b across the fibres the first is held by the
 // stretch of the softer yarns, A h^2 / b^2, and the second by the twist: M = c h / b sqrt(A B_twist). The
-// factor c was measured on cantilevers of elements of 1.5 x 10 to 2.4 x 10 mm: 1.3 to 1.5.
+// factor c was measured on cantilevers of elements of 1.5 x 10 to 2.4 x 10 mm: 1.3 to 1.5. Where elements
+// hold that bending by shear (element/shell4_geometry.cpp), A has 4 to 5 G b^2 / h^2 beside it, measured on 1
+// x 10 and 1.5 x 10 mm.
 std::string splay_warning(const model::Model& model, const mechanics::Assembly& assembly) {
   constexpr double elongated = 4, anisotropic = 1e3, measured = 1.3;
   if (model.membrane() || !may_leave_surface(assembly)) return {};
@@ -382,9 +384,10 @@ std::string splay_warning(const model::Model& model, const mechanics::Assembly& 
     const bool short_along = (std::abs((stiff == 0 ? warp : weft).dot(sides.along)) > std::sqrt(0.5)) ==
                              (sides.first < sides.second);
     if (!short_along) continue;
+    const double held = section.yarns_over_shear[stiff] > 0 ? 4 * aspect * aspect * modulus.shear : 0;
     const double moment =
         measured / aspect *
-        std::sqrt(modulus.axis[1 - stiff] * section.thickness * section.bending[2].rigidity);
+        std::sqrt((modulus.axis[1 - stiff] + held) * section.thickness * section.bending[2].rigidity);
     const double radius = law::stiffest(section.bending[stiff]) / moment;
     if (radius <= widest) continue;
     widest = radius;

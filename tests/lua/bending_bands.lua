@@ -69,6 +69,14 @@ do
   for _, c in ipairs { { 1e-12, 0, 0, 0, -1e-12, 0, 0, 0, 1e-12 }, { 1e-12, 5e-13, 0, 0, 1e-12, 0, 0, 0, 1e-12 }, { 1e-12, 0, 3e-12, 0, 1e-12, 0, 3e-12, 0, 1e-12 } } do
     refused("field 'bands.bending.covariance': expected that of real numbers", own.with, own, { bands = { bending = { low = low, high = high, covariance = c } } })
   end
+  -- A band beside the card's own value is of another card; one that ends at it is not.
+  local value = own.bending.weft
+  for _, t in ipairs { { 1.2, 1.5, true }, { 0.5, 0.9, true }, { 1, 1.4, false } } do
+    local band = { low = { own.bending.warp / 2, value * t[1], own.bending.twist / 2 }, high = { own.bending.warp * 2, value * t[2], own.bending.twist * 2 }, covariance = none }
+    local found
+    for _, item in ipairs(own:with({ bands = { bending = band } }):check().items) do if item.key == "band.bending" then found = item end end
+    assert((found ~= nil) == t[3] and (not found or found.severity == "warning" and found.text:find("does not hold the card's own value of number 2", 1, true)))
+  end
 end
 
 -- without strips at 45 degrees the twist is assumed, with a range, and not in the band
