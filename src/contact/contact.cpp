@@ -78,6 +78,8 @@ Contact::Contact(const Scene& scene, Skins skins) : scene_(&scene), skins_(skins
   for (const Interaction& it : scene.interactions())
     widest_ = std::max(widest_, it.law.gap() - it.law.floor());
   opened_.assign(scene.interactions().size(), 1);
+  lists_all_ = std::all_of(scene.interactions().begin(), scene.interactions().end(),
+                           [](const Interaction& it) { return it.parts.empty(); });
   narrowest_ = narrowest_at_first_ = narrowest(scene, widest_);
 }
 
@@ -316,10 +318,10 @@ Totals Contact::add_forces(std::span<const Vec3> x, std::span<Vec3> force, const
                            std::span<Vec3> torque) {
   prepare(x);
   Totals totals;
-  double least = narrowest_;
+  double least = narrowest_, hard = std::numeric_limits<double>::infinity();
   const double change = change_ + rounding * skins_.inner;
   const auto n = std::ptrdiff_t(inner_.size());
-#pragma omp parallel for schedule(static) reduction(min : least) if (n > 256)
+#pragma omp parallel for schedule(static) reduction(min : least, hard) if (n > 256)
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     active_[std::size_t(i)] = 0;
     if (margin_[std::size_t(i)] > change) continue;  // still out of reach
@@ -331,8 +333,10 @@ Totals Contact::add_forces(std::span<const Vec3> x, std::span<Vec3> force, const
     if (!find_force(it.law, c.pair, corners_of(c, x), rubs ? &slips : nullptr, slot)) continue;
     active_[std::size_t(i)] = rubs ? rubbing : pressing;
     least = std::min(least, slot.gap);
+    if (slot.guard != 0 && !it.eased) hard = std::min(hard, slot.gap);
   }
   totals.gap = least;
+  totals.hard_gap = hard;
   gather(force, way.start.empty() ? std::span<Vec3>() : torque, totals);
   if (!way.start.empty()) note_slips(x, way);
   return totals;
@@ -395,6 +399,23 @@ void Contact::gather(std::span<Vec3> force, std::span<Vec3> torque, Totals& tota
     totals.work += sum.work;
     totals.impact += sum.impact;
     totals.touching += sum.pairs;
+  }
+}
+
+// A body's corners do not give way, so that a pair's stiffness for one node, while all nodes of the pair move
+// alike or against each other, is at most that times the node's weight: the weights on one side have the
+// sum 1.
+void Contact::barriers(const std::function<void(std::int32_t, double, const Vec3&)>& visit) const {
+  for (const std::uint32_t i : in_use_) {
+    const Candidate& c = inner_[i];
+    const Force::Barrier& barrier = slots_[i].barrier;
+    if (!(barrier.stiffness > 0) || !scene_->interactions()[std::size_t(c.interaction)].eased) continue;
+    if (c.spot.any())
+      for (std::size_t k = 0; k < 3; ++k)
+        visit(c.spot.node[k], barrier.stiffness * c.spot.weight(k), barrier.normal);
+    for (std::size_t k = c.spot.any() ? 1 : 0; k < 4; ++k)
+      if (c.point[k] >= 0 && !rigid(c.point[k]) && barrier.weight[k] != 0)
+        visit(c.point[k], barrier.stiffness * std::abs(barrier.weight[k]), barrier.normal);
   }
 }
 
@@ -484,7 +505,18 @@ bool Contact::may_have_passed(std::span<const Vec3> x, std::span<const Vec3> by,
   // If two points approach each other by `most`, each of them moves by half of it.
   const double most = patches_.against_on_way(x, end);
   if (cannot_meet(most / 2 * (1 + rounding), gap)) return false;
+  if (most * (1 + rounding) < skins_.inner && lists_all_) return passes_in_list(x, by, most);
   return share_of(find(x, most * (1 + rounding), by), x, by) < 1;
+}
+
+// The inner list holds all pairs that are within its skin of their reach at the end of the way, as of the
+// last forces, and what meets on the way is there no farther off than `most`.
+bool Contact::passes_in_list(std::span<const Vec3> x, std::span<const Vec3> by, double most) const {
+  const double change = change_ + most + rounding * skins_.inner;
+  std::vector<Candidate> pairs;
+  for (std::size_t i = 0; i < inner_.size(); ++i)
+    if (!inner_[i].spot.any() && margin_[i] <= change) pairs.push_back(inner_[i]);
+  return share_of(pairs, x, by) < 1;
 }
 
 double Contact::share_of(const std::vector<Candidate>& pairs, std::span<const Vec3> x,

@@ -36,6 +36,7 @@ struct Totals {
   // m: smallest gap above the floor of all pairs within range of contact; if there is none, the least
   // distance from gap to floor of any pair, which is then a lower bound.
   double gap = 0;
+  double hard_gap = 0;       // m: the smallest of all pairs with a guard that is not eased; infinite: none
   std::size_t touching = 0;  // pairs
 };
 
@@ -55,6 +56,10 @@ class Contact {
   // of each body; empty: not wanted).
   Totals add_forces(std::span<const Vec3> x, std::span<Vec3> force, const Way& way = {},
                     std::span<Vec3> torque = {});
+
+  // Of the forces that were last added: how stiff the guards that are eased are for each node of the cloth,
+  // N/m, and along which normal; in the pairs' order. The sum is a bound for all that the nodes do at once.
+  void barriers(const std::function<void(std::int32_t, double, const Vec3&)>& visit) const;
 
   // Stiffness of the touching pairs, in the pairs' order: visit(points of the pair, Hessian of its energy,
   // N/m, its friction). With a way the Hessian contains the part of friction: -d force/dx, not symmetric.
@@ -146,6 +151,7 @@ class Contact {
   unsigned planes_of(const Candidate& c, std::span<const unsigned char> planes) const;
   std::array<double, 4> resists(const Candidate& c, const Force& force, const Way& way) const;
   double margin(const Candidate& c, std::span<const Vec3> x) const;
+  bool passes_in_list(std::span<const Vec3> x, std::span<const Vec3> by, double most) const;
   void mark_checked(std::span<const Vec3> x, double change);
   void search(std::span<const Vec3> x);
   void refine(std::span<const Vec3> x, double since_search);
@@ -166,6 +172,8 @@ class Contact {
   std::vector<double> opened_;         // by interaction
   double widest_ = 0, narrowest_ = 0;  // m: largest and smallest distance from gap to floor of any pair
   double narrowest_at_first_ = 0;      // of all pairs but crack faces
+  bool lists_all_ =
+      true;  // whether lists have all that may pass: contact points stand for no nodes and edges
   std::vector<Candidate> outer_, inner_;
   std::vector<Vec3> at_search_, at_refine_, at_check_;
   mutable Patches patches_;  // its boxes are worked out anew each time

@@ -1,5 +1,6 @@
 #include "contact/pair.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -61,13 +62,27 @@ struct Slid {
   double kept() const { return sticks() ? 1 : most / (spring * trial.norm()); }
 };
 
-// An implicit step has the stiffness at its beginning, so that the pressure is linear in the approach.
+// Whether one side of a pair is held or driven.
+bool is_on_fixed(const Touch& touch, const Slip& slip) {
+  double first = 0, second = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+    (touch.weight[i] > 0 ? first : second) += std::abs(touch.weight[i]) * slip.inverse_mass[i];
+  return first == 0 || second == 0;
+}
+
+// An implicit step has the stiffness at its beginning, so that the pressure is linear in the approach. What
+// an explicit step presses into the guard of a body whose motion is given would swing there from step to
+// step: the guard's stiffness acts on a quarter of the step's approach, too.
 void damp(const ContactLaw& law, const Pair& pair, const PressedPlace& at, const Slip& slip, Slid& out) {
   const double opened = at.place.touch.normal.dot(out.moved);
-  if (slip.loss == 0 || slip.dt == 0 || opened >= 0) return;
+  if (slip.dt == 0 || opened >= 0) return;
+  constexpr double of_approach = 0.25;
   const double gap = at.place.touch.distance - pair.offset - (slip.step == 0 ? opened : 0);
-  const double stiffness = std::min(law.scaled(gap, pair.scale).stiffness, law.stiffest());
+  const double whole = slip.step == 0 ? law.scaled(gap, pair.scale).stiffness : at.answer.stiffness,
+               stiffness = std::min(whole, law.stiffest());
   out.damping_slope = -slip.loss * std::sqrt(stiffness) / slip.dt;
+  if (slip.step != 0 && at.answer.guard > 0 && is_on_fixed(at.place.touch, slip))
+    out.damping_slope -= of_approach * std::max(0.0, whole - law.stiffest());
   out.damping = out.damping_slope * opened;
 }
 
@@ -191,6 +206,15 @@ class Friction {
   double share_ = 0;
 };
 
+// The normal is that of the nearest place, which comes first.
+void add_barrier(const ContactLaw& law, const PressedPlace& at, Force::Barrier& barrier) {
+  if (barrier.stiffness == 0) {
+    barrier.normal = at.place.touch.normal;
+    barrier.weight = at.place.touch.weight;
+  }
+  barrier.stiffness += at.count * std::max(0.0, at.answer.stiffness - law.stiffest());
+}
+
 // slip(): a pointer to the slip at a pair that touches, null without friction; called once. Returns the
 // smallest distance above the floor, of any pair.
 template <class FindSlip>
@@ -206,6 +230,7 @@ double set_force(const ContactLaw& law, const Pair& pair, const Corners& x, Find
         }
         force.contact += at.count * at.answer.contact;
         force.guard += at.count * at.answer.guard;
+        if (at.answer.guard > 0 && at.count > 0) add_barrier(law, at, force.barrier);
         const double push = at.count * at.answer.pressure;
         for (std::size_t i = 0; i < 4; ++i)
           if (at.place.touch.weight[i] != 0)

@@ -96,6 +96,13 @@ struct Force {
   double work = 0, impact = 0;
   double gap = 0;       // m, the smallest distance above the floor
   bool active = false;  // at least one place is within the law's range
+  // Where the guard acts: its stiffness, N/m, along a normal, by the corners' weights. Places with a negative
+  // weight are left out, so that it is a bound.
+  struct Barrier {
+    double stiffness = 0;
+    Vec3 normal = Vec3::Zero();
+    std::array<double, 4> weight{};
+  } barrier = {};
 };
 
 // Forces on the corners.

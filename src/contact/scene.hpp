@@ -75,6 +75,9 @@ struct Interaction {
   // The warp of each triangle of the scene as a sum of its first two sides, those from its first corner: it
   // follows them. Empty without friction by direction.
   std::vector<std::array<double, 2>> warp = {};
+  // In explicit steps the guard is met by more inertia of what it presses, and not by shorter steps. Its
+  // second surface is then one whose motion is given.
+  bool eased = false;
   bool rubs() const { return sticking > 0 || loss > 0 || film.viscous > 0; }
   // Contact points inside the facets of the first surface, a cloth, on the second, a ball or a rod: each of
   // its triangles is divided into parts[i]^2 of equal area, and has a point in the middle of each. 0: it has
@@ -131,6 +134,7 @@ class Scene {
     interactions_[interaction].across = across;
     interactions_[interaction].warp = std::move(warp);
   }
+  void ease(std::size_t interaction) { interactions_[interaction].eased = true; }
   // The direction of the warp at a pair: that of the first triangle at the pair's first point on the cloth.
   Vec3 warp_at(const Interaction& it, const std::array<std::int32_t, 4>& points,
                std::span<const Vec3> x) const;

@@ -256,7 +256,7 @@ void Explicit::open_block() {
 // stable for the stiffness of contact at its end.
 bool Explicit::step_acceptable(double dt) {
   if (contact_->may_have_passed() || contact_->turns_too_far()) return false;
-  return !contact_->guarded() || (block_.halved > 0 && dt <= contact_->largest_contact_step());
+  return !contact_->needs_short_steps() || (block_.halved > 0 && dt <= contact_->largest_contact_step());
 }
 
 void Explicit::redo(const StepReport& report) {
@@ -275,17 +275,16 @@ void Explicit::redo(const StepReport& report) {
 
 void Explicit::report_guard() {
   ++block_.steps;
-  if (!contact_->guarded()) return;
-  block_.guarded = true;
-  if (block_.reported) return;
+  block_.guarded = block_.guarded || contact_->needs_short_steps();
+  if (!contact_->guarded() || block_.reported) return;
   block_.reported = true;
   const auto nearest = contact_->nearest();
-  warn("guard",
-       "dynamic: at time " + number(time()) + " s " + contact_->words(nearest.point) +
-           " are pressed into the last quarter above the smallest distance that contact allows (" +
-           number(nearest.gap) +
-           " m above it): a barrier keeps them apart (its energy: a.energy.guard) and the step is halved "
-           "meanwhile");
+  warn("guard", "dynamic: at time " + number(time()) + " s " + contact_->words(nearest.point) +
+                    " are pressed into the last quarter above the smallest distance that contact allows (" +
+                    number(nearest.gap) +
+                    " m above it): a barrier keeps them apart (its energy: a.energy.guard) and " +
+                    (contact_->needs_short_steps() ? "the step is halved meanwhile"
+                                                   : "inertia that it adds to them keeps the step"));
 }
 
 void Explicit::report_cost() {
@@ -342,6 +341,7 @@ bool Explicit::attempt(double size, StepReport& report) {
   trial_time_ = size;
   assembly_->terms().expect_energies(looks_after(now_.steps + 1, size));
   if (problem_.residual(motion_.residual()) != Answer::ok) return ends(End::forces);
+  if (contact_ != nullptr) contact_->hold_back(motion_.residual());
   motion_.accelerate(assembly_->terms().on_mass().velocity);
   motion_.show_trial(true);
   report.time = size;
@@ -458,6 +458,12 @@ std::string Explicit::against_pressing() const {
   const auto found = contact_->pressed(contact_->nearest());
   if (!found) return against_passing();
   const double step = std::min(now_.step, found->step);
+  if (!contact_->needs_short_steps())
+    return "a wider gap, or a holder with m:force, in place of two tools in a fixed gap; on an edge elements "
+           "no "
+           "longer than its radius, or a rounder edge; or slower tools: these nodes are pressed with " +
+           number(found->pressure, 2) + " Pa, contact as it is carries " + number(found->carried, 2) +
+           " Pa before its barrier begins, and so near to the smallest distance a longer step might pass it";
   return "stiffness=" + number(found->stiffness, 2) + " in m:contact, with steps of " + number(step, 2) +
          " s: these nodes are pressed with " + number(found->pressure, 2) +
          " Pa, and contact as it is carries " + number(found->carried, 2) +

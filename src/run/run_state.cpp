@@ -46,7 +46,7 @@ void Run::keep(Archive& archive) {
 void Run::keep_motion(Archive& archive) {
   keep_assembly(archive);
   std::uint64_t steps = reports_.size();
-  archive(dead_, work_, beyond_, steps);
+  archive(dead_, work_, beyond_, accounts_, steps);
   memory(archive);
   if (!archive.reading()) return;
   trial_time_ = committed_time();

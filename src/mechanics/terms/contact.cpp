@@ -365,13 +365,6 @@ void Contacts::soften(bool measured) {
   }
 }
 
-void Contacts::go_explicit() {
-  explicit_ = true;
-  soften(true);
-  refuse_films();
-  begin_pressed();
-}
-
 void Contacts::set_weight(double weight) {
   weight_ = weight;
   if (implicit_) return;
@@ -605,7 +598,7 @@ Outcome Contacts::add_forces(const law::Step& step, const Trial& trial, Forces& 
 void Contacts::add_energies(const Trial&, std::vector<Energy>& out) const {
   const contact::Totals& totals = evaluated_ ? trial_ : committed_;
   out.push_back({"contact", Account::stored, totals.contact});
-  out.push_back({"guard", Account::stored, totals.guard});
+  out.push_back({"guard", Account::stored, totals.guard + held_energy_ + (evaluated_ ? held_work() : 0)});
   out.push_back({"stick", Account::stored, totals.stick});
   out.push_back({"friction", Account::dissipated, lost_ + lost()});
   out.push_back({"impact", Account::dissipated,
@@ -727,6 +720,9 @@ void Contacts::commit() {
     lost_ += lost();
     impact_ += implicit_ ? trial_impact_ : trial_.impact;
     committed_ = trial_;
+    held_energy_ += held_work();
+    std::swap(held_before_, held_);
+    held_.clear();
     tied_energy_ = trial_tied_;
     if (meets()) contact_->commit();
   }
@@ -739,6 +735,7 @@ void Contacts::commit() {
 
 void Contacts::rollback() {
   evaluated_ = blocked_ = false;
+  held_.clear();
   if (meets()) contact_->rollback();
   share_ = at_ = 0;
   if (committed_pairs_.size() != pairs_.size()) pairs_ = committed_pairs_;
@@ -748,6 +745,7 @@ void Contacts::rollback() {
 void Contacts::keep(Archive& archive) {
   bodies_.keep(archive);
   archive(committed_.contact, committed_.guard, committed_.stick, committed_.gap, lost_, impact_, pairs_);
+  archive(held_before_, held_energy_);
   if (!tied_.empty()) archive(tied_energy_);
   contact_->keep(archive);
   std::vector<double> apart = scene_.apart();

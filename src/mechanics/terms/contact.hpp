@@ -3,6 +3,7 @@
 // Friction remembers its elastic slip from step to step (contact/pair.hpp). In static and implicit steps its
 // Jacobian is exact, and Newton's steps are cut to the safe share.
 #pragma once
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -131,6 +132,11 @@ class Contacts final : public Term, public StepLimiter, public OwnUnknowns, publ
   // motion does not exclude that, each near pair is checked.
   bool may_have_passed();
   bool guarded() const { return trial_.guard > 0; }
+  // Whether a guard acts that needs shorter steps: others are met by inertia, see hold_back().
+  bool needs_short_steps() const { return std::isfinite(trial_.hard_gap); }
+  // To be called with the residual of each evaluation of forces: takes from it what the inertia that meets
+  // the guards holds back, N by unknowns.
+  void hold_back(std::span<double> residual);
   double share_of_cloth() const;  // the largest step with contact, as a share of the cloth's stable step
   // s: the largest step: 0.6 of the cloth's own stable step, limited by the stiffest contact.
   double largest_step(bool scaled) const;
@@ -217,6 +223,12 @@ class Contacts final : public Term, public StepLimiter, public OwnUnknowns, publ
     double nearest = 0;            // m: the smallest share of it times the gap
     double spacing = 0;            // m, of contact points inside the elements; 0: there are none
   };
+  // What the inertia that meets guards holds back of the forces on a node, see contact_eased.cpp.
+  struct HeldBack {
+    Index node = 0;
+    Vec3 force = Vec3::Zero();  // N
+    void keep(Archive& archive);
+  };
   struct Block {
     std::array<std::int32_t, 4> point;
     contact::Matrix12 k;
@@ -261,6 +273,8 @@ class Contacts final : public Term, public StepLimiter, public OwnUnknowns, publ
   void spread_points();
   double carried_by_bodies(double share, bool guarded) const;
   void soften(bool measured);
+  void ease_guards();
+  double held_work() const;
   void open_overlaps();
   void open_to(double time) const;
   double opening_energy(std::span<const Vec3> x, double time);
@@ -325,9 +339,11 @@ class Contacts final : public Term, public StepLimiter, public OwnUnknowns, publ
   double share_ = 0, at_ = 0;  // share of the bodies' way: trial, iterate
   double moved_ = 0;           // m, largest motion in the step
   contact::Totals trial_, committed_;
-  double lost_ = 0;                       // J, lost by friction up to the committed state
-  double impact_ = 0, trial_impact_ = 0;  // J, taken by implicit steps; in the trial step
-  double weight_ = 1;                     // of the forces at the end of an implicit step
+  double lost_ = 0;                           // J, lost by friction up to the committed state
+  double impact_ = 0, trial_impact_ = 0;      // J, taken by implicit steps; in the trial step
+  std::vector<HeldBack> held_, held_before_;  // in the trial and in the committed state
+  double held_energy_ = 0;                    // J, up to the committed state
+  double weight_ = 1;                         // of the forces at the end of an implicit step
   bool static_ = false;
   bool implicit_ = false, rubs_ = false;  // rubs: friction or the damping of approach acts
   bool evaluated_ = false;

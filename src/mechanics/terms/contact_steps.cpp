@@ -20,6 +20,14 @@ constexpr double kAboutNode = 2;  // areas of a node that press a ball on it: ha
 
 }  // namespace
 
+void Contacts::go_explicit() {
+  explicit_ = true;
+  soften(true);
+  ease_guards();
+  refuse_films();
+  begin_pressed();
+}
+
 double Contacts::share_of_cloth() const {
   return tied_.empty() ? contact_step_of_cloth : kBesideTie * contact_step_of_cloth;
 }
@@ -42,7 +50,7 @@ double Contacts::carried_by_bodies(double share, bool guarded) const {
     for (const std::int32_t p : scene_.surfaces()[it.first].points)
       if (!it.rigid) area = std::max(area, kAboutNode * scene_.area(p) / ease);
     const double stiffness =
-        guarded ? it.law(it.law.floor() + std::min(trial_.gap, range)).stiffness : it.law.stiffest();
+        guarded ? it.law(it.law.floor() + std::min(trial_.hard_gap, range)).stiffness : it.law.stiffest();
     least = std::min(least, share / (area * stiffness * inverse));
   }
   return std::sqrt(least);
@@ -165,8 +173,8 @@ std::vector<Contacts::DrawnThrough> Contacts::drawn_through() const {
 double Contacts::largest_contact_step() const {
   double stiffest = 0;
   for (std::size_t i = 0; i < meetings_.size(); ++i)
-    if (const auto& it = scene_.interactions()[i]; !it.rigid)
-      stiffest = std::max(stiffest, it.law(it.law.floor() + trial_.gap).stiffness /
+    if (const auto& it = scene_.interactions()[i]; !it.rigid && !it.eased)
+      stiffest = std::max(stiffest, it.law(it.law.floor() + trial_.hard_gap).stiffness /
                                         (meetings_[i].given ? 1 : eased(scene_, it)));
   return std::min({std::sqrt(kInGuard * least_areal_ / stiffest), carried_by_bodies(kInGuard, true),
                    bodies_.stable_step()});

@@ -1,0 +1,85 @@
+-- Cloth that tools press deep into the barrier of contact: its explicit steps stay as planned. A sheet between a floor and a plate that is driven to a
+-- given height has the pressure of the law there; a blank whose elements are longer than the radius of a die's edge is drawn over it, under a holder in
+-- a fixed gap of a ply, to the end of the stroke, squares and (less deep, since they resist the fold over the edge) triangles; and a restart in the middle has the same bits.
+-- warns: guard
+-- warns: a barrier keeps them apart
+-- warns: cloth turns by
+-- warns: a ball or a rod
+-- warns: its force on cloth that stays flat
+local fabric = require "fabric"
+local mm = fabric.units.mm
+
+-- --- pressed flat: the law of share/doc/contact.md
+do
+  local mesh = fabric.mesh.rectangle { width = 0.03, height = 0.02, nx = 3, ny = 2 }
+  local m = fabric.model { mesh = mesh, card = fabric.card("blend", { bending = "estimated" }), points = 1, warp = 0 }
+  local floor = fabric.rigid.plane { point = { 0, 0, -0.2 * mm }, normal = { 0, 0, 1 }, name = "floor" }
+  local plate = fabric.rigid.plane { point = { 0, 0, 0.3 * mm }, normal = { 0, 0, -1 }, name = "plate" }
+  local down = 0.345 * mm
+  m:contact { between = { floor, "all" } }:contact { between = { plate, "all" } }
+  m:move(plate, { z = fabric.history { { 0, 0 }, { 5e-3, -down }, { 1, -down } } })
+  local a = fabric.dynamic { model = m, duration = 7e-3, damping = { mass = 2000 } }
+  local planned = a.step_size
+  a:solve()
+  local from, floor_at, stiffness = 0.19 * mm, 0.0747333 * mm, 2.28347e9
+  local range = from - floor_at
+  local quarter, depth = range / 4, from - (0.5 * mm - down) / 2
+  local y = (range - depth) / quarter
+  local pressure = stiffness * (depth - 0.1 * range) + stiffness * quarter * (1 - y) ^ 2 * (1 + 2 * y) / y ^ 2
+  local _, _, up = a:reaction(plate)
+  fabric.expect {
+    { "pressure of the law at that height, N", math.abs(up), 0.03 * 0.02 * pressure, relative = 0.02 },
+    { "steps", #a.steps, 7e-3 / planned, relative = 0.02 },
+    { "ledger", a.energy.error, 0, absolute = 1e-3 },
+  }
+end
+
+-- --- pinched on a die's edge
+local function form(triangles)
+  local n, R, hole, edge, side = 12, 26 * mm, 29 * mm, 6 * mm, 108 * mm
+  local card = fabric.card("blend", { bending = "estimated" })
+  local mesh = fabric.mesh.rectangle { width = side, height = side, nx = n, ny = n, origin = { -side / 2, -side / 2, 0 }, triangles = triangles }
+  local m = fabric.model { mesh = mesh, card = card, warp = 0, points = 1 }
+  local half = card.thickness / 2
+  local punch = fabric.rigid.sphere { radius = R, centre = { 0, 0, R + half }, name = "punch" }
+  local die = fabric.rigid.die { radius = hole, edge = edge, outer = 75 * mm, facing = "up", at = { 0, 0, -half }, name = "die" }
+  local holder = fabric.rigid.die { radius = hole, edge = edge, outer = 75 * mm, facing = "down", at = { 0, 0, half }, name = "holder" }
+  local duration = 0.016
+  for _, tool in ipairs { die, holder, punch } do m:contact { between = { tool, "all" }, friction = 0.2, settle = tool ~= punch and duration / 20 or nil } end
+  m:move(punch, { z = function(t)
+    local s = math.max(0, t / duration - 0.05) / 0.95
+    return -(triangles and 15 or 24) * mm * s * s * (3 - 2 * s)
+  end })
+  return fabric.dynamic { model = m, duration = duration, damping = { mass = 50 } }, punch
+end
+
+for _, triangles in ipairs { false, true } do
+  local a, punch = form(triangles)
+  local planned = 0.016 / a.step_size
+  a:solve()
+  local _, _, force = a:reaction(punch)
+  print(("%s: %d steps, planned %.0f, punch %.1f N, guard %.2g of %.3g J, ledger %.1g"):format(triangles and "triangles" or "squares", #a.steps, planned, -force, a.energy.guard, a.energy.external, a.energy.error))
+  assert(#a.steps < 2 * planned, #a.steps / planned)
+  assert(a.energy.error < 1e-2 and a:gap() > 0)
+end
+
+-- --- the same bits after a restart
+do
+  local a, punch = form(false)
+  a:advance(0.0095)
+  assert(a.energy.guard ~= 0)
+  local kept = a:snapshot()
+  local function state()
+    a:advance(0.0098)
+    local list = { a.energy.guard, a.energy.friction, a.energy.external, a:reaction(punch) }
+    for i = 1, 169 do
+      local p = a:node(i)
+      table.move({ p.x, p.y, p.z, p.vx, p.vz }, 1, 5, #list + 1, list)
+    end
+    return table.concat(list, " ")
+  end
+  local ended = state()
+  a:restore(kept)
+  assert(a.time < 0.0096 and state() == ended, "a restart changes bits")
+end
+print "pinched ok"
