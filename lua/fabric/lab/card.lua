@@ -255,7 +255,8 @@ local function bending_of(t, provenance, ranges, source)
   for _, name in ipairs { "warp", "weft", "bias" } do
     if b.strips[name] then along[#along + 1] = ("%d along the %s"):format(b.strips[name], name) end
   end
-  provenance.bending = ("measured: cantilevers, %s%s"):format(table.concat(along, ", "), b.band and "" or "; one strip does not show how others differ, so that there is no band")
+  provenance.bending = ("measured: cantilevers, %s%s"):format(table.concat(along, ", "), b.band and "; of the curvatures of these strips, how it changes with curvature is not in the band"
+    or "; one strip does not show how others differ, so that there is no band")
   if b.reached == nil then
     provenance["bending.twist"], ranges["bending.twist"] = "assumed: half of the geometric mean of warp and weft, since no strip at 45 degrees was tested", { 0.05, 5 }
   elseif b.reached == false then
