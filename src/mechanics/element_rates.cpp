@@ -6,8 +6,6 @@
 #include <limits>
 #include <vector>
 
-#include "law/bound.hpp"
-
 namespace fabricsh::mechanics {
 
 namespace {
@@ -104,8 +102,8 @@ class RowProducts {
   ElementMatrix& sum_;
 };
 
-void add_lane(const Batch& batch, const std::vector<Deformation>& columns, std::size_t lane,
-              ElementMatrix& sum) {
+void add_lane(const Batch& batch, const Stiffest& stiffest, const std::vector<Deformation>& columns,
+              std::size_t lane, ElementMatrix& sum) {
   const auto& section = *batch.section;
   const int points = static_cast<int>(section.points.size());
   RowProducts rows(columns, sum);
@@ -114,7 +112,7 @@ void add_lane(const Batch& batch, const std::vector<Deformation>& columns, std::
     for (int k = 0; k < points; ++k) {
       const double w =
           batch.geometry[static_cast<std::size_t>(batch.kind->point(g, k, points) + 7) * lanes + lane];
-      const law::Bound most = law::bound(*section.points[static_cast<std::size_t>(k)].law);
+      const law::Bound& most = stiffest.points[static_cast<std::size_t>(k)];
       const double stiffness[5] = {most.axial, most.axial, most.transverse, most.transverse, most.shear};
       const auto first = static_cast<std::size_t>(g * points + k) * 5;
       for (std::size_t i = 0; i < 5; ++i)
@@ -123,7 +121,7 @@ void add_lane(const Batch& batch, const std::vector<Deformation>& columns, std::
     }
     for (std::size_t m = 0; m < 3 && section.bends_apart; ++m)
       rows.add(&Deformation::curvature, (3 * static_cast<std::size_t>(g) + m) * lanes + lane,
-               area * law::stiffest(section.bending[m]));
+               area * stiffest.bending[m]);
   }
 }
 
@@ -144,13 +142,32 @@ double largest(const Eigen::MatrixXd& symmetric) {
 
 }  // namespace
 
-std::array<ElementMatrix, lanes> stiffest_matrices(const Batch& batch, const double* x, const double* d,
-                                                   const double* b) {
+// Where points have axes of their own, the stiffness is the same in all directions, and no less.
+Stiffest::Stiffest(const section::Section& section) {
+  double mass = 0;
+  for (const auto& p : section.points) {
+    law::Bound most = law::bound(*p.law);
+    points.push_back(most);
+    if (p.angle != 0) {
+      most.axial = std::max(most.axial, 2 * most.shear);
+      most.shear = most.axial / 2;
+    }
+    axial += p.weight * most.axial;
+    shear += p.weight * most.shear;
+    mass += p.weight * p.density;
+  }
+  axial /= mass;
+  shear /= mass;
+  for (std::size_t m = 0; m < 3 && section.bends_apart; ++m) bending[m] = law::stiffest(section.bending[m]);
+}
+
+std::array<ElementMatrix, lanes> stiffest_matrices(const Batch& batch, const Stiffest& stiffest,
+                                                   const double* x, const double* d, const double* b) {
   std::array<ElementMatrix, lanes> all;
   const auto columns = derivatives(batch, x, d, b);
   for (std::size_t l = 0; l < lanes; ++l) {
     all[l].setZero();
-    add_lane(batch, columns, l, all[l]);
+    add_lane(batch, stiffest, columns, l, all[l]);
   }
   return all;
 }
@@ -159,6 +176,52 @@ double highest_rate(const ElementMatrix& stiffness, int corners, double mass, do
   Eigen::VectorXd scale(5 * corners);
   for (int i = 0; i < 5 * corners; ++i) scale[i] = 1 / std::sqrt(i % 5 < 3 ? mass : inertia);
   return largest(scale.asDiagonal() * stiffness.topLeftCorner(5 * corners, 5 * corners) * scale.asDiagonal());
+}
+
+double rate_of_displacements(const ElementMatrix& stiffness, int corners, double mass) {
+  const int u = 3 * corners;
+  return largest(sorted(stiffness, corners).topLeftCorner(u, u)) / mass;
+}
+
+namespace {
+
+// Adds what a point with these derivatives of the shape functions has, times its area, m^2.
+void add_plane(const Eigen::Matrix<double, 4, 2>& by, double area, double shear,
+               Eigen::Matrix<double, 8, 8>& sum) {
+  Eigen::Matrix<double, 3, 8> strain = Eigen::Matrix<double, 3, 8>::Zero();
+  for (int a = 0; a < 4; ++a) {
+    strain(0, 2 * a) = strain(2, 2 * a + 1) = by(a, 0);
+    strain(1, 2 * a + 1) = strain(2, 2 * a) = by(a, 1);
+  }
+  sum.noalias() += area * strain.transpose() * Vec3(1, 1, shear).asDiagonal() * strain;
+}
+
+}  // namespace
+
+double plane_rate(std::span<const Eigen::Vector2d> x, double shear) {
+  const auto n = static_cast<int>(x.size());
+  Eigen::Matrix<double, 8, 8> sum = Eigen::Matrix<double, 8, 8>::Zero();
+  double area = 0;
+  const auto add = [&](const Eigen::Matrix<double, 4, 2>& by_own, double weight) {
+    Eigen::Matrix2d J = Eigen::Matrix2d::Zero();
+    for (int a = 0; a < n; ++a) J += by_own.row(a).transpose() * x[static_cast<std::size_t>(a)].transpose();
+    const double part = weight * std::abs(J.determinant());
+    add_plane(by_own * J.inverse().transpose(), part, shear, sum);
+    area += part;
+  };
+  Eigen::Matrix<double, 4, 2> by = Eigen::Matrix<double, 4, 2>::Zero();
+  if (n == 3) {
+    by.topRows<3>() << -1, -1, 1, 0, 0, 1;
+    add(by, 0.5);
+  } else {
+    const double g = 1 / std::sqrt(3.0);
+    for (const double s : {-g, g})
+      for (const double t : {-g, g}) {
+        by << t - 1, s - 1, 1 - t, -1 - s, 1 + t, 1 + s, -1 - t, 1 - s;
+        add(by / 4, 1);
+      }
+  }
+  return largest(sum) * n / area;
 }
 
 // rate * M - K must have no negative eigenvalue. With its part of the displacements eliminated what remains

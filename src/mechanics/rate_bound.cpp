@@ -1,7 +1,8 @@
-// The bound of the frequencies of a whole model. The stiffness of terms beside the cloth is bounded by a
-// diagonal matrix, the sums of its blocks' norms over the roots of the nodes' masses. Each element has its
-// share of that as it has of the masses, so that its bound grows by the largest of its nodes' numbers. Held
-// and tied degrees of freedom only lower the frequencies.
+// The bound of the frequencies of a whole model. The stiffness of each element is bounded by its share of the
+// masses times its highest frequency squared, that of terms beside the cloth by a diagonal matrix, the sums
+// of its blocks' norms over the roots of the nodes' masses. All of these are diagonal, so that no frequency
+// is above the highest of a node: the mean of its elements and what the terms add. Held and tied degrees of
+// freedom only lower the frequencies.
 #include "mechanics/rate_bound.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -102,11 +103,26 @@ std::vector<double> added_rates(const Assembly& assembly, bool scaled) {
 
 namespace {
 
-// 1/s^2, of the nodes of an element.
-double added_to(const std::array<Index, 4>& element, std::span<const double> added) {
-  double most = 0;
-  for (const Index n : element)
-    if (n >= 0 && !added.empty()) most = std::max(most, added[static_cast<std::size_t>(n)]);
+// 1/s^2: those of the elements, stretched as they are.
+std::vector<double> rates_of(const Cloth& cloth, bool scaled, At at) {
+  std::vector<double> rates = cloth.highest_rates(scaled);
+#pragma omp parallel for schedule(static) if (rates.size() >= 4096)
+  for (std::size_t e = 0; e < rates.size(); ++e)
+    if (at == At::trial) rates[e] *= cloth.growth(static_cast<Index>(e));
+  return rates;
+}
+
+// The node whose bound is the highest.
+struct FastestNode {
+  double rate = 0, added = 0;
+  std::size_t node = 0;
+};
+FastestNode fastest_node(const std::vector<double>& means, std::span<const double> added) {
+  FastestNode most;
+  for (std::size_t n = 0; n < means.size(); ++n) {
+    const double more = added.empty() ? 0 : added[n];
+    if (means[n] + more > most.rate) most = {means[n] + more, more, n};
+  }
   return most;
 }
 
@@ -114,25 +130,21 @@ double added_to(const std::array<Index, 4>& element, std::span<const double> add
 
 double rate_bound(const Assembly& assembly, bool scaled, std::span<const double> added) {
   const Cloth& cloth = assembly.cloth();
-  const auto& rates = cloth.highest_rates(scaled);
-  const auto& elements = cloth.mesh_elements();
-  double most = 0;
-#pragma omp parallel for schedule(static) reduction(max : most) if (rates.size() >= 4096)
-  for (std::size_t e = 0; e < rates.size(); ++e)
-    most = std::max(most, rates[e] * cloth.growth(static_cast<Index>(e)) + added_to(elements[e], added));
-  return most;
+  return fastest_node(cloth.rates_at_nodes(rates_of(cloth, scaled, At::trial), scaled), added).rate;
 }
 
 FastestElement fastest_element(const Assembly& assembly, bool scaled, std::span<const double> added, At at) {
   const Cloth& cloth = assembly.cloth();
-  const auto& rates = cloth.highest_rates(scaled);
-  FastestElement most;
-  for (std::size_t i = 0; i < rates.size(); ++i) {
-    const auto e = static_cast<Index>(i);
-    const double more = added_to(cloth.mesh_elements()[i], added);
-    const double rate = rates[i] * (at == At::trial ? cloth.growth(e) : 1) + more;
-    if (rate > most.rate) most = {rate, more, e};
-  }
+  const std::vector<double> rates = rates_of(cloth, scaled, at);
+  const FastestNode node = fastest_node(cloth.rates_at_nodes(rates, scaled), added);
+  FastestElement most{node.rate, node.added};
+  double highest = 0;
+  for (std::size_t e = 0; e < rates.size(); ++e)
+    for (const Index n : cloth.mesh_elements()[e])
+      if (n == static_cast<Index>(node.node) && rates[e] > highest) {
+        highest = rates[e];
+        most.element = static_cast<Index>(e);
+      }
   return most;
 }
 

@@ -72,6 +72,10 @@ class Cloth final : public Term, public ElementTerm {
   // 1/s^2, per element: an upper bound of the squares of its frequencies in the reference configuration
   // (element_rates.hpp), with true or scaled rotary inertia.
   const std::vector<double>& highest_rates(bool scaled) const { return bounds(scaled).rates; }
+  // 1/s^2, per node: the mean of `rates` over its elements, weighted by their masses or by their rotary
+  // inertia, whichever is more. If no frequency squared of an element is above its rate, none of the cloth is
+  // above the largest of these.
+  std::vector<double> rates_at_nodes(std::span<const double> rates, bool scaled) const;
   // The factor by which stretching has raised that bound: s^2 for the law's part, and (s^2 - 1) / 2 for
   // that of the stresses, which are at most the strain times the stiffest modulus; s: the largest stretch.
   double growth(Index element) const;
@@ -135,18 +139,23 @@ class Cloth final : public Term, public ElementTerm {
   void make_geometry();
   void put_geometry(const Batch& batch, double* geometry) const;
   void add_mass(const Batch& batch, int lane);
+  double plane_rate_of(Index element, const Stiffest& stiffest, double speed) const;
   double membrane_step() const;
+  std::vector<double> corner_masses() const;
+  std::vector<double> means_at_nodes(std::span<const double> rates, std::span<const double> weights) const;
   double inertia_per_mass(const section::Section& section, bool scaled) const;
   // The rotary inertia of the nodes and the bounds of the elements' frequencies, computed when first used.
   struct FrequencyBounds {
     bool made = false;
     std::vector<double> rates, rotary;
+    std::vector<double> masses, inertias;  // of each corner of an element, kg, kg m^2; empty: as the masses
   };
   const FrequencyBounds& bounds(bool scaled) const;
   struct ElementBound {
     double rate, inertia_per_mass;  // 1/s^2, m^2
   };
-  std::array<ElementBound, lanes> bounds_of(const Batch& batch, bool scaled, double permitted) const;
+  std::array<ElementBound, lanes> bounds_of(const Batch& batch, const Stiffest& stiffest, bool scaled,
+                                            double permitted) const;
   ElementBound bound_of(const ElementMatrix& stiffness, Index element, bool scaled, double permitted) const;
   double corner_mass(Index element) const;  // kg
   void make_force_slots();

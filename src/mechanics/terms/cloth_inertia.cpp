@@ -46,14 +46,73 @@ Speeds speeds(const section::Section& section) {
 
 }  // namespace
 
-// s: the stable step for waves in the plane of the cloth.
+// 1/s^2: the square of the highest frequency of an element in its plane. Its smallest height tells of
+// squares; where sides are oblique or three, or the stiff yarns do not run across the height, it is lower.
+double Cloth::plane_rate_of(Index e, const Stiffest& stiffest, double speed) const {
+  const double of_height = std::pow(2 * speed / rest_.size(e), 2);
+  const Corners corners = corners_of(e);
+  std::array<Eigen::Vector2d, 4> plane;
+  for (int a = 0; a < corners.count; ++a) {
+    const Vec3 r = corners.at[a] - corners.at[0];
+    plane[static_cast<std::size_t>(a)] = {r.dot(corners.axes[0]), r.dot(corners.axes[1])};
+  }
+  const std::span<const Eigen::Vector2d> used(plane.data(), static_cast<std::size_t>(corners.count));
+  return std::min(of_height, stiffest.axial * plane_rate(used, stiffest.shear / stiffest.axial));
+}
+
+// s: the stable step for waves in the plane of the cloth. No frequency squared is above the largest mean of
+// those of the elements around a node, weighted by their masses: K_e <= r_e M_e, of which the sum is
+// diagonal.
 double Cloth::membrane_step() const {
   std::vector<double> speed;  // m/s, per region
-  for (const auto& section : model_.sections()) speed.push_back(std::sqrt(speeds(section).membrane));
+  std::vector<Stiffest> stiffest;
+  for (const auto& section : model_.sections()) {
+    speed.push_back(std::sqrt(speeds(section).membrane));
+    stiffest.emplace_back(section);
+  }
+  std::vector<double> rates(static_cast<std::size_t>(elements()));
   double shortest = std::numeric_limits<double>::infinity();
-  for (Index e = 0; e < elements(); ++e)
-    shortest = std::min(shortest, rest_.size(e) / speed[static_cast<std::size_t>(model_.region_of(e))]);
-  return shortest;
+#pragma omp parallel for schedule(static) reduction(min : shortest) if (rates.size() >= 4096)
+  for (std::size_t i = 0; i < rates.size(); ++i) {
+    const auto e = static_cast<Index>(i);
+    const auto region = static_cast<std::size_t>(model_.region_of(e));
+    shortest = std::min(shortest, rest_.size(e) / speed[region]);
+    rates[i] = plane_rate_of(e, stiffest[region], speed[region]);
+  }
+  const std::vector<double> means = means_at_nodes(rates, corner_masses());
+  const double longer = 2 / std::sqrt(*std::max_element(means.begin(), means.end()));
+  constexpr double rounding = 1e-6;
+  return longer > shortest * (1 + rounding) ? longer : shortest;
+}
+
+std::vector<double> Cloth::corner_masses() const {
+  std::vector<double> all(static_cast<std::size_t>(elements()));
+  for (Index e = 0; e < elements(); ++e) all[static_cast<std::size_t>(e)] = corner_mass(e);
+  return all;
+}
+
+// Per node, over its elements.
+std::vector<double> Cloth::means_at_nodes(std::span<const double> rates,
+                                          std::span<const double> weights) const {
+  std::vector<double> sum(X_.size(), 0), weight(X_.size(), 0);
+  for (std::size_t i = 0; i < rates.size(); ++i)
+    for (const Index n : model_.mesh().elements[i])
+      if (n >= 0) {
+        sum[static_cast<std::size_t>(n)] += weights[i] * rates[i];
+        weight[static_cast<std::size_t>(n)] += weights[i];
+      }
+  for (std::size_t n = 0; n < sum.size(); ++n) sum[n] = weight[n] > 0 ? sum[n] / weight[n] : 0;
+  return sum;
+}
+
+std::vector<double> Cloth::rates_at_nodes(std::span<const double> rates, bool scaled) const {
+  const FrequencyBounds& of = bounds(scaled);
+  std::vector<double> means = means_at_nodes(rates, of.masses);
+  if (of.inertias.empty()) return means;
+  const std::vector<double> turning = means_at_nodes(rates, of.inertias);
+  std::transform(means.begin(), means.end(), turning.begin(), means.begin(),
+                 [](double a, double b) { return std::max(a, b); });
+  return means;
 }
 
 // m^2: rotary inertia per mass, that of the thickness. If scaled, it is at least h^2 (c_s / c)^2 / 4, so that
@@ -74,7 +133,9 @@ double Cloth::corner_mass(Index i) const {
 
 // An element whose shape makes rotations against the transverse shear faster than the step takes gets more
 // inertia: where a triangle is long, its assumed shear couples the rotation against the short direction with
-// the long edge. It is at most that of a rod as long as the element. `permitted`: s, what the step takes.
+// the long edge. It is at most that of a rod as long as the element. `permitted`: s, what the step takes. An
+// element whose displacements are faster, which slower neighbours make up for, needs no more than its own
+// step takes.
 Cloth::ElementBound Cloth::bound_of(const ElementMatrix& stiffness, Index i, bool scaled,
                                     double permitted) const {
   const auto& e = model_.mesh().elements[i];
@@ -82,8 +143,10 @@ Cloth::ElementBound Cloth::bound_of(const ElementMatrix& stiffness, Index i, boo
   const double mass = corner_mass(i), own = inertia_per_mass(model_.sections()[region], scaled);
   const int n = corners(e);
   const ElementBound bound{highest_rate(stiffness, n, mass, mass * own), own};
-  const double wanted = 4 / (permitted * permitted);
+  double wanted = 4 / (permitted * permitted);
   if (!scaled || bound.rate <= wanted) return bound;
+  wanted = std::max(wanted, rate_of_displacements(stiffness, n, mass) / (kKept * kKept));
+  if (bound.rate <= wanted) return bound;
   double longest = 0;
   for (int a = 0; a < n; ++a)
     longest = std::max(longest, (rest_.X(i, (a + 1) % n) - rest_.X(i, a)).squaredNorm());
@@ -92,8 +155,8 @@ Cloth::ElementBound Cloth::bound_of(const ElementMatrix& stiffness, Index i, boo
   return {highest_rate(stiffness, n, mass, mass * more), more};
 }
 
-std::array<Cloth::ElementBound, lanes> Cloth::bounds_of(const Batch& batch, bool scaled,
-                                                        double permitted) const {
+std::array<Cloth::ElementBound, lanes> Cloth::bounds_of(const Batch& batch, const Stiffest& stiffest,
+                                                        bool scaled, double permitted) const {
   alignas(64) double x[12 * lanes], d[12 * lanes], b[24 * lanes];
   for (int l = 0; l < lanes; ++l)
     for (int a = 0; a < batch.kind->corners; ++a) {
@@ -106,7 +169,7 @@ std::array<Cloth::ElementBound, lanes> Cloth::bounds_of(const Batch& batch, bool
         b[(6 * a + 3 + i) * lanes + l] = b2[i];
       }
     }
-  const auto matrices = stiffest_matrices(batch, x, d, b);
+  const auto matrices = stiffest_matrices(batch, stiffest, x, d, b);
   std::array<ElementBound, lanes> all{};
   for (int l = 0; l < batch.used; ++l) all[l] = bound_of(matrices[l], batch.element[l], scaled, permitted);
   return all;
@@ -125,16 +188,28 @@ const Cloth::FrequencyBounds& Cloth::bounds(bool scaled) const {
   }
   std::vector<std::array<ElementBound, lanes>> found(first.size());
   const double permitted = kKept * stable_step(scaled);
+  std::vector<Stiffest> stiffest;
+  for (const auto& section : model_.sections()) stiffest.emplace_back(section);
 #pragma omp parallel for schedule(static) if (first.size() >= 4)
-  for (std::size_t i = 0; i < first.size(); ++i) found[i] = bounds_of(batches_[first[i]], scaled, permitted);
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    const Batch& batch = batches_[first[i]];
+    const auto region = static_cast<std::size_t>(batch.section - model_.sections().data());
+    found[i] = bounds_of(batch, stiffest[region], scaled, permitted);
+  }
   of.rates.resize(place_.size());
+  of.masses = corner_masses();
+  of.inertias.resize(place_.size());
+  bool alike = true;
   of.rotary.assign(X_.size(), 0);
   for (Index i = 0; i < elements(); ++i) {
     const auto& e = model_.mesh().elements[i];
     const ElementBound& bound = found[same[place_[i].batch]][place_[i].lane];
     of.rates[i] = bound.rate;
-    for (int c = 0; c < corners(e); ++c) of.rotary[e[c]] += corner_mass(i) * bound.inertia_per_mass;
+    of.inertias[i] = corner_mass(i) * bound.inertia_per_mass;
+    for (int c = 0; c < corners(e); ++c) of.rotary[e[c]] += of.inertias[i];
+    alike = alike && bound.inertia_per_mass == found[same[place_[0].batch]][place_[0].lane].inertia_per_mass;
   }
+  if (alike) of.inertias.clear();  // their means are those by mass
   of.made = true;
   return of;
 }

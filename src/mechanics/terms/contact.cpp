@@ -10,6 +10,7 @@
 #include "geometry/box.hpp"
 #include "geometry/node_view.hpp"
 #include "law/compression.hpp"
+#include "mechanics/height_step.hpp"
 #include "mechanics/terms/contact_points.hpp"
 
 namespace fabricsh::mechanics {
@@ -183,7 +184,7 @@ Contacts::Contacts(const model::Model& model, const Configuration& configuration
       scene_(scene_of(model, surfaces_, joints_)),
       bodies_(model, scene_),
       least_areal_(std::numeric_limits<double>::infinity()),
-      step_(contact_step_of_cloth * cloth.stable_step(true)),
+      step_(contact_step_of_cloth * std::min(cloth.stable_step(true), step_across_heights(model))),
       nodes_(model.mesh().nodes.size()) {
   for (const auto& elements : surfaces_.elements) {
     sheets_.push_back(sheet(elements));
@@ -255,8 +256,7 @@ double Contacts::moving_mass(const model::SurfacePair& m) const {
   return 1 / inverse;
 }
 
-// Two bodies press by a share of the smaller of their sizes at most, with the stiffness that the explicit
-// step of the cloth carries.
+// Two bodies press by a share of the smaller size at most, with what the explicit step of the cloth carries.
 Contacts::Meeting Contacts::meeting_of_bodies(const model::SurfacePair& m) const {
   Meeting out;
   out.names = name_of(m.second) + " on " + name_of(m.first);

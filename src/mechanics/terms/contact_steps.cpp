@@ -14,8 +14,11 @@ namespace {
 
 constexpr double kInGuard = 1;  // stiffness * step^2 / areal mass while the guard acts
 constexpr double kBesideTie =
-    0.5;                       // of the step without ties to bodies, which take 10/4 of the cloth's stiffness
-constexpr double kMargin = 2;  // of a stiffness that is proposed, for what a pair is pressed with later
+    0.5;  // of the step without ties to bodies, which take 10/4 of the cloth's stiffness
+// Where the smallest elements share the masses beside them: the step over that in which waves cross their
+// height, with which the default stiffness carries. Ten pairs that press one node at once are still stable.
+constexpr double kSpare = 1.2;
+constexpr double kMargin = 2;     // of a stiffness that is proposed, for what a pair is pressed with later
 constexpr double kAboutNode = 2;  // areas of a node that press a ball on it: half its own and its facets'
 
 }  // namespace
@@ -61,10 +64,13 @@ double Contacts::largest_step(bool scaled) const {
   for (std::size_t i = 0; i < meetings_.size(); ++i)
     if (const auto& it = scene_.interactions()[i]; !it.rigid)
       stiffest = std::max(stiffest, it.law.stiffest() / (meetings_[i].given ? 1 : eased(scene_, it)));
-  const double of_cloth = scaled ? step_ : contact_step_of_cloth * cloth_.stable_step(false);
-  return std::min({tied_.empty() ? of_cloth : kBesideTie * of_cloth,
-                   std::sqrt(carried_stiffness * least_areal_ / stiffest), bodies_.stable_step(),
-                   carried_by_bodies(carried_stiffness, false)});
+  const double of_contact = std::sqrt(carried_stiffness * least_areal_ / stiffest),
+               of_bodies = carried_by_bodies(carried_stiffness, false);
+  const double of_cloth = contact_step_of_cloth * cloth_.stable_step(scaled);
+  if (!tied_.empty())
+    return std::min({kBesideTie * std::min(of_cloth, step_), of_contact, bodies_.stable_step(), of_bodies});
+  const double spare = std::clamp(of_cloth / step_, 1.0, kSpare);
+  return std::min({of_cloth, spare * of_contact, bodies_.stable_step(), of_bodies});
 }
 
 // Of the square of the speed that is stopped flat: the area with which one pair presses over the area whose
