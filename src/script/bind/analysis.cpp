@@ -23,10 +23,9 @@ std::vector<Argument> with_beginning(std::vector<Argument> others) {
       object_("model", "model", "what is computed; with from= that of the other run unless given").optional(),
       object_("from", "analysis", "a run of the same cloth, whose state and time this one begins with")
           .optional(),
-      number_(
-          "release", "s", positive,
-          "with from=: over which the forces of what no longer holds the cloth are taken away; default at "
-          "once")
+      number_("release", "s", positive,
+              "with from=: over which the forces of what no longer holds the cloth are taken away; default "
+              "at once")
           .optional()};
   rows.insert(rows.begin() + 1, others.begin(), others.end());
   return rows;
@@ -305,10 +304,8 @@ int beyond(Call& call) {
                                     {"tested", far->tested},
                                     {"elements", run.elements_beyond()}})
     set_number(L, name, value);
-  lua_pushinteger(L, far->element + 1);
-  lua_setfield(L, -2, "element");
-  lua_pushstring(L, far->yarn.c_str());
-  lua_setfield(L, -2, "yarn");
+  set_integer(L, "element", far->element + 1);
+  set_text(L, "yarn", far->yarn);
   return 1;
 }
 
@@ -369,12 +366,9 @@ int steps(Call& call) {
     lua_newtable(L);
     set_number(L, "time", report.time);
     set_number(L, "step", report.step);
-    lua_pushinteger(L, report.iterations);
-    lua_setfield(L, -2, "iterations");
-    lua_pushinteger(L, report.cuts);
-    lua_setfield(L, -2, "cuts");
-    lua_pushinteger(L, report.negative_pivots);
-    lua_setfield(L, -2, "negative_pivots");
+    set_integer(L, "iterations", report.iterations);
+    set_integer(L, "cuts", report.cuts);
+    set_integer(L, "negative_pivots", report.negative_pivots);
     if (report.stability == solver::Stability::unchecked)
       lua_pushliteral(L, "unchecked");
     else
@@ -459,24 +453,17 @@ Argument name_row(const std::vector<std::string>& names, const std::string& sent
 
 std::vector<Entry> driving() {
   return {
-      {"analysis:solve",
-       Style::positional,
-       {},
-       "Runs to the duration, or to where a hook stopped it; returns the analysis.",
-       sample_run() + "assert(a:solve().time == 1)",
-       solve},
+      without_arguments("analysis:solve",
+                        "Runs to the duration, or to where a hook stopped it; returns the analysis.",
+                        sample_run() + "assert(a:solve().time == 1)", solve),
       {"analysis:advance",
        Style::positional,
        {number_("time", "s", not_negative, "absolute time to run to and land on")},
        "Runs to an absolute time and lands on it; returns the analysis.",
        sample_run() + "assert(a:advance(0.3).time == 0.3)",
        advance},
-      {"analysis:step",
-       Style::positional,
-       {},
-       "Makes one step and commits it; returns the analysis.",
-       sample_run() + "assert(a:step().time == 0.25)",
-       step},
+      without_arguments("analysis:step", "Makes one step and commits it; returns the analysis.",
+                        sample_run() + "assert(a:step().time == 0.25)", step),
       {"analysis:stop",
        Style::positional,
        {value_("reason", text, "why, for a.stopped and run.json").or_else("asked for")},
@@ -521,12 +508,8 @@ std::vector<Entry> driving() {
                       "a:reach(force, 10)\nassert(math.abs(force(a) - 10) < 1e-4 and a.time < 1)\n"
                       "a:reach('E11', 0.1):solve()\nassert(a.time == 1)",
        reach},
-      {"analysis:snapshot",
-       Style::positional,
-       {},
-       "A copy of the whole state, to go back to with a:restore.",
-       sample_run() + "local s = a:snapshot()",
-       snapshot},
+      without_arguments("analysis:snapshot", "A copy of the whole state, to go back to with a:restore.",
+                        sample_run() + "local s = a:snapshot()", snapshot),
       {"analysis:restore",
        Style::positional,
        {object_("snapshot", "snapshot", "taken of this analysis")},
@@ -542,21 +525,18 @@ std::vector<Entry> reading() {
       {"analysis:reaction",
        Style::positional,
        {set_or_body_row(),
-        fields_(
-            "options",
-            {number_("window", "s", positive,
-                     "the mean over the last seconds, straight between the ends of the run's steps; to be "
-                     "asked for once before the first step")
-                 .optional(),
-             value_("support", boolean,
-                    "of a body: the force on it of m:fix, in the directions that are held")
-                 .or_else(false)},
-            "window = seconds for a mean, or support = true")
+        fields_("options",
+                {number_("window", "s", positive,
+                         "the mean over the last seconds, straight between the ends of the run's steps; to "
+                         "be asked for once before the first step")
+                     .optional(),
+                 value_("support", boolean,
+                        "of a body: the force on it of m:fix, in the directions that are held")
+                     .or_else(false)},
+                "window = seconds for a mean, or support = true")
             .optional()},
        "Force that the supports, or a rigid body, exert on the cloth, summed over the set: three numbers x, "
-       "y, z in N, global; "
-       "zero "
-       "before the first step.",
+       "y, z in N, global; zero before the first step.",
        run + "local x, y = a:solve():reaction 'top'\nassert(y > 0)",
        reaction},
       {"analysis:node",
@@ -577,8 +557,7 @@ std::vector<Entry> reading() {
        {name_row(run::scalar_names(), "of a number that elements or nodes have, see a:element and a:node"),
         value_("set", text, "elements all of whose nodes are in it; or its nodes").or_else("all")},
        "The mean of a value over elements, or over nodes, each with the same weight. Stresses in Pa, "
-       "energies in "
-       "J/m^3.",
+       "energies in J/m^3.",
        run + "assert(a:solve():mean('E11') > 0.2)",
        mean},
       {"analysis:field",
@@ -598,68 +577,43 @@ std::vector<Entry> reading() {
                 "where")
             .optional()},
        "Values of all elements or nodes, in their order: a list of numbers; for a whole field a list of "
-       "lists. "
-       "Units are SI: stresses in Pa, energies in J/m^3.",
+       "lists. Units are SI: stresses in Pa, energies in J/m^3.",
        run + "assert(#a:field 'S11' == 3 and #a:field 'displacement'[1] == 3)\n"
              "assert(#a:field('S11', { at='nodes' }) == #a:field 'displacement')",
        field},
-      {"analysis.energy",
-       Style::property,
-       {},
-       "Energies in J: kinetic, stored, dissipated, damping, external, internal, initial, created. Parts of "
-       "stored: contact, guard (the barrier that keeps surfaces from passing), stick (elastic slip of "
-       "friction that holds), directors (what keeps the directors by the normal where the elements' shear "
-       "does "
-       "not). Parts of dissipated: dissipated_warp, _weft, _shear, _damage (yarns that softened, see damage "
-       "of a "
-       "card), _bending, friction (of contact), impact (of surfaces that meet), joints (motion lost as "
-       "joints closed, see analysis:join, and what directors had "
-       "stored where they opened), fracture "
-       "(broken yarns of tearable zones). Parts of kinetic: "
-       "rigid "
-       "(free rigid bodies), scaled (rotary inertia that is scaled up). error: the imbalance over the "
-       "largest "
-       "external work; with contact at least over the cloth's weight times its thickness.",
-       run + "a:solve()\nassert(a.energy.error < 1)",
-       energy},
-      {"analysis.beyond",
-       Style::property,
-       {},
-       "The largest strain beyond what the card was tested to, or nil: share (1.2 is 20 % beyond), yarn "
-       "(warp, weft or shear), element and time of this largest strain, strain (E11, E22 or E12), tested "
-       "(the strain tested), first (time at which the run first went beyond) and elements (fraction of the "
-       "elements beyond).",
-       run + "assert(a:advance(0.5).beyond == nil)",
-       beyond},
-      {"analysis.warnings",
-       Style::property,
-       {},
-       "What the run has said about how far its results can be trusted, in order: a list of {code, text, "
-       "time (s), element (nil: no particular one), serious}. Also in run.json. Under --strict the serious "
-       "ones raise a numerical failure. The codes: " +
-           codes_text() + ".",
-       run + "assert(#a:solve().warnings == 0)",
-       warnings},
-      {"analysis.time", Style::property, {}, "Where the run is, s.", run + "assert(a.time == 0)", time},
-      {"analysis.duration",
-       Style::property,
-       {},
-       "Where it ends, s.",
-       run + "assert(a.duration == 1)",
-       duration},
-      {"analysis.stopped",
-       Style::property,
-       {},
-       "The reason it was stopped for, or false.",
-       run + "assert(a.stopped == false)",
-       stopped},
-      {"analysis.steps",
-       Style::property,
-       {},
-       "Of each committed step: time, step, iterations, cuts, residuals, negative_pivots (none on a stable "
-       "path), stable: true, false, or \"unchecked\" in motion and where loads have no potential.",
-       run + "assert(#a:solve().steps == 4)",
-       steps},
+      without_arguments(
+          "analysis.energy",
+          "Energies in J: kinetic, stored, dissipated, damping, external, internal, initial, created. Parts "
+          "of stored: contact, guard (the barrier that keeps surfaces from passing), stick (elastic slip of "
+          "friction that holds), directors (what keeps the directors by the normal where the elements' shear "
+          "does not). Parts of dissipated: dissipated_warp, _weft, _shear, _damage (yarns that softened, see "
+          "damage of a card), _bending, friction (of contact), impact (of surfaces that meet), joints "
+          "(motion lost as joints closed, see analysis:join, and what directors had stored where they "
+          "opened), fracture (broken yarns of tearable zones). Parts of kinetic: rigid (free rigid bodies), "
+          "scaled (rotary inertia that is scaled up). error: the imbalance over the largest external work; "
+          "with contact at least over the cloth's weight times its thickness.",
+          run + "a:solve()\nassert(a.energy.error < 1)", energy),
+      without_arguments("analysis.beyond",
+                        "The largest strain beyond what the card was tested to, or nil: share (1.2 is 20 % "
+                        "beyond), yarn (warp, weft or shear), element and time of this largest strain, "
+                        "strain (E11, E22 or E12), tested (the strain tested), first (time at which the run "
+                        "first went beyond) and elements (fraction of the elements beyond).",
+                        run + "assert(a:advance(0.5).beyond == nil)", beyond),
+      without_arguments("analysis.warnings",
+                        "What the run has said about how far its results can be trusted, in order: a list of "
+                        "{code, text, time (s), element (nil: no particular one), serious}. Also in "
+                        "run.json. Under --strict the serious ones raise a numerical failure. The codes: " +
+                            codes_text() + ".",
+                        run + "assert(#a:solve().warnings == 0)", warnings),
+      without_arguments("analysis.time", "Where the run is, s.", run + "assert(a.time == 0)", time),
+      without_arguments("analysis.duration", "Where it ends, s.", run + "assert(a.duration == 1)", duration),
+      without_arguments("analysis.stopped", "The reason it was stopped for, or false.",
+                        run + "assert(a.stopped == false)", stopped),
+      without_arguments(
+          "analysis.steps",
+          "Of each committed step: time, step, iterations, cuts, residuals, negative_pivots (none on a "
+          "stable path), stable: true, false, or \"unchecked\" in motion and where loads have no potential.",
+          run + "assert(#a:solve().steps == 4)", steps),
   };
 }
 

@@ -111,16 +111,12 @@ void read_layers(const Fields& given, model::Options& options) {
   if (!given.has("layers")) return;
   lua_State* L = given.L();
   static const std::vector<Argument> fields = layer_fields();
-  given.push("layers");
-  const auto count = static_cast<int>(lua_rawlen(L, -1));
-  for (int i = 1; i <= count; ++i) {
-    if (lua_rawgeti(L, -1, i) != LUA_TTABLE)
+  given.each("layers", [&](lua_Integer) {
+    if (!lua_istable(L, -1))
       given.refuse("layers",
                    "expected a list of tables {card=, warp=, thickness=, name=}, got " + describe(L, -1));
     options.plies.push_back(read_ply(L, fields, options.plies));
-    lua_pop(L, 1);
-  }
-  lua_pop(L, 1);
+  });
   if (options.plies.empty()) given.refuse("layers", "expected at least one layer, got an empty table");
 }
 
@@ -175,8 +171,7 @@ void check_made(Session& session, const card::Card& card, const model::Options& 
 Argument warp_row(const char* fallback) {
   return Argument{"warp", number | numbers | function, "degrees", everything,
                   "warp direction: angle counter-clockwise about the normal from global +x, {x, y, z}, or "
-                  "function(x, y, z) "
-                  "returning either; " +
+                  "function(x, y, z) returning either; " +
                       std::string(fallback)}
       .optional();
 }
@@ -305,21 +300,18 @@ std::vector<model::BodyGiven> read_bodies(const Call& call) {
        {"mesh", "card", "layers", "thickness", "warp", "offset", "regions", "reference", "prestress"})
     if (call.has(field)) call.refuse(field, "expected inside each of the bodies, where 'bodies' is given");
   lua_State* L = call.L();
-  call.push("bodies");
-  const int list = lua_gettop(L);
-  const auto count = static_cast<int>(lua_rawlen(L, list));
   std::vector<model::BodyGiven> bodies;
-  for (int i = 1; i <= count; ++i) {
-    if (lua_rawgeti(L, list, i) != LUA_TTABLE)
+  call.each("bodies", [&](lua_Integer i) {
+    if (!lua_istable(L, -1))
       call.refuse("bodies", "expected a list of tables {name=, mesh=, card=, ...}, got " + describe(L, -1));
     const std::string path = "bodies[" + std::to_string(i) + "].";
     const Fields body(L, lua_gettop(L), body_fields(), path);
     const std::string name = body.text("name");
     check_name(body, name, bodies);
     bodies.push_back(read_body(body, name, path));
-    lua_settop(L, list);
-  }
-  for (lua_pushnil(L); lua_next(L, list) != 0; lua_pop(L, 1))
+  });
+  call.push("bodies");
+  for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1))
     if (lua_isinteger(L, -2) == 0 || lua_tointeger(L, -2) < 1 ||
         lua_tointeger(L, -2) > static_cast<lua_Integer>(bodies.size()))
       call.refuse("bodies", "expected a list of tables {name=, mesh=, card=, ...}, got an entry " +
@@ -370,30 +362,27 @@ std::vector<Argument> model_rows() {
                         "{ {name=, mesh=, card=, regions=, ...}, ... }: several meshes in place of one; "
                         "their sets are then name.left")
                      .optional());
-  rows.push_back(
-      value_("membrane", boolean,
-             "cloth without bending and transverse shear, whose directors are held: for sheets that "
-             "are taut, or fold more sharply than an element can show")
-          .or_else(false));
+  rows.push_back(value_("membrane", boolean,
+                        "cloth without bending and transverse shear, whose directors are held: for sheets "
+                        "that are taut, or fold more sharply than an element can show")
+                     .or_else(false));
   rows.push_back(value_("folds", text,
                         "where compressed cloth folds: resolved, in the shape of the mesh alone; within "
                         "elements too, which then carry no more compression than folds of their size; free, "
                         "the same without any force; default: that of each card")
                      .one_of({std::begin(card::fold_words), std::end(card::fold_words)})
                      .optional());
-  rows.push_back(
-      value_("yarns", text,
-             "eased: the strain of yarns that cross quadrilaterals obliquely varies in an element only "
-             "as far as shear can hold it, so that stiff yarns do not lock a mesh; full: as "
-             "interpolated, as in the thesis")
-          .one_of({"eased", "full"})
-          .or_else("eased"));
-  rows.push_back(
-      number_("imperfection", "m", positive,
-              "nodes are moved across the sheet by at most this, in a pattern of waves that is always "
-              "the same, so that a sheet that is pressed or sheared in its plane can buckle; the mesh "
-              "of the deck stays as it is")
-          .optional());
+  rows.push_back(value_("yarns", text,
+                        "eased: the strain of yarns that cross quadrilaterals obliquely varies in an element "
+                        "only as far as shear can hold it, so that stiff yarns do not lock a mesh; full: as "
+                        "interpolated, as in the thesis")
+                     .one_of({"eased", "full"})
+                     .or_else("eased"));
+  rows.push_back(number_("imperfection", "m", positive,
+                         "nodes are moved across the sheet by at most this, in a pattern of waves that is "
+                         "always the same, so that a sheet that is pressed or sheared in its plane can "
+                         "buckle; the mesh of the deck stays as it is")
+                     .optional());
   return rows;
 }
 

@@ -303,11 +303,7 @@ int cards(Call& call) {
   return 1;
 }
 
-int card_string(lua_State* L) {
-  const std::string words = card_words(*to_object<Card>(L, 1));
-  lua_pushlstring(L, words.data(), words.size());
-  return 1;
-}
+int card_string(lua_State* L) { return push_text(L, card_words(*to_object<Card>(L, 1))); }
 
 int card_equal(lua_State* L) {
   const auto a = to_object<Card>(L, 1), b = to_object<Card>(L, 2);
@@ -318,8 +314,8 @@ int card_equal(lua_State* L) {
 Argument card_options() {
   Argument bending = value_("bending", text,
                             "estimated: the card's own estimate of what was not measured, or that for its "
-                            "areal mass (a card with a rigidity of its own keeps it); thickness: "
-                            "integration through the thickness, without a warning")
+                            "areal mass (a card with a rigidity of its own keeps it); thickness: integration "
+                            "through the thickness, without a warning")
                          .optional();
   bending.choices = {"estimated", "thickness"};
   Argument options = value_("options", fields, "changes to the card").optional();
@@ -380,22 +376,19 @@ std::vector<Entry> card_entries() {
        cards},
       {"card:with",
        Style::positional,
-       {value_(
-           "changes", table,
-           "fields of the constructor that differ; tables merge deeply, and false drops what a card can do "
-           "without, as friction_warp=false, whether it has it or not")},
+       {value_("changes", table,
+               "fields of the constructor that differ; tables merge deeply, and false drops what a card can "
+               "do without, as friction_warp=false, whether it has it or not")},
        "A copy of the card with some fields changed.",
        "local c = require 'fabric'.card 'blend':with{ warp={poisson=0.4} }; assert(c.warp.poisson == 0.4)",
        with},
-      {"card:free_thickness",
-       Style::positional,
-       {},
-       "Thickness of the cloth that nothing presses, m, at which contact begins: where its measured "
-       "compression "
-       "runs out to no pressure, or without one its own; second, what the fibres alone fill, m, below which "
-       "nothing is pressed.",
-       "local card = require 'fabric'.card 'blend'\nassert(card:free_thickness() == card.thickness)",
-       free_thickness},
+      without_arguments(
+          "card:free_thickness",
+          "Thickness of the cloth that nothing presses, m, at which contact begins: where its measured "
+          "compression runs out to no pressure, or without one its own; second, what the fibres alone fill, "
+          "m, below which nothing is pressed.",
+          "local card = require 'fabric'.card 'blend'\nassert(card:free_thickness() == card.thickness)",
+          free_thickness),
   };
 }
 

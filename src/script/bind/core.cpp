@@ -15,11 +15,9 @@ void push_warnings(lua_State* L, const WarningLog::Warnings& warnings) {
     set_text(L, "text", w.text);
     set_number(L, "time", w.time);
     if (w.element >= 0) {
-      lua_pushinteger(L, w.element + 1);
-      lua_setfield(L, -2, "element");
+      set_integer(L, "element", w.element + 1);
     }
-    lua_pushboolean(L, w.serious ? 1 : 0);
-    lua_setfield(L, -2, "serious");
+    set_flag(L, "serious", w.serious);
     lua_rawseti(L, -2, ++place);
   }
 }

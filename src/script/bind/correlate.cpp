@@ -19,17 +19,7 @@ void set_scaled(lua_State* L, const char* name, std::vector<double> values, doub
 }
 
 std::vector<std::string> file_names(const Call& call) {
-  lua_State* L = call.L();
-  std::vector<std::string> out;
-  call.push("files");
-  const auto n = static_cast<lua_Integer>(lua_rawlen(L, -1));
-  for (lua_Integer i = 1; i <= n; ++i) {
-    if (lua_rawgeti(L, -1, i) != LUA_TSTRING)
-      call.refuse("files", "expected names of photographs, got " + describe(L, -1));
-    out.emplace_back(lua_tostring(L, -1));
-    lua_pop(L, 1);
-  }
-  lua_pop(L, 1);
+  auto out = call.texts("files", "names of photographs");
   if (out.size() < 2) call.refuse("files", "expected at least two photographs");
   return out;
 }
@@ -192,13 +182,11 @@ std::vector<Entry> correlation_rows() {
             .or_else(5.0),
         number_("scale", "m", positive, "of a pixel").optional()},
        "Follows a speckled surface through photographs by digital image correlation: rows, columns (of "
-       "subsets in the region of the first), frames, "
-       "x, y (of their middles on each photograph; m, or pixels without a scale; y upwards; nan: lost, or "
-       "without texture), E11, E22, E12 "
-       "(Green-Lagrange), correlation, deviation (of a displacement, from what differs between the "
-       "photographs), all frames x subsets; found "
-       "(part of the subsets, by frame). rows, columns, x, y are a grid of markers for poisson and "
-       "shear_from_bias.",
+       "subsets in the region of the first), frames, x, y (of their middles on each photograph; m, or pixels "
+       "without a scale; y upwards; nan: lost, or without texture), E11, E22, E12 (Green-Lagrange), "
+       "correlation, deviation (of a displacement, from what differs between the photographs), all frames x "
+       "subsets; found (part of the subsets, by frame). rows, columns, x, y are a grid of markers for "
+       "poisson and shear_from_bias.",
        name + "local t = lab.correlate{ files={name..'1.png', name..'2.png'} }\n"
               "for i = 1, 2 do os.remove(name..i..'.png') end\nos.remove(name)\n"
               "assert(t.found[2] > 0.9 and math.abs(t.E22[#t.E22 - 10] - (1.02^2 - 1)/2) < 1e-3)",

@@ -56,18 +56,13 @@ std::vector<Entry> dynamic_entries() {
       {"fabric.dynamic", Style::fields, with_beginning(arguments_of(run::dynamic_options())),
        "A dynamic run by Newmark's method, explicit or implicit, with a balance (ledger) of its energies.",
        sample() + "assert(a:solve().energy.error < 1e-3)", make_dynamic},
-      {"analysis.stable_step",
-       Style::property,
-       {},
-       "A step that no frequency of the reference configuration forbids central differences, s.",
-       sample() + "assert(a.stable_step > 7e-5 and a.stable_step < 8e-5)",
-       stable_step},
-      {"analysis.step_size",
-       Style::property,
-       {},
-       "Usual step of a dynamic run, s; steps that end at a prescribed time are shorter.",
-       sample() + "assert(a.step_size < 0.91 * a.stable_step)",
-       step_size}};
+      without_arguments(
+          "analysis.stable_step",
+          "A step that no frequency of the reference configuration forbids central differences, s.",
+          sample() + "assert(a.stable_step > 7e-5 and a.stable_step < 8e-5)", stable_step),
+      without_arguments("analysis.step_size",
+                        "Usual step of a dynamic run, s; steps that end at a prescribed time are shorter.",
+                        sample() + "assert(a.step_size < 0.91 * a.stable_step)", step_size)};
 }
 
 }  // namespace

@@ -231,8 +231,7 @@ void set_times(const Call& call, const std::vector<TimeFrame>& moments, format::
 }
 
 void set_count(lua_State* L, const char* name, std::size_t count) {
-  lua_pushinteger(L, static_cast<lua_Integer>(count));
-  lua_setfield(L, -2, name);
+  set_integer(L, name, static_cast<lua_Integer>(count));
 }
 
 int gltf(Call& call) {

@@ -38,10 +38,7 @@ History callback(const Function& f, const std::string& what) {
 History read_points(const Call& call, const char* name) {
   lua_State* L = call.L();
   std::vector<std::pair<double, double>> points;
-  call.push(name);
-  const auto n = static_cast<lua_Integer>(lua_rawlen(L, -1));
-  for (lua_Integer i = 1; i <= n; ++i) {
-    lua_rawgeti(L, -1, i);
+  call.each(name, [&](lua_Integer i) {
     const Argument pair{std::string(name) + "[" + std::to_string(i) + "]", numbers, "", everything,
                         "time and value"};
     check_value(L, -1, pair, "", true);
@@ -49,9 +46,7 @@ History read_points(const Call& call, const char* name) {
     if (row.size() != 2)
       call.refuse(pair.name, "expected {time, value}, got " + std::to_string(row.size()) + " numbers");
     points.emplace_back(row[0], row[1]);
-    lua_pop(L, 1);
-  }
-  lua_pop(L, 1);
+  });
   return History::table(std::move(points));
 }
 
@@ -141,13 +136,12 @@ std::vector<Entry> history_entries() {
        "The history's value at a time.",
        "assert(require 'fabric'.ramp(3, 2):value(2) == 3)",
        value},
-      {"history:points",
-       Style::positional,
-       {},
-       "Its points { {t, v}, ... }; of a constant one; nil of a function of time, as model:declared may have "
-       "it.",
-       "local points = require 'fabric'.ramp(3, 2):points(); assert(points[2][1] == 2 and points[2][2] == 3)",
-       points},
+      without_arguments("history:points",
+                        "Its points { {t, v}, ... }; of a constant one; nil of a function of time, as "
+                        "model:declared may have it.",
+                        "local points = require 'fabric'.ramp(3, 2):points(); assert(points[2][1] == 2 and "
+                        "points[2][2] == 3)",
+                        points),
   };
 }
 

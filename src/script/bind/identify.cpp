@@ -259,10 +259,9 @@ std::vector<Entry> identify_entries() {
         number_("tolerance", "", positive, "relative, of the sum of squares and of the parameters")
             .or_else(1e-8),
         number_("difference", "", positive, "step of the differences, over high - low").or_else(1e-4),
-        integer_(
-            "settle", not_negative,
-            "rounds of central differences along combinations that the data determine independently; for "
-            "residuals in units of their deviation")
+        integer_("settle", not_negative,
+                 "rounds of central differences along combinations that the data determine independently; "
+                 "for residuals in units of their deviation")
             .or_else(0.0)},
        "Bounded least squares by Levenberg and Marquardt: x, residuals, jacobian (by rows), iterations, "
        "converged, reason.",
@@ -277,8 +276,7 @@ std::vector<Entry> identify_entries() {
        {list("jacobian", "of residuals in units of their deviation, by rows"),
         list("scale", "a size of each parameter")},
        "What data determine: deviation of each parameter, correlation (by rows), weakest (the combination "
-       "determined least, of length one in units of "
-       "scale) and weakest_deviation.",
+       "determined least, of length one in units of scale) and weakest_deviation.",
        "local i = require 'fabric'.lab.identifiability{ jacobian={2, 0, 0, 4}, scale={1, 1} }\n"
        "assert(math.abs(i.deviation[1] - 0.5) < 1e-12 and math.abs(i.weakest[1]) > 0.99)",
        identifiability},

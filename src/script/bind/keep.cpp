@@ -97,8 +97,8 @@ int last_why(Call& call) {
 std::string failing_sample() {
   return sample_run() +
          "a = fabric.static{ model=fabric.model{ mesh=mesh, card=fabric.card 'blend', warp=90 "
-         "}:fix('bottom', 'x y "
-         "z rotation'):move('top', { y=-0.07 }), duration=1, step=1, max_cuts=0, max_iterations=4 }\n"
+         "}:fix('bottom', 'x y z rotation'):move('top', { y=-0.07 }), duration=1, step=1, max_cuts=0, "
+         "max_iterations=4 }\n"
          "local ok, e = pcall(a.solve, a)\nassert(not ok and e.kind == 'numerical')\n";
 }
 
@@ -148,14 +148,11 @@ std::vector<Entry> keep_entries() {
        "Changes settings of a run, also one that is under way or has failed.",
        sample_run() + "a:advance(0.5):set{ tolerance=1e-6, step=0.1 }\nassert(a:solve().time == 1)",
        set_kept},
-      {"analysis:why",
-       Style::positional,
-       {},
-       "Why the run last failed: the steps tried with their residuals, the node, the element with its strain "
-       "and "
-       "the branches of its yarns, and what to try; as text. The error has it as e.why.",
-       failing_sample() + "assert(a:why():find 'element' and e.why == a:why())",
-       why},
+      without_arguments("analysis:why",
+                        "Why the run last failed: the steps tried with their residuals, the node, the "
+                        "element with its strain "
+                        "and the branches of its yarns, and what to try; as text. The error has it as e.why.",
+                        failing_sample() + "assert(a:why():find 'element' and e.why == a:why())", why),
       {"fabric.why",
        Style::positional,
        {},

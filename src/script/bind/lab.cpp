@@ -72,10 +72,8 @@ int branches(Call& call) {
   for (const lab::PullBranch& b : lab::branches(call.numbers("displacement"), call.number("tolerance"))) {
     lua_createtable(L, 0, 3);
     set_text(L, "kind", word(b.kind));
-    lua_pushinteger(L, static_cast<lua_Integer>(b.begin + 1));
-    lua_setfield(L, -2, "first");
-    lua_pushinteger(L, static_cast<lua_Integer>(b.end));
-    lua_setfield(L, -2, "last");
+    set_integer(L, "first", static_cast<lua_Integer>(b.begin + 1));
+    set_integer(L, "last", static_cast<lua_Integer>(b.end));
     lua_rawseti(L, -2, ++place);
   }
   return 1;
@@ -83,8 +81,7 @@ int branches(Call& call) {
 
 void set_row(lua_State* L, const char* name, const std::optional<std::size_t>& row) {
   if (!row) return;
-  lua_pushinteger(L, static_cast<lua_Integer>(*row + 1));
-  lua_setfield(L, -2, name);
+  set_integer(L, name, static_cast<lua_Integer>(*row + 1));
 }
 
 int marks(Call& call) {
@@ -108,19 +105,14 @@ const std::vector<Argument>& curve_rows() {
 std::vector<lab::Tension> tensions(const Call& call) {
   lua_State* L = call.L();
   std::vector<lab::Tension> out;
-  call.push("curves");
-  const auto n = static_cast<lua_Integer>(lua_rawlen(L, -1));
-  for (lua_Integer i = 1; i <= n; ++i) {
+  call.each("curves", [&](lua_Integer i) {
     const std::string path = "curves[" + std::to_string(i) + "]";
-    if (lua_rawgeti(L, -1, i) != LUA_TTABLE)
-      throw Error("field '" + path + "': expected {E=, S=}, got " + describe(L, -1));
+    if (!lua_istable(L, -1)) throw Error("field '" + path + "': expected {E=, S=}, got " + describe(L, -1));
     const Fields f(L, -1, curve_rows(), path + ".");
     out.push_back({f.numbers("E"), f.numbers("S")});
     if (out.back().E.size() != out.back().S.size())
       throw Error("field '" + path + "': expected E and S of one length");
-    lua_pop(L, 1);
-  }
-  lua_pop(L, 1);
+  });
   if (out.empty()) call.refuse("curves", "expected at least one curve {E=, S=}");
   return out;
 }
@@ -168,8 +160,7 @@ int backbone(Call& call) {
     lua_rawseti(L, -2, ++place);
   }
   if (const auto best = lab::choose(candidates)) {
-    lua_pushinteger(L, static_cast<lua_Integer>(*best + 1));
-    lua_setfield(L, -2, "chosen");
+    set_integer(L, "chosen", static_cast<lua_Integer>(*best + 1));
   }
   return 1;
 }
@@ -245,16 +236,11 @@ int unloading(Call& call) {
 std::vector<std::vector<double>> number_lists(const Call& call, const char* name) {
   lua_State* L = call.L();
   std::vector<std::vector<double>> out;
-  call.push(name);
-  const auto n = static_cast<lua_Integer>(lua_rawlen(L, -1));
   const Argument row{"", numbers, "", everything, ""};
-  for (lua_Integer i = 1; i <= n; ++i) {
-    lua_rawgeti(L, -1, i);
+  call.each(name, [&](lua_Integer i) {
     check_value(L, -1, row, std::string(name) + "[" + std::to_string(i) + "]", false);
     out.push_back(read_numbers(L, -1));
-    lua_pop(L, 1);
-  }
-  lua_pop(L, 1);
+  });
   if (out.empty()) call.refuse(name, "expected at least one list of numbers");
   return out;
 }
@@ -374,8 +360,7 @@ std::vector<Entry> pull_entries() {
         number_("contact", "N", positive, "find the slack: where the force rises above this for good")
             .optional()},
        "Stress and strain from displacement and force (eqs. 3.1, 3.2): returns displacement (of the "
-       "specimen's end), E, S, "
-       "slack, area. The specimen's length is gauge_length + slack.",
+       "specimen's end), E, S, slack, area. The specimen's length is gauge_length + slack.",
        "local r = require 'fabric'.lab.reduce{ displacement={0, 0.0762}, force={0, 10}, gauge_length=0.0762, "
        "width=0.0254,\n"
        "  thickness=0.5e-3, plies=2 }\nassert(r.E[2] == 1.5 and math.abs(r.S[2] - 10/(r.area*2)) < 1e-9)",
@@ -385,8 +370,7 @@ std::vector<Entry> pull_entries() {
        {list("displacement", "m", "of a cyclic test"),
         number_("tolerance", "m", positive, "smallest way back that is a reversal")},
        "Parts of a record between reversals: a list of {kind, first, last}; kind is loading, unloading, "
-       "reloading "
-       "(up to the largest displacement so far) or hold (five rows and more at a reversal).",
+       "reloading (up to the largest displacement so far) or hold (five rows and more at a reversal).",
        "local b = require 'fabric'.lab.branches{ displacement={0, 2, 1, 3}, tolerance=0.5 }\n"
        "assert(#b == 3 and b[2].kind == 'unloading' and b[3].kind == 'loading')",
        branches},
@@ -414,10 +398,8 @@ std::vector<Entry> fit_entries() {
        {curves_row(), list("degrees", "", "of the stress polynomials to try; default {2, 4}").optional(),
         value_("find_slack", boolean, "the stretch at first contact is fitted too").or_else(false)},
        "Stress polynomials through zero, one per specimen and degree: a list of {degree, criterion, initial, "
-       "least, admissible, "
-       "specimens={ {loading, slack, reach, residual}, ... }}; chosen is the place of the best, nil if none "
-       "has a positive "
-       "tangent.",
+       "least, admissible, specimens={ {loading, slack, reach, residual}, ... }}; chosen is the place of the "
+       "best, nil if none has a positive tangent.",
        "local E, S = {}, {}\nfor i = 1, 50 do E[i] = i/100; S[i] = 2e6*E[i] + 3e6*E[i]^2 end\n"
        "local f = require 'fabric'.lab.backbone{ curves={ {E=E, S=S} }, degrees={2} }\n"
        "assert(math.abs(f[f.chosen].specimens[1].loading[2] - 6e6) < 1)",
@@ -432,10 +414,9 @@ std::vector<Entry> fit_entries() {
         number_("earliest", "", Range{-0.5, 0}, "least stretch of contact less one").or_else(0.0),
         integer_("strains", Range{5, 1000}, "of the answer, evenly up to the least reach").or_else(40.0)},
        "Loading curves averaged over laws and over where contact may have begun: E, specimens={ {S (at E), "
-       "slack, "
-       "slack_low, slack_high (95 %), none (probability), reach, residual}, ... }, within (covariance of one "
-       "specimen's curve), common (the part alike in all), laws={ {name, weight}, ... }, correlation (of "
-       "neighbouring residuals). E is empty if no law rises.",
+       "slack, slack_low, slack_high (95 %), none (probability), reach, residual}, ... }, within (covariance "
+       "of one specimen's curve), common (the part alike in all), laws={ {name, weight}, ... }, correlation "
+       "(of neighbouring residuals). E is empty if no law rises.",
        "local E, S = {}, {}\nfor i = 1, 60 do E[i] = i/500; S[i] = 8e6*E[i] + 4e8*E[i]^2 + 2e3*math.sin(7*i) "
        "end\n"
        "local a = require 'fabric'.lab.averaged{ curves={ {E=E, S=S} }, none=0.5 }\n"
@@ -491,8 +472,7 @@ std::vector<Entry> fit_entries() {
         list("common", "", "relative standard uncertainties that all specimens share, one per parameter")
             .optional()},
        "Mean parameters and their confidence band by the bootstrap over specimens: value, low, high, "
-       "covariance (row by row). "
-       "The last three are nil for one specimen.",
+       "covariance (row by row). The last three are nil for one specimen.",
        "local b = require 'fabric'.lab.band{ specimens={ {1}, {2}, {3} } }\nassert(b.value[1] == 2 and "
        "b.low[1] < 1)",
        band},
@@ -510,10 +490,8 @@ std::vector<Entry> marker_entries() {
       {"fabric.lab.boxes", Style::fields,
        with(track_rows(), {number_("warp", "degrees", everything, "from x to the warp").or_else(90.0)}),
        "Strains of the boxes of a marker grid, box by box, frame after frame: along and across the pull (eq. "
-       "3.2), E12 between the "
-       "yarns, warp_stretch, weft_stretch; zones (1, 2, 3) of a bias specimen by each box's part in the "
-       "shear; frames, "
-       "boxes.",
+       "3.2), E12 between the yarns, warp_stretch, weft_stretch; zones (1, 2, 3) of a bias specimen by each "
+       "box's part in the shear; frames, boxes.",
        "local b = require 'fabric'.lab.boxes" + square + " }\nassert(math.abs(b.along[2] - 0.22) < 1e-12)",
        box_strains},
       {"fabric.lab.ratio", Style::fields,
@@ -524,8 +502,7 @@ std::vector<Entry> marker_entries() {
              number_("least", "", not_negative, "strain along the pull from which on boxes count")
                  .or_else(0.01)}),
        "Contraction ratio of one specimen (eq. 3.3), boxes pooled, corrected for noise in the positions: "
-       "value, plain (not "
-       "corrected), noise, uncertainty (standard, over the boxes).",
+       "value, plain (not corrected), noise, uncertainty (standard, over the boxes).",
        "local r = require 'fabric'.lab.ratio" + square +
            ", noise=0 }\nassert(math.abs(r.value - 0.04875/0.22) < 1e-12)",
        ratio},

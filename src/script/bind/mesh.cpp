@@ -277,10 +277,7 @@ std::string mesh_words(const Mesh& mesh) {
   return words + ">";
 }
 
-int push_words(lua_State* L, const std::string& words) {
-  lua_pushlstring(L, words.data(), words.size());
-  return 1;
-}
+int push_words(lua_State* L, const std::string& words) { return push_text(L, words); }
 
 int mesh_text(lua_State* L) { return push_words(L, mesh_words(*to_object<Mesh>(L, 1))); }
 
@@ -324,8 +321,7 @@ std::vector<Entry> mesh_entries() {
         value_("triangles", boolean, "cut every cell into two triangles, the cuts turning from cell to cell")
             .or_else(false)},
        "A structured rectangle in the x-y plane, normal +z, nodes and elements row by row from the origin "
-       "corner; sets left, "
-       "right, bottom, top, boundary, corners, all.",
+       "corner; sets left, right, bottom, top, boundary, corners, all.",
        with_mesh + "assert(#mesh.nodes == 40 and #mesh.elements == 27)",
        rectangle},
       {"mesh:set",
@@ -359,10 +355,8 @@ std::vector<Entry> mesh_entries() {
             .optional(),
         value_("right", text, "the same of its right side").optional()},
        "Slits the mesh along a straight line of edges between nodes: the nodes on it are doubled, but for an "
-       "end "
-       "inside the mesh, which is the tip. The left side keeps them, the new nodes follow all others and are "
-       "in "
-       "the same sets; boundary has the sides of the slit, too.",
+       "end inside the mesh, which is the tip. The left side keeps them, the new nodes follow all others and "
+       "are in the same sets; boundary has the sides of the slit, too.",
        with_mesh + "mesh:slit{ from={0.0254/3, 0}, to={0.0254/3, 0.0254}, right='face' }\n"
                    "assert(#mesh.nodes == 43 and #mesh:set 'face' == 4)",
        slit},
@@ -371,30 +365,19 @@ std::vector<Entry> mesh_entries() {
        {value_("inside", function, "function(x, y, z) that says whether the middle of an element is inside"),
         value_("rim", text, "name of a set to make of the nodes of its rim").optional()},
        "Cuts a hole along the grid: leaves out the elements inside and the nodes that no element has any "
-       "more. "
-       "The others are numbered anew in their order; sets keep them, boundary has the rim, too.",
+       "more. The others are numbered anew in their order; sets keep them, boundary has the rim, too.",
        with_mesh +
            "mesh:hole(function(x, y) return y > 0.02 and y < 0.025 and x > 0.01 and x < 0.015 end, 'rim')\n"
            "assert(#mesh.elements == 26 and #mesh:set 'rim' == 4)",
        hole},
-      {"mesh.nodes",
-       Style::property,
-       {},
-       "Reference positions {x, y, z}, m, by node number.",
-       with_mesh + "assert(mesh.nodes[4][1] == 0.0254)",
-       nodes},
-      {"mesh.elements",
-       Style::property,
-       {},
-       "Node numbers of each element, counter-clockwise.",
-       with_mesh + "assert(mesh.elements[1][3] == 6)",
-       elements},
-      {"mesh.sets",
-       Style::property,
-       {},
-       "Names of the node sets. In the mesh of a model of several bodies also those of each, as body.left.",
-       with_mesh + "assert(mesh.sets[1] == 'all')",
-       sets},
+      without_arguments("mesh.nodes", "Reference positions {x, y, z}, m, by node number.",
+                        with_mesh + "assert(mesh.nodes[4][1] == 0.0254)", nodes),
+      without_arguments("mesh.elements", "Node numbers of each element, counter-clockwise.",
+                        with_mesh + "assert(mesh.elements[1][3] == 6)", elements),
+      without_arguments("mesh.sets",
+                        "Names of the node sets. In the mesh of a model of several bodies also those of "
+                        "each, as body.left.",
+                        with_mesh + "assert(mesh.sets[1] == 'all')", sets),
   };
 }
 

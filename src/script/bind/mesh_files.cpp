@@ -59,11 +59,9 @@ int deck_lines(Call& call) {
   const std::string format = call.text("format");
   const format::DeckForm form{call.number("length"), call.flag("membrane"), call.text("elements")};
   const mesh::Mesh& mesh = *call.self<Mesh>();
-  const std::string lines = format == "inp" ? format::abaqus_lines(mesh, form)
-                            : format == "k" ? format::dyna_lines(mesh, form)
-                                            : format::radioss_lines(mesh, form);
-  lua_pushlstring(call.L(), lines.data(), lines.size());
-  return 1;
+  return push_text(call.L(), format == "inp" ? format::abaqus_lines(mesh, form)
+                             : format == "k" ? format::dyna_lines(mesh, form)
+                                             : format::radioss_lines(mesh, form));
 }
 
 void push_finding(lua_State* L, const mesh::Finding& item) {
@@ -87,8 +85,7 @@ void set_measures(lua_State* L, const mesh::Measures& m) {
                                                         {"parts", m.parts},
                                                         {"borders", m.borders}};
   for (const auto& [name, value] : counts) {
-    lua_pushinteger(L, static_cast<lua_Integer>(value));
-    lua_setfield(L, -2, name);
+    set_integer(L, name, static_cast<lua_Integer>(value));
   }
 }
 
@@ -204,14 +201,12 @@ Entry read_row() {
            .one_of({"m", "cm", "mm", "inch"})
            .optional()},
       "Reads a mesh of triangles and quadrilaterals; its lengths are m afterwards: Gmsh 2 and 4.1, VTK's "
-      ".vtu and legacy "
-      ".vtk, Wavefront .obj, .stl and .ply (text and binary; equal vertices of an .stl are joined), .inp of "
-      "Abaqus and CalculiX, "
-      ".k of LS-DYNA, .rad of OpenRadioss' starter. Physical groups and groups become node sets, sets of "
-      "elements those of their nodes; so "
-      "do integer arrays: those of 0 and 1 by their name, others as name_value; parts and solids where there "
-      "are several. Nodes in no element are left out; the sets all and boundary are added. Also "
-      "with named fields: fabric.mesh.read{ file=, join=true }.",
+      ".vtu and legacy .vtk, Wavefront .obj, .stl and .ply (text and binary; equal vertices of an .stl are "
+      "joined), .inp of Abaqus and CalculiX, .k of LS-DYNA, .rad of OpenRadioss' starter. Physical groups "
+      "and groups become node sets, sets of elements those of their nodes; so do integer arrays: those of 0 "
+      "and 1 by their name, others as name_value; parts and solids where there are several. Nodes in no "
+      "element are left out; the sets all and boundary are added. Also with named fields: fabric.mesh.read{ "
+      "file=, join=true }.",
       "local fabric = require 'fabric'\n"
       "local mesh = fabric.mesh.read 'disc.msh'\n"
       "assert(#mesh:set 'centre' == 1 and mesh:check().ok)",
@@ -219,17 +214,16 @@ Entry read_row() {
 }
 
 Entry write_row() {
-  return {
-      "mesh:write",
-      Style::positional,
-      {value_("file", text, "ends in " + format::written_endings())},
-      "Writes the mesh, lengths in m. With its sets: .vtu and .msh (Gmsh 4.1), which read back equal, "
-      ".inp (Abaqus, CalculiX), .k (LS-DYNA), .rad (OpenRadioss). The surface alone: .obj, .ply, .stl. The "
-      "old file stays until the new one is whole.",
-      std::string(disk_sample) +
-          "local file = os.tmpname()..'.vtu'\nmesh:write(file)\n"
-          "assert(#fabric.mesh.read(file):set 'boundary' == 16)\nos.remove(file)",
-      write_mesh};
+  return {"mesh:write",
+          Style::positional,
+          {value_("file", text, "ends in " + format::written_endings())},
+          "Writes the mesh, lengths in m. With its sets: .vtu and .msh (Gmsh 4.1), which read back equal, "
+          ".inp (Abaqus, CalculiX), .k (LS-DYNA), .rad (OpenRadioss). The surface alone: .obj, .ply, .stl. "
+          "The old file stays until the new one is whole.",
+          std::string(disk_sample) +
+              "local file = os.tmpname()..'.vtu'\nmesh:write(file)\n"
+              "assert(#fabric.mesh.read(file):set 'boundary' == 16)\nos.remove(file)",
+          write_mesh};
 }
 
 Entry deck_lines_row() {
@@ -247,52 +241,45 @@ Entry deck_lines_row() {
 }
 
 Entry check_row() {
-  return {
-      "mesh:check",
-      Style::positional,
-      {object_("card", "card", "of the cloth that the mesh is for").optional(),
-       Argument{"warp", number | numbers, "degrees", everything, "as for fabric.model"}.optional()},
-      "What is wrong with the mesh or worth knowing: a table {ok, text, items, area, shortest, longest, "
-      "aspect, "
-      "warping, least_angle, triangles, quadrilaterals, parts, borders}, which prints as its text; an "
-      "item has key "
-      "(degenerate, inverted, fold, repeated, orientation, one_sided, apart, unused, duplicate, nonmanifold, "
-      "aspect, "
-      "warping, "
-      "angle, wide, taper, hanging, free), severity (note, warning, error), text, elements, nodes. With a "
-      "card two lines more, and yarns "
-      "(degrees from the sides of elements, most, stiffness over shear, locking: share of the cloth whose "
-      "elements lock) and folds (length: from one to the next, element: its side, m).",
-      std::string(disk_sample) +
-          "local report = mesh:check()\nassert(report.ok and report.borders == 1)\n"
-          "assert(tostring(report) == report.text)",
-      check_file};
+  return {"mesh:check",
+          Style::positional,
+          {object_("card", "card", "of the cloth that the mesh is for").optional(),
+           Argument{"warp", number | numbers, "degrees", everything, "as for fabric.model"}.optional()},
+          "What is wrong with the mesh or worth knowing: a table {ok, text, items, area, shortest, longest, "
+          "aspect, warping, least_angle, triangles, quadrilaterals, parts, borders}, which prints as its "
+          "text; an item has key (degenerate, inverted, fold, repeated, orientation, one_sided, apart, "
+          "unused, duplicate, nonmanifold, aspect, warping, angle, wide, taper, hanging, free), severity "
+          "(note, warning, error), text, elements, nodes. With a card two lines more, and yarns (degrees "
+          "from the sides of elements, most, stiffness over shear, locking: share of the cloth whose "
+          "elements lock) and folds (length: from one to the next, element: its side, m).",
+          std::string(disk_sample) +
+              "local report = mesh:check()\nassert(report.ok and report.borders == 1)\n"
+              "assert(tostring(report) == report.text)",
+          check_file};
 }
 
 Entry pair_row() {
-  return {"mesh:pair",
-          Style::positional,
-          {},
-          "Joins triangles in pairs to quadrilaterals where these have corners of 30 to 150 degrees and are "
-          "flat; returns how many triangles are left. Stiff yarns that cross triangles obliquely lock them.",
-          "local fabric = require 'fabric'\n"
-          "local mesh = fabric.mesh.rectangle{ width=0.1, height=0.1, nx=3, ny=2, triangles=true }\n"
-          "assert(mesh:pair() == 0 and #mesh.elements == 6)",
-          pair};
+  return without_arguments(
+      "mesh:pair",
+      "Joins triangles in pairs to quadrilaterals where these have corners of 30 to 150 degrees and are "
+      "flat; returns how many triangles are left. Stiff yarns that cross triangles obliquely lock them.",
+      "local fabric = require 'fabric'\n"
+      "local mesh = fabric.mesh.rectangle{ width=0.1, height=0.1, nx=3, ny=2, triangles=true }\n"
+      "assert(mesh:pair() == 0 and #mesh.elements == 6)",
+      pair);
 }
 
 Entry refine_row() {
-  return {"mesh:refine",
-          Style::positional,
-          {},
-          "Cuts every element from its middle to the middles of its sides into quadrilaterals, four of a "
-          "quadrilateral and three of a triangle, so that no triangle is left, which stiff yarns would lock. "
-          "New nodes lie on the sides: make a mesh of a curved outline fine enough before. Sets take them.",
-          "local fabric = require 'fabric'\n"
-          "local mesh = fabric.mesh.rectangle{ width=0.1, height=0.1, nx=1, ny=1, triangles=true }\n"
-          "mesh:refine()\n"
-          "assert(#mesh.elements == 6 and #mesh:set 'left' == 3)",
-          refine};
+  return without_arguments(
+      "mesh:refine",
+      "Cuts every element from its middle to the middles of its sides into quadrilaterals, four of a "
+      "quadrilateral and three of a triangle, so that no triangle is left, which stiff yarns would lock. "
+      "New nodes lie on the sides: make a mesh of a curved outline fine enough before. Sets take them.",
+      "local fabric = require 'fabric'\n"
+      "local mesh = fabric.mesh.rectangle{ width=0.1, height=0.1, nx=1, ny=1, triangles=true }\n"
+      "mesh:refine()\n"
+      "assert(#mesh.elements == 6 and #mesh:set 'left' == 3)",
+      refine);
 }
 
 Entry orient_row() {

@@ -119,8 +119,7 @@ Entry disk_row() {
                 "elements along each side of the square core; the rim has four times as many"),
        integer_("rings", from_one, "rings of elements around the core, default half of cells").optional()},
       "A disk of quadrilaterals in the x-y plane about the origin, normal +z: a square core, then rings. "
-      "Sets "
-      "boundary (the rim), core, all, and centre when cells is even.",
+      "Sets boundary (the rim), core, all, and centre when cells is even.",
       "local fabric = require 'fabric'\n"
       "local mesh = fabric.mesh.disk{ radius=0.05, cells=4 }\n"
       "assert(#mesh.elements == 4*4 + 2*16 and #mesh:set 'boundary' == 16)",
@@ -128,38 +127,34 @@ Entry disk_row() {
 }
 
 Entry annulus_row() {
-  return {
-      "fabric.mesh.annulus",
-      Style::fields,
-      {length_("inner", "radius"), length_("outer", "radius"),
-       integer_("around", from_one, "elements along the circle"),
-       integer_("across", from_one, "elements from the inner to the outer circle"), angle_(360),
-       value_("slit", boolean, "cut a full ring open at angle 0").or_else(false)},
-      std::string(
-          "A ring or a sector of one in the x-y plane about the origin, normal +z; nodes around first, from "
-          "the inner circle outward. Sets inner, outer, boundary, all. ") +
-          open_sets + " A slit ring has start and end too.",
-      "local fabric = require 'fabric'\n"
-      "local mesh = fabric.mesh.annulus{ inner=0.06, outer=0.10, around=30, across=6, slit=true }\n"
-      "assert(#mesh.elements == 180 and #mesh:set 'start' == 7 and #mesh:set 'end' == 7)",
-      annulus};
+  return {"fabric.mesh.annulus",
+          Style::fields,
+          {length_("inner", "radius"), length_("outer", "radius"),
+           integer_("around", from_one, "elements along the circle"),
+           integer_("across", from_one, "elements from the inner to the outer circle"), angle_(360),
+           value_("slit", boolean, "cut a full ring open at angle 0").or_else(false)},
+          std::string("A ring or a sector of one in the x-y plane about the origin, normal +z; nodes around "
+                      "first, from the inner circle outward. Sets inner, outer, boundary, all. ") +
+              open_sets + " A slit ring has start and end too.",
+          "local fabric = require 'fabric'\n"
+          "local mesh = fabric.mesh.annulus{ inner=0.06, outer=0.10, around=30, across=6, slit=true }\n"
+          "assert(#mesh.elements == 180 and #mesh:set 'start' == 7 and #mesh:set 'end' == 7)",
+          annulus};
 }
 
 Entry cylinder_row() {
-  return {
-      "fabric.mesh.cylinder",
-      Style::fields,
-      {length_("radius", "of the cylinder"), length_("length", "from z = 0 up"),
-       integer_("around", from_one, "elements along the circle"),
-       integer_("along", from_one, "elements along the axis"), angle_(360)},
-      std::string(
-          "A sleeve, or an open shell cut from one, about the z axis, normal outward; nodes around first, "
-          "from the bottom up. Sets bottom, top, boundary, all. ") +
-          open_sets,
-      "local fabric = require 'fabric'\n"
-      "local mesh = fabric.mesh.cylinder{ radius=0.04, length=0.2, around=16, along=10 }\n"
-      "assert(#mesh.nodes == 16*11 and #mesh:set 'seam' == 11)",
-      cylinder_mesh};
+  return {"fabric.mesh.cylinder",
+          Style::fields,
+          {length_("radius", "of the cylinder"), length_("length", "from z = 0 up"),
+           integer_("around", from_one, "elements along the circle"),
+           integer_("along", from_one, "elements along the axis"), angle_(360)},
+          std::string("A sleeve, or an open shell cut from one, about the z axis, normal outward; nodes "
+                      "around first, from the bottom up. Sets bottom, top, boundary, all. ") +
+              open_sets,
+          "local fabric = require 'fabric'\n"
+          "local mesh = fabric.mesh.cylinder{ radius=0.04, length=0.2, around=16, along=10 }\n"
+          "assert(#mesh.nodes == 16*11 and #mesh:set 'seam' == 11)",
+          cylinder_mesh};
 }
 
 Entry hemisphere_row() {
@@ -170,10 +165,9 @@ Entry hemisphere_row() {
                .or_else(18.0),
            integer_("around", from_one, "elements along the equator"),
            integer_("along", from_one, "elements from the equator to the hole"), angle_(90)},
-          std::string(
-              "The upper half of a sphere about the origin with a hole at the top, or a sector of it, normal "
-              "outward; nodes around first, from the equator up. Sets bottom (the equator), top (edge of "
-              "the hole), boundary, all. ") +
+          std::string("The upper half of a sphere about the origin with a hole at the top, or a sector of "
+                      "it, normal outward; nodes around first, from the equator up. Sets bottom (the "
+                      "equator), top (edge of the hole), boundary, all. ") +
               open_sets,
           "local fabric = require 'fabric'\n"
           "local mesh = fabric.mesh.hemisphere{ radius=10, around=16, along=16 }\n"
@@ -182,35 +176,33 @@ Entry hemisphere_row() {
 }
 
 Entry of_row() {
-  return {
-      "fabric.mesh.of",
-      Style::fields,
-      {value_("nodes", table, "{ {x, y, z}, ... }, m; without z it is 0"),
-       value_("elements", table, "{ {1, 2, 5, 4}, ... }: node numbers, 3 or 4, counter-clockwise")},
-      "A mesh of your own, from its nodes and elements; also written fabric.mesh{ nodes=, elements= }. Sets "
-      "all and boundary.",
-      "local fabric = require 'fabric'\n"
-      "local mesh = fabric.mesh{ nodes={ {0, 0}, {0.1, 0}, {0.1, 0.1}, {0, 0.1} }, elements={ {1, 2, 3}, "
-      "{1, 3, 4} } }\n"
-      "assert(#mesh.elements == 2 and #mesh:set 'boundary' == 4)",
-      of_lists};
+  return {"fabric.mesh.of",
+          Style::fields,
+          {value_("nodes", table, "{ {x, y, z}, ... }, m; without z it is 0"),
+           value_("elements", table, "{ {1, 2, 5, 4}, ... }: node numbers, 3 or 4, counter-clockwise")},
+          "A mesh of your own, from its nodes and elements; also written fabric.mesh{ nodes=, elements= }. "
+          "Sets all and boundary.",
+          "local fabric = require 'fabric'\n"
+          "local mesh = fabric.mesh{ nodes={ {0, 0}, {0.1, 0}, {0.1, 0.1}, {0, 0.1} }, elements={ {1, 2, 3}, "
+          "{1, 3, 4} } }\n"
+          "assert(#mesh.elements == 2 and #mesh:set 'boundary' == 4)",
+          of_lists};
 }
 
 Entry merge_row() {
-  return {
-      "fabric.mesh.merge",
-      Style::fields,
-      {value_("meshes", table, "{ a, b, ... }"),
-       number_("distance", "m", not_negative, "within which nodes of different meshes become one")
-           .or_else(1e-6)},
-      "Several meshes as one: nodes of different meshes that coincide are joined, sets of one name become "
-      "one, all and boundary are made anew. The edges that meet need the same nodes.",
-      "local fabric = require 'fabric'\n"
-      "local a = fabric.mesh.rectangle{ width=0.1, height=0.1, nx=2, ny=2 }\n"
-      "local b = fabric.mesh.rectangle{ width=0.1, height=0.1, nx=2, ny=2, origin={0.1, 0} }\n"
-      "local both = fabric.mesh.merge{ meshes={a, b} }\n"
-      "assert(#both.nodes == 15 and #both.elements == 8 and #both:set 'boundary' == 12)",
-      merge};
+  return {"fabric.mesh.merge",
+          Style::fields,
+          {value_("meshes", table, "{ a, b, ... }"),
+           number_("distance", "m", not_negative, "within which nodes of different meshes become one")
+               .or_else(1e-6)},
+          "Several meshes as one: nodes of different meshes that coincide are joined, sets of one name "
+          "become one, all and boundary are made anew. The edges that meet need the same nodes.",
+          "local fabric = require 'fabric'\n"
+          "local a = fabric.mesh.rectangle{ width=0.1, height=0.1, nx=2, ny=2 }\n"
+          "local b = fabric.mesh.rectangle{ width=0.1, height=0.1, nx=2, ny=2, origin={0.1, 0} }\n"
+          "local both = fabric.mesh.merge{ meshes={a, b} }\n"
+          "assert(#both.nodes == 15 and #both.elements == 8 and #both:set 'boundary' == 12)",
+          merge};
 }
 
 }  // namespace

@@ -241,24 +241,12 @@ std::vector<Entry> modes_entries() {
        modes_sample() + "local first = fabric.buckling{ from=a }[1]\n"
                         "assert(first.factor > 1.22 and first.factor < 1.25)",
        find_buckling},
-      {"shape.x",
-       Style::property,
-       {},
-       "Displacements along x, m, one for each node; the longest is 1 m.",
-       found + "assert(math.abs(shape.x[1]) < 1e-9)",
-       shape_component<0>},
-      {"shape.y",
-       Style::property,
-       {},
-       "Displacements along y, m, one for each node; the longest is 1 m.",
-       found + "assert(math.abs(shape.y[1]) < 1e-9)",
-       shape_component<1>},
-      {"shape.z",
-       Style::property,
-       {},
-       "Displacements along z, m, one for each node; the longest is 1 m.",
-       found + "assert(math.abs(shape.z[9] - 1) < 0.01)",
-       shape_component<2>},
+      without_arguments("shape.x", "Displacements along x, m, one for each node; the longest is 1 m.",
+                        found + "assert(math.abs(shape.x[1]) < 1e-9)", shape_component<0>),
+      without_arguments("shape.y", "Displacements along y, m, one for each node; the longest is 1 m.",
+                        found + "assert(math.abs(shape.y[1]) < 1e-9)", shape_component<1>),
+      without_arguments("shape.z", "Displacements along z, m, one for each node; the longest is 1 m.",
+                        found + "assert(math.abs(shape.z[9] - 1) < 0.01)", shape_component<2>),
       {"shape:mesh",
        Style::positional,
        {number_("amplitude", "m", everything, "of its longest displacement"),
@@ -276,8 +264,7 @@ std::vector<Entry> modes_entries() {
         fields_(
             "options",
             {number_("amplitude", "m", everything,
-                     "of its longest displacement; default a tenth of the "
-                     "cloth's length")
+                     "of its longest displacement; default a tenth of the cloth's length")
                  .optional(),
              integer_("frames", from_one, "of one swing; 1: where it is farthest; default 24").optional()},
             "how far, and in how many frames")

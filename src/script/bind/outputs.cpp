@@ -20,26 +20,10 @@ double interval_of(const Fields& options) {
   return !options.has("every") || options.is("every", LUA_TSTRING) ? 0 : options.number("every");
 }
 
-std::vector<std::string> text_list(const Fields& fields, const char* name) {
-  std::vector<std::string> words;
-  lua_State* L = fields.L();
-  if (fields.push(name) == LUA_TTABLE)
-    for (lua_Integer i = 1; lua_rawgeti(L, -1, i) != LUA_TNIL; ++i) {
-      if (lua_type(L, -1) != LUA_TSTRING)
-        fields.refuse(name, "expected a table of names, got " + describe(L, -1));
-      words.emplace_back(lua_tostring(L, -1));
-      lua_pop(L, 1);
-    }
-  else
-    lua_pushnil(L);
-  lua_pop(L, 2);
-  return words;
-}
-
 // Names of the columns: first those in `order`, then the others alphabetically.
 std::vector<std::string> column_names(const Fields& options) {
   lua_State* L = options.L();
-  std::vector<std::string> names = text_list(options, "order"), rest;
+  std::vector<std::string> names = options.texts("order", "a table of names"), rest;
   const std::set<std::string> ordered(names.begin(), names.end());
   options.push("columns");
   for (const std::string& name : names) {
@@ -226,7 +210,7 @@ Fields options_of(Call& call, const char* name) {
 }
 
 run::VtkContents contents_of(const Fields& options) {
-  run::VtkContents contents{text_list(options, "fields")};
+  run::VtkContents contents{options.texts("fields", "a table of names")};
   contents.reference = options.text("points") == "reference";
   contents.averaged = options.flag("averaged");
   return contents;
@@ -283,21 +267,22 @@ int write_output(Call& call) {
 }
 
 std::vector<Argument> contents_rows() {
-  return {value_("fields", table,
-                 "names of fields, or of single numbers: see the table of fields of a run; default: "
-                 "displacement velocity director reference reaction E S residual slack energy warp weft. "
-                 "Displacement and reference are always there")
-              .one_of(run::field_names())
-              .optional(),
-          value_("points", text,
-                 "where the nodes are now, or where they were: with reference, ParaView's Warp By Vector by "
-                 "displacement shows the sheet as it is")
-              .one_of({"deformed", "reference"})
-              .or_else("deformed"),
-          value_("averaged", boolean,
-                 "fields of elements also on the nodes, under the same names, as a:field finds them with "
-                 "at='nodes'")
-              .or_else(false)};
+  return {
+      value_("fields", table,
+             "names of fields, or of single numbers: see the table of fields of a run; default: displacement "
+             "velocity director reference reaction E S residual slack energy warp weft. Displacement and "
+             "reference are always there")
+          .one_of(run::field_names())
+          .optional(),
+      value_("points", text,
+             "where the nodes are now, or where they were: with reference, ParaView's Warp By Vector by "
+             "displacement shows the sheet as it is")
+          .one_of({"deformed", "reference"})
+          .or_else("deformed"),
+      value_(
+          "averaged", boolean,
+          "fields of elements also on the nodes, under the same names, as a:field finds them with at='nodes'")
+          .or_else(false)};
 }
 
 std::vector<Argument> joined(std::vector<Argument> first, std::vector<Argument> rest) {
@@ -317,23 +302,21 @@ std::vector<Entry> outputs_entries() {
       {"analysis:record",
        Style::positional,
        {value_("path", text, "of the CSV file"),
-        fields_(
-            "options",
-            {every_row(),
-             value_(
-                 "columns", table,
-                 "name = function(a) that returns a number; or a field's name, for its mean over all "
-                 "elements or nodes, or {field, set}; {function or field, set, window=seconds} is the mean "
-                 "over the last seconds of the run's own steps"),
-             number_("window", "s", positive, "the same for all columns that have none of their own")
-                 .optional(),
-             value_("order", table, "names in the order of the columns").optional(),
-             value_("units", table,
-                    "name = unit of what the function returns, '' for none; put behind the name in the "
-                    "heading. Default: that of the field; N for a column called force (or force_x, force_y, "
-                    "force_z), m for displacement")
-                 .optional()},
-            "columns, and how often")},
+        fields_("options",
+                {every_row(),
+                 value_("columns", table,
+                        "name = function(a) that returns a number; or a field's name, for its mean over all "
+                        "elements or nodes, or {field, set}; {function or field, set, window=seconds} is the "
+                        "mean over the last seconds of the run's own steps"),
+                 number_("window", "s", positive, "the same for all columns that have none of their own")
+                     .optional(),
+                 value_("order", table, "names in the order of the columns").optional(),
+                 value_("units", table,
+                        "name = unit of what the function returns, '' for none; put behind the name in the "
+                        "heading. Default: that of the field; N for a column called force (or force_x, "
+                        "force_y, force_z), m for displacement")
+                     .optional()},
+                "columns, and how often")},
        "Writes a table as the run goes: time, then the columns, with their units in the heading, so that "
        "fabric.lab.tensile reads it.",
        sample + "a:record(name..'/curve.csv', { columns={ force=function(run) return select(2, run:reaction "
@@ -346,10 +329,8 @@ std::vector<Entry> outputs_entries() {
        {value_("stem", text, "out/drape writes out/drape.pvd and numbered .vtu files"),
         fields_("options", joined({every_row()}, contents_rows()), "how often, and what").optional()},
        "Writes a series for ParaView as the run goes; the .pvd is valid at any moment. Node sets are arrays "
-       "of "
-       "0 and 1 on the points, E and S symmetric tensors in material axes (11 22 33 12 23 13; those of 33 "
-       "are "
-       "0), units stand with the arrays.",
+       "of 0 and 1 on the points, E and S symmetric tensors in material axes (11 22 33 12 23 13; those of 33 "
+       "are 0), units stand with the arrays.",
        sample + "a:vtk(name..'/pull')\na:solve()\nassert(io.open(name..'/pull.pvd'):read 'a':find "
                 "'pull_00002.vtu')\n"
                 "for i = 0, 2 do os.remove(name..('/pull_%05d.vtu'):format(i)) end\n"

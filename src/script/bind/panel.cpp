@@ -404,10 +404,9 @@ Entry panel_row() {
   return {
       "fabric.mesh.panel",
       Style::fields,
-      {value_(
-           "outline", table,
-           "{ {x, y}, {x, y, name=}, {arc=, name=}, {spline=, name=}, ... }: a start, then pieces, each from "
-           "where the one before it ends")
+      {value_("outline", table,
+              "{ {x, y}, {x, y, name=}, {arc=, name=}, {spline=, name=}, ... }: a start, then pieces, each "
+              "from where the one before it ends")
            .optional(),
        value_("file", text, "in place of an outline: a .dxf of a pattern program (AAMA/ASTM), or a .svg")
            .optional(),
@@ -433,14 +432,11 @@ Entry panel_row() {
       "A panel from its outline, in the x-y plane, normal +z: rows of squares along the grain or along sides "
       "oblique to it, and a rim of "
       "quadrilaterals and triangles whose border nodes lie on the outline. A piece is a straight line to {x, "
-      "y}, "
-      "{arc={to=, through=|centre=, clockwise=}}, {spline={ {x, y}, ... }}, {bezier={c, c, to}}, or {name=}, "
-      "which closes the line; a line {circle={x, y}, radius=} is a circle; elements= of a piece sets their "
-      "number. Named edges, the sides NAME_in and NAME_out of darts, and notches become sets; all and "
-      "boundary as "
-      "usual. Edges of a file are edge1, edge2, ..., its notches notch1, notch2, .... A model takes the warp "
-      "from "
-      "the grain.",
+      "y}, {arc={to=, through=|centre=, clockwise=}}, {spline={ {x, y}, ... }}, {bezier={c, c, to}}, or "
+      "{name=}, which closes the line; a line {circle={x, y}, radius=} is a circle; elements= of a piece "
+      "sets their number. Named edges, the sides NAME_in and NAME_out of darts, and notches become sets; all "
+      "and boundary as usual. Edges of a file are edge1, edge2, ..., its notches notch1, notch2, .... A "
+      "model takes the warp from the grain.",
       "local fabric = require 'fabric'\n"
       "local mesh = fabric.mesh.panel{ size=0.01, grain=90,\n"
       "  outline={ {0, 0}, {0.2, 0, name='hem'}, {0.16, 0.3, name='right'},\n"
@@ -503,8 +499,7 @@ Entry wrap_row() {
        value_("overlap", boolean, "allow more than one turn").or_else(false)},
       "Lays a mesh in the x-y plane around a cylinder or a cone, with lengths, angles and areas kept and the "
       "normal outward: the point `at` comes to lie beside `from` at the distance radius, +y runs along the "
-      "axis "
-      "there, +x around it counter-clockwise. The warp of a panel goes along. Errors move no node.",
+      "axis there, +x around it counter-clockwise. The warp of a panel goes along. Errors move no node.",
       "local fabric = require 'fabric'\n"
       "local mesh = fabric.mesh.panel{ outline={ {0, 0}, {0.3, 0}, {0.3, 0.2}, {0, 0.2} }, size=0.02 }\n"
       "mesh:wrap{ cylinder={ radius=0.05, at={0.15, 0} } }\n"

@@ -17,10 +17,8 @@ namespace {
 
 constexpr const char* curve_list =
     "{ {x=, y=, label=, style=}, ... }: lists of numbers, a nan being a gap, or {rows=, x=\"E\", y=\"S\"} by "
-    "the "
-    "fields of a list of tables; style: line, dashed, points, line_points; error=, xerror=, band={low=, "
-    "high=}, "
-    "colour=";
+    "the fields of a list of tables; style: line, dashed, points, line_points; error=, xerror=, band={low=, "
+    "high=}, colour=";
 
 const std::vector<Argument>& drawn_rows() {
   static const std::vector<Argument> rows = {
@@ -377,14 +375,9 @@ void read_rows(const Fields& f, const std::string& path, plot::Figure& figure) {
 
 void read_curves(const Fields& f, const std::string& path, plot::Figure& figure) {
   lua_State* L = f.L();
-  f.push("curves");
-  const auto n = static_cast<lua_Integer>(lua_rawlen(L, -1));
-  for (lua_Integer i = 1; i <= n; ++i) {
-    lua_rawgeti(L, -1, i);
+  f.each("curves", [&](lua_Integer i) {
     figure.curves.push_back(read_curve(L, path + "curves[" + std::to_string(i) + "]"));
-    lua_pop(L, 1);
-  }
-  lua_pop(L, 1);
+  });
 }
 
 // path: prefix of the field names of `own` in messages.
@@ -394,10 +387,9 @@ plot::Figure read_figure(const Asked& asked, const Fields& own, const std::strin
   figure.y.names = read_names(asked);
   figure.key = key_of(asked.text("key"));
   if (own.has("rows") == own.has("curves"))
-    own.refuse("curves", own.has("rows")
-                             ? "expected either rows or curves, got both"
-                             : "expected a table { {x=, y=, label=, style=}, ... }, got nil (missing, "
-                               "or a misspelt variable)");
+    own.refuse("curves", own.has("rows") ? "expected either rows or curves, got both"
+                                         : "expected a table { {x=, y=, label=, style=}, ... }, got nil "
+                                           "(missing, or a misspelt variable)");
   if (own.has("rows")) {
     const bool xless = figure.x.label.empty() || figure.x.label == asked.text("xunit"),
                yless = figure.y.label.empty() || figure.y.label == asked.text("yunit");
@@ -456,18 +448,13 @@ void read_panels(const Call& call, plot::Page& page) {
   lua_State* L = call.L();
   for (const char* name : {"curves", "rows"})
     if (call.has(name)) call.refuse(name, "expected in each of the panels, where there are panels");
-  call.push("panels");
-  const auto n = static_cast<lua_Integer>(lua_rawlen(L, -1));
-  if (n == 0) call.refuse("panels", "expected a list of panels, got an empty table");
-  for (lua_Integer i = 1; i <= n; ++i) {
+  const auto count = call.each("panels", [&](lua_Integer i) {
     const std::string path = "panels[" + std::to_string(i) + "]";
-    if (lua_rawgeti(L, -1, i) != LUA_TTABLE)
-      throw Error("field '" + path + "': expected a table, got " + describe(L, -1));
+    if (!lua_istable(L, -1)) throw Error("field '" + path + "': expected a table, got " + describe(L, -1));
     const Fields panel(L, -1, rows, path + ".");
     page.panels.push_back(read_figure(Asked(call, &panel), panel, path + "."));
-    lua_pop(L, 1);
-  }
-  lua_pop(L, 1);
+  });
+  if (count == 0) call.refuse("panels", "expected a list of panels, got an empty table");
 }
 
 plot::Page read_page(const Call& call) {
@@ -508,8 +495,7 @@ int plot(Call& call) {
   const std::string letters = plot::drawn_in_letters(page, call.count("columns"), call.count("lines"));
   for (const std::string& words : plot::left_out(page))
     call.session().notices().once(words, "warning: plot: " + words);
-  lua_pushlstring(call.L(), letters.data(), letters.size());
-  return 1;
+  return push_text(call.L(), letters);
 }
 
 // Arguments of a panel, and of a call as defaults for all panels.
@@ -553,16 +539,14 @@ std::vector<Entry> plot_entries() {
       value_("file", text, "ends in .svg, .pdf, .eps or .png; none: drawn in letters").optional(),
       value_("panels", table,
              "{ {curves=, title=, xlabel=, ...}, ... }: several plots on one page; what a panel does not say "
-             "is taken "
-             "from the call")
+             "is taken from the call")
           .optional(),
       Argument{"layout", numbers, "", everything, "{rows, columns} of the panels; default: two columns"}
           .optional(),
       value_("letters", boolean, "(a), (b), ... above the panels").or_else(true),
       Argument{"size", numbers, "m", everything,
                "{width, height} of the page; default {85*mm, 60*mm}, a column of a journal; with panels 170 "
-               "mm wide, "
-               "60 mm for a row"}
+               "mm wide, 60 mm for a row"}
           .optional(),
       value_("font", text, "a family of letters; default: Helvetica, or what stands for it").or_else(""),
       number_("font_size", "points", Range{4, 40}, "size of all letters").or_else(8.0),
@@ -573,10 +557,9 @@ std::vector<Entry> plot_entries() {
   return {
       {"fabric.plot", Style::fields, arguments,
        "Draws curves (by gnuplot) into a file, or without one returns them as text: the prompt shows it, a "
-       "deck prints it by print(fabric.plot{...}). "
-       "fabric.plot(rows, \"E\", \"S\", {...}) is short for fabric.plot{ rows=rows, x=\"E\", y=\"S\", ... }. "
-       "With a "
-       "file it returns whether it was drawn: false, with a warning, where gnuplot is not installed.",
+       "deck prints it by print(fabric.plot{...}). fabric.plot(rows, \"E\", \"S\", {...}) is short for "
+       "fabric.plot{ rows=rows, x=\"E\", y=\"S\", ... }. With a file it returns whether it was drawn: false, "
+       "with a warning, where gnuplot is not installed.",
        "local fabric = require 'fabric'\nlocal ok, text = pcall(fabric.plot, { xlabel='time', xunit='ms', "
        "curves={ {x={0, 1}, y={0, 2}, label='a line'},\n  {rows={ {t=0, v=1}, {t=1, v=2} }, x='t', y='v', "
        "style='points'} } })\nassert((ok and text:find 'time, ms') or text:find 'gnuplot')\n"

@@ -105,17 +105,9 @@ const SampleColumn& column_named(const std::string& name, std::span<const Sample
 
 // The columns named in the table `columns`, in order.
 std::vector<SampleColumn> wanted(const Call& call, bool uniaxial) {
-  lua_State* L = call.L();
   std::vector<SampleColumn> out;
-  call.push("columns");
-  const auto n = static_cast<lua_Integer>(lua_rawlen(L, -1));
-  for (lua_Integer i = 1; i <= n; ++i) {
-    if (lua_rawgeti(L, -1, i) != LUA_TSTRING)
-      call.refuse("columns", "expected names of columns, got " + describe(L, -1));
-    out.push_back(column_named(lua_tostring(L, -1), columns_of(uniaxial)));
-    lua_pop(L, 1);
-  }
-  lua_pop(L, 1);
+  for (const std::string& name : call.texts("columns", "names of columns"))
+    out.push_back(column_named(name, columns_of(uniaxial)));
   if (out.empty()) call.refuse("columns", "expected at least one name, such as {\"S11\"}");
   return out;
 }
@@ -152,8 +144,8 @@ void require_possible(const std::string& where, double E11, double E22, double E
   if (C11 > 0 && C22 > 0 && C11 * C22 > C12 * C12) return;
   throw Error(where + "there is no such strain: E11 = " + exact_number(E11) + ", E22 = " + exact_number(E22) +
               ", E12 = " + exact_number(E12) +
-              " would make a length zero or less; expected E11 and E22 above -0.5 and "
-              "(2 E12)^2 below (1 + 2 E11) (1 + 2 E22)");
+              " would make a length zero or less; expected E11 and E22 above -0.5 and (2 E12)^2 below (1 + 2 "
+              "E11) (1 + 2 E22)");
 }
 
 int strain(Call& call) {
@@ -345,10 +337,9 @@ std::vector<Entry> point_entries() {
       {"fabric.point",
        Style::positional,
        {object_("card", "card", "the fabric"),
-        number_(
-            "size", "m", positive,
-            "length of cloth that the point stands for, over which yarns that soften break (see damage of a "
-            "card); without it they hold")
+        number_("size", "m", positive,
+                "length of cloth that the point stands for, over which yarns that soften break (see damage "
+                "of a card); without it they hold")
             .optional()},
        "One material point of virgin cloth, to be driven by strains.",
        sample,
@@ -359,8 +350,7 @@ std::vector<Entry> point_entries() {
         strain_("E22", "along the weft", above_nothing).optional(),
         strain_("E12", "shear, tensor component").optional(), over_()},
        "Reaches a total strain in one straight increment and commits it; components not named stay. Returns "
-       "S11 S22 S12 E11 E22 "
-       "E12 stored dissipated.",
+       "S11 S22 S12 E11 E22 E12 stored dissipated.",
        sample + "assert(p:strain{ E11=0.05 }.S11 > 0)",
        strain},
       {"point:uniaxial",
@@ -410,19 +400,13 @@ std::vector<Entry> point_entries() {
        "weft=12e-6, twist=7e-6 } }\nassert(math.abs(fabric.point(card):bend{ k11=100 }.M11 - 1.5e-3) < "
        "1e-15)",
        bend},
-      {"point:state",
-       Style::positional,
-       {},
-       "Where the point is: the row of its last commit, residual strains and slack of both yarns, and the "
-       "branch (virgin, unloading, slack) of warp, weft and shear.",
-       sample + "p:uniaxial('warp', {0.1, 0.098})\nassert(p:state().warp == 'unloading')",
-       state},
-      {"point:reset",
-       Style::positional,
-       {},
-       "Back to virgin cloth at zero strain and time 0.",
-       sample + "p:reset()",
-       reset},
+      without_arguments(
+          "point:state",
+          "Where the point is: the row of its last commit, residual strains and slack of both yarns, and the "
+          "branch (virgin, unloading, slack) of warp, weft and shear.",
+          sample + "p:uniaxial('warp', {0.1, 0.098})\nassert(p:state().warp == 'unloading')", state),
+      without_arguments("point:reset", "Back to virgin cloth at zero strain and time 0.",
+                        sample + "p:reset()", reset),
   };
 }
 

@@ -47,11 +47,7 @@ bool is_own(lua_State* L, const std::string& name) {
   return own;
 }
 
-int push_words(lua_State* L) {
-  const std::string words = show(L, 1);
-  lua_pushlstring(L, words.data(), words.size());
-  return 1;
-}
+int push_words(lua_State* L) { return push_text(L, show(L, 1)); }
 
 // One line describing the value on top of the stack.
 std::string one_line(lua_State* L) {
@@ -90,9 +86,7 @@ std::vector<GlobalValue> held_by_globals(lua_State* L) {
 
 int who_text(lua_State* L) {
   luaL_checktype(L, 1, LUA_TTABLE);
-  const std::string words = rows_text(L, 1, {"name", "class", "text"}, "nothing yet");
-  lua_pushlstring(L, words.data(), words.size());
-  return 1;
+  return push_text(L, rows_text(L, 1, {"name", "class", "text"}, "nothing yet"));
 }
 
 int who(Call& call) {
@@ -133,9 +127,7 @@ std::vector<Entry> prompt_entries() {
        Style::positional,
        {},
        "The global variables that were set at the prompt or by the deck, objects first: rows of name, class "
-       "and "
-       "text, "
-       "which print as a table.",
+       "and text, which print as a table.",
        "sheet = require 'fabric'.mesh.rectangle{ width=1, height=1, nx=2, ny=2 }\n"
        "local rows = require 'fabric'.who()\nassert(rows[1].name == 'sheet' and rows[1].class == 'mesh')",
        who},

@@ -150,9 +150,7 @@ int nearest_name(lua_State* L) {
 
 int show_value(lua_State* L) {
   luaL_checkany(L, 1);
-  const std::string words = show(L, 1);
-  lua_pushlstring(L, words.data(), words.size());
-  return 1;
+  return push_text(L, show(L, 1));
 }
 
 }  // namespace

@@ -120,15 +120,8 @@ std::vector<NamedView> read_views(const Call& call) {
   if (call.has("view") && call.has("views")) call.refuse("views", "expected either view or views, got both");
   std::vector<NamedView> all;
   if (call.has("views")) {
-    call.push("views");
-    const auto n = static_cast<lua_Integer>(lua_rawlen(call.L(), -1));
-    if (n == 0) call.refuse("views", "expected a list of views, got an empty table");
-    for (lua_Integer i = 1; i <= n; ++i) {
-      lua_rawgeti(call.L(), -1, i);
-      all.push_back(one_view(call));
-      lua_pop(call.L(), 1);
-    }
-    lua_pop(call.L(), 1);
+    call.each("views", [&](lua_Integer) { all.push_back(one_view(call)); });
+    if (all.empty()) call.refuse("views", "expected a list of views, got an empty table");
   } else {
     all.push_back(call.is("view", LUA_TTABLE) ? view_at(call, "view", call.numbers("view"))
                                               : view_named(call.text("view")));
@@ -312,8 +305,8 @@ std::vector<std::shared_ptr<DeckRun>> runs_of(const Call& call) {
       call.refuse("run", "expected an analysis at place " + std::to_string(i) + ", got " + describe(L, -1));
     if (runs.back()->passes_over())
       call.refuse("run",
-                  "a list of runs is not drawn in a part of the deck that a restart passes over: draw "
-                  "them in a hook, or run the deck without --restart");
+                  "a list of runs is not drawn in a part of the deck that a restart passes over: draw them "
+                  "in a hook, or run the deck without --restart");
   }
   lua_pop(L, 2);
   if (runs.empty()) call.refuse("run", "expected an analysis or a list of them, got an empty list");
@@ -401,10 +394,8 @@ void bind_render(Session& session) {
       session,
       {{"fabric.render", Style::fields, render_rows(),
         "Draws deformed sheets with a field and its colour bar into a PNG, off-screen: on the virtual "
-        "display Xvfb, or where "
-        "that is not installed on the display of DISPLAY. Returns whether it was drawn: false, with a "
-        "warning, "
-        "under --safe.",
+        "display Xvfb, or where that is not installed on the display of DISPLAY. Returns whether it was "
+        "drawn: false, with a warning, under --safe.",
         "local fabric = require 'fabric'\nlocal name = os.tmpname()\n"
         "local test = fabric.lab.bias{ card=fabric.card 'blend', grips='clamped', unload=false, steps=4 }\n"
         "pcall(fabric.render, { file=name..'.png', run=test.analysis, field='E12', title='bias, 20 mm' })\n"

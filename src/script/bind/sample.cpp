@@ -130,8 +130,7 @@ int sample(Call& call) {
     push_object(L, drawn_card(*card, random, refused));
     lua_rawseti(L, -2, i);
   }
-  lua_pushinteger(L, refused.count);
-  lua_setfield(L, -2, "refused");
+  set_integer(L, "refused", refused.count);
   tell(call, n, refused);
   return 1;
 }
@@ -139,26 +138,22 @@ int sample(Call& call) {
 }  // namespace
 
 void bind_sample(Session& session) {
-  install(
-      session,
-      {{"card:sample",
-        Style::positional,
-        {integer_("n", Range{1, 1e5}, "of cards"),
-         integer_("seed", not_negative, "of the draw").or_else(1.0)},
-        "Cards drawn from the card's confidence bands, for the uncertainty of any answer, a list; a "
-        "value at the "
-        "end of its band is drawn on the band's side. Points of a yarn that fall are made to rise, and an "
-        "unloading flatter than the loading is raised to it; other values that make no card are drawn "
-        "again; "
-        "`refused` "
-        "says how often, and from one in fifty on there is a warning.",
-        "local fabric = require 'fabric'\n"
-        "local card = fabric.card 'blend':with{ bands={ warp={ low={7e6, 800e6, 850e6, 0.2}, high={9e6, "
-        "852e6, 878e6, 0.3},\n"
-        "  covariance={2.6e11,0,0,0, 0,1.8e14,0,0, 0,0,5.1e13,0, 0,0,0,6.5e-4} } } }\n"
-        "local cards = card:sample(5)\nassert(#cards == 5 and cards[1].warp.poisson ~= 0.25 and "
-        "cards[1].shear.unloading == 12e6)",
-        sample}});
+  install(session,
+          {{"card:sample",
+            Style::positional,
+            {integer_("n", Range{1, 1e5}, "of cards"),
+             integer_("seed", not_negative, "of the draw").or_else(1.0)},
+            "Cards drawn from the card's confidence bands, for the uncertainty of any answer, a list; a "
+            "value at the end of its band is drawn on the band's side. Points of a yarn that fall are made "
+            "to rise, and an unloading flatter than the loading is raised to it; other values that make no "
+            "card are drawn again; `refused` says how often, and from one in fifty on there is a warning.",
+            "local fabric = require 'fabric'\n"
+            "local card = fabric.card 'blend':with{ bands={ warp={ low={7e6, 800e6, 850e6, 0.2}, high={9e6, "
+            "852e6, 878e6, 0.3},\n"
+            "  covariance={2.6e11,0,0,0, 0,1.8e14,0,0, 0,0,5.1e13,0, 0,0,0,6.5e-4} } } }\n"
+            "local cards = card:sample(5)\nassert(#cards == 5 and cards[1].warp.poisson ~= 0.25 and "
+            "cards[1].shear.unloading == 12e6)",
+            sample}});
 }
 
 }  // namespace fabricsh::script

@@ -69,8 +69,7 @@ void push_left_out(lua_State* L, const format::Table& table) {
   for (const format::LeftOut& one : table.left_out) {
     lua_createtable(L, 0, 3);
     set_text(L, "text", one.text);
-    lua_pushinteger(L, static_cast<lua_Integer>(one.line));
-    lua_setfield(L, -2, "line");
+    set_integer(L, "line", static_cast<lua_Integer>(one.line));
     lua_pushboolean(L, one.numbers);
     lua_setfield(L, -2, "numbers");
     lua_rawseti(L, -2, ++place);
@@ -162,10 +161,9 @@ std::vector<Entry> table_entries() {
         value_("decimal", text, "decimal sign; auto: found from the file")
             .one_of({"auto", ".", ","})
             .or_else("auto"),
-        value_(
-            "thousands", text,
-            "sign between thousands, wherever it occurs; auto: where it cannot be the decimal sign; none: no "
-            "sign stands there")
+        value_("thousands", text,
+               "sign between thousands, wherever it occurs; auto: where it cannot be the decimal sign; none: "
+               "no sign stands there")
             .one_of({"auto", ".", ",", "none"})
             .or_else("auto"),
         value_("blocks", boolean,
@@ -175,11 +173,9 @@ std::vector<Entry> table_entries() {
             .or_else(false)},
        "Reads a CSV or the like, with or without heading, units, comments, byte-order mark. Returns a list "
        "of columns {name, unit, values} with file, header (whether there is one) and preamble (lines above "
-       "the "
-       "numbers), lines (of the file, of each row) and left_out, the lines of words and totals below the "
-       "rows. A "
-       "column of text alone (dates, labels) has nan, words, and trouble, the message of its first cell. A "
-       "spreadsheet (.xlsx) is read where openpyxl is installed.",
+       "the numbers), lines (of the file, of each row) and left_out, the lines of words and totals below the "
+       "rows. A column of text alone (dates, labels) has nan, words, and trouble, the message of its first "
+       "cell. A spreadsheet (.xlsx) is read where openpyxl is installed.",
        "local path = os.tmpname()\nlocal f = io.open(path, 'w') f:write 'u (mm);P (N)\\n0;0\\n0,5;1,25\\n' "
        "f:close()\n"
        "local t = require 'fabric'.table{ file=path }\nos.remove(path)\n"

@@ -47,10 +47,8 @@ void push_doubts(lua_State* L, const std::vector<lab::DoubtfulMarker>& doubts) {
   lua_Integer place = 0;
   for (const lab::DoubtfulMarker& doubt : doubts) {
     lua_createtable(L, 0, 3);
-    lua_pushinteger(L, static_cast<lua_Integer>(doubt.frame + 1));
-    lua_setfield(L, -2, "frame");
-    lua_pushinteger(L, static_cast<lua_Integer>(doubt.marker + 1));
-    lua_setfield(L, -2, "marker");
+    set_integer(L, "frame", static_cast<lua_Integer>(doubt.frame + 1));
+    set_integer(L, "marker", static_cast<lua_Integer>(doubt.marker + 1));
     lua_pushboolean(L, doubt.lost);
     lua_setfield(L, -2, "lost");
     lua_rawseti(L, -2, ++place);

@@ -46,26 +46,19 @@ namespace {
 
 int failure_text(lua_State* L) {
   luaL_checktype(L, 1, LUA_TTABLE);
-  const std::string words = raw_text(L, 1, "where") + raw_text(L, 1, "message");
-  lua_pushlstring(L, words.data(), words.size());
-  return 1;
+  return push_text(L, raw_text(L, 1, "where") + raw_text(L, 1, "message"));
 }
 
 void push_failure(lua_State* L, const std::string& call, const NumericalFailure& failure) {
   lua_newtable(L);
-  lua_pushstring(L, "numerical");
-  lua_setfield(L, -2, "kind");
-  lua_pushstring(L, (call + ": " + failure.what()).c_str());
-  lua_setfield(L, -2, "message");
-  lua_pushnumber(L, failure.time);
-  lua_setfield(L, -2, "time");
+  set_text(L, "kind", "numerical");
+  set_text(L, "message", call + ": " + failure.what());
+  set_number(L, "time", failure.time);
   if (failure.element >= 0) {
-    lua_pushinteger(L, failure.element + 1);
-    lua_setfield(L, -2, "element");
+    set_integer(L, "element", failure.element + 1);
   }
   if (!failure.yarn.empty()) {
-    lua_pushstring(L, failure.yarn.c_str());
-    lua_setfield(L, -2, "yarn");
+    set_text(L, "yarn", failure.yarn);
   }
   if (!failure.why.empty()) {
     lua_pushstring(L, failure.why.c_str());
@@ -73,13 +66,11 @@ void push_failure(lua_State* L, const std::string& call, const NumericalFailure&
     lua_setfield(L, LUA_REGISTRYINDEX, why_key);
     lua_setfield(L, -2, "why");
   }
-  lua_pushstring(L, position(L).c_str());
-  lua_setfield(L, -2, "where");
+  set_text(L, "where", position(L));
   if (luaL_newmetatable(L, "fabricsh.failure") != 0) {
     lua_pushcfunction(L, failure_text);
     lua_setfield(L, -2, "__tostring");
-    lua_pushstring(L, "numerical failure");
-    lua_setfield(L, -2, "__name");
+    set_text(L, "__name", "numerical failure");
     lua_pushboolean(L, 0);
     lua_setfield(L, -2, "__metatable");
   }
@@ -276,10 +267,8 @@ void push_class(lua_State* L, const std::string& name, lua_CFunction gc) {
     lua_pushstring(L, name.c_str());
     lua_pushcclosure(L, refuse_assignment, 1);
     lua_setfield(L, -2, "__newindex");
-    lua_pushstring(L, name.c_str());
-    lua_setfield(L, -2, "__name");
-    lua_pushstring(L, name.c_str());
-    lua_setfield(L, -2, "__metatable");
+    set_text(L, "__name", name);
+    set_text(L, "__metatable", name);
   }
   if (gc != nullptr) {
     lua_pushcfunction(L, gc);

@@ -378,6 +378,16 @@ std::vector<double> Fields::numbers(std::string_view name) const {
   return values;
 }
 
+std::vector<std::string> Fields::texts(std::string_view name, const std::string& expected) const {
+  std::vector<std::string> out;
+  each(name, [&](lua_Integer) {
+    if (lua_type(L_, -1) != LUA_TSTRING)
+      refuse(name, "expected " + expected + ", got " + script::describe(L_, -1));
+    out.emplace_back(lua_tostring(L_, -1));
+  });
+  return out;
+}
+
 Fields Fields::fields(std::string_view name) const {
   push(name);
   return Fields(L_, -1, row(name).rows, path_ + std::string(name) + ".");

@@ -43,6 +43,23 @@ class Fields {
     return value;
   }
   bool is(std::string_view name, int lua_type) const;
+  // look(i) for each entry of the table, from 1, with its value on top of the stack, where it may leave more.
+  // Returns how many there are.
+  template <class Look>
+  lua_Integer each(std::string_view name, Look look) const {
+    push(name);
+    const int list = lua_gettop(L_);
+    const auto count = static_cast<lua_Integer>(lua_rawlen(L_, list));
+    for (lua_Integer i = 1; i <= count; ++i) {
+      lua_rawgeti(L_, list, i);
+      look(i);
+      lua_settop(L_, list);
+    }
+    lua_settop(L_, list - 1);
+    return count;
+  }
+  // The texts in the table; `expected` of each, as "names of sets".
+  std::vector<std::string> texts(std::string_view name, const std::string& expected) const;
   // Throws an error that names the field.
   [[noreturn]] void refuse(std::string_view name, const std::string& why) const;
   const Argument& row(std::string_view name) const;

@@ -191,8 +191,7 @@ void push_absent(lua_State* L) { lua_pushlightuserdata(L, &shown_key); }
 void remember_part(lua_State* L, int part, int card) {
   if (luaL_getsubtable(L, LUA_REGISTRYINDEX, parts_key) == 0) {
     lua_createtable(L, 0, 1);
-    lua_pushstring(L, "k");
-    lua_setfield(L, -2, "__mode");
+    set_text(L, "__mode", "k");
     lua_setmetatable(L, -2);
   }
   lua_pushvalue(L, part);

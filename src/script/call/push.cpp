@@ -30,6 +30,21 @@ void push_ids(lua_State* L, const std::vector<mesh::Index>& ids) {
   }
 }
 
+void set_integer(lua_State* L, const char* name, lua_Integer value) {
+  lua_pushinteger(L, value);
+  lua_setfield(L, -2, name);
+}
+
+void set_flag(lua_State* L, const char* name, bool value) {
+  lua_pushboolean(L, value ? 1 : 0);
+  lua_setfield(L, -2, name);
+}
+
+int push_text(lua_State* L, const std::string& text) {
+  lua_pushlstring(L, text.data(), text.size());
+  return 1;
+}
+
 void set_number(lua_State* L, const char* name, double value) {
   lua_pushnumber(L, value);
   lua_setfield(L, -2, name);

@@ -15,7 +15,10 @@ void push_numbers(lua_State* L, const std::vector<double>& values);
 void push_texts(lua_State* L, const std::vector<std::string>& texts);
 void push_ids(lua_State* L, const std::vector<mesh::Index>& ids);
 void set_number(lua_State* L, const char* name, double value);
+void set_integer(lua_State* L, const char* name, lua_Integer value);
+void set_flag(lua_State* L, const char* name, bool value);
 void set_text(lua_State* L, const char* name, const std::string& value);
+int push_text(lua_State* L, const std::string& text);  // as the one result of a function: returns 1
 // Gives the result table on top of the stack a protected metatable with a __tostring, one per name. The deck
 // may change the table, so the function must not rely on its entries.
 void set_text_of(lua_State* L, const char* name, lua_CFunction text);

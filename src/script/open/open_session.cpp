@@ -20,8 +20,7 @@ void set_module_path(lua_State* L) {
   lua_getfield(L, -1, "path");
   path += lua_tostring(L, -1);
   lua_pop(L, 1);
-  lua_pushstring(L, path.c_str());
-  lua_setfield(L, -2, "path");
+  set_text(L, "path", path);
   lua_pop(L, 1);
 }
 

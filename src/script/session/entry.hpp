@@ -136,6 +136,13 @@ struct Entry {
   }
 };
 
+// The entry of a property, mesh.nodes, or of a method that takes nothing, model:list.
+inline Entry without_arguments(const std::string& name, std::string sentence, std::string example,
+                               int (*run)(Call&)) {
+  const Style style = name.find(':') == std::string::npos ? Style::property : Style::positional;
+  return {name, style, {}, std::move(sentence), std::move(example), run};
+}
+
 class Registry {
  public:
   const Entry& add(Entry entry) { return entries_.emplace_back(std::move(entry)); }

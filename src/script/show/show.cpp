@@ -237,9 +237,7 @@ int result_text(lua_State* L) {
   const bool named = luaL_getmetafield(L, 1, result_name) == LUA_TSTRING;
   const std::string name = named ? lua_tostring(L, -1) : "table", text = table_text(L, 1, 0);
   const bool rows = text.starts_with(" ");  // of records, which start new lines
-  const std::string words = "<" + name + ">" + (rows ? "\n" : " ") + text;
-  lua_pushlstring(L, words.data(), words.size());
-  return 1;
+  return push_text(L, "<" + name + ">" + (rows ? "\n" : " ") + text);
 }
 
 }  // namespace
@@ -303,8 +301,7 @@ void name_result(lua_State* L, const std::string& name) {
   if (lua_getfield(L, -1, name.c_str()) == LUA_TNIL) {
     lua_pop(L, 1);
     lua_newtable(L);
-    lua_pushstring(L, name.c_str());
-    lua_setfield(L, -2, result_name);
+    set_text(L, result_name, name);
     lua_pushcfunction(L, result_text);
     lua_setfield(L, -2, "__tostring");
     lua_pushboolean(L, 0);

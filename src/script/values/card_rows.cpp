@@ -32,8 +32,7 @@ void check_band(const Fields& band, std::size_t n) {
       const double own = c[i * n + i] * c[k * n + k], one = c[i * n + k], other = c[k * n + i];
       if (c[i * n + i] < 0 || std::abs(one - other) > 1e-4 * std::sqrt(own) || one * one > own * (1 + 1e-4))
         band.refuse("covariance",
-                    "expected that of real numbers, symmetric and with correlations from -1 to 1, "
-                    "got " +
+                    "expected that of real numbers, symmetric and with correlations from -1 to 1, got " +
                         exact_number(one) + " and " + exact_number(other) + " at row " +
                         std::to_string(i + 1) + ", column " + std::to_string(k + 1));
     }
