@@ -28,18 +28,18 @@ Assembly::Assembly(const model::Model& model)
   cloth.read_leaders_of(dofs_.joints());
   // The second term, which sees the forces of the cloth alone.
   if (Tears::possible(model)) make<Tears>(model, std::as_const(configuration_), cloth, dofs_);
-  if (!model.seams().empty()) make<Seams>(model, std::as_const(configuration_), cloth, dofs_);
+  if (!model.all<model::Seam>().empty()) make<Seams>(model, std::as_const(configuration_), cloth, dofs_);
   make<Directors>(model, std::as_const(configuration_), cloth, dofs_);
   if (std::any_of(model.gravity().begin(), model.gravity().end(), [](const auto& g) { return bool(g); }))
     make<Gravity>(model, cloth.mass(), cloth.mass_moment());
-  if (!model.loads<model::ForceLoad>().empty() || !model.loads<model::TractionLoad>().empty())
+  if (!model.all<model::ForceLoad>().empty() || !model.all<model::TractionLoad>().empty())
     make<DeadLoads>(model);
-  if (!model.loads<model::PressureLoad>().empty()) make<Pressure>(model, dofs_.freedoms());
-  if (!model.loads<model::MomentLoad>().empty()) make<Moments>(model);
-  if (!model.loads<model::GroundSpring>().empty()) make<Springs>(model);
-  if (!model.bands().empty()) make<EdgeBands>(model);
+  if (!model.all<model::PressureLoad>().empty()) make<Pressure>(model, dofs_.freedoms());
+  if (!model.all<model::MomentLoad>().empty()) make<Moments>(model);
+  if (!model.all<model::GroundSpring>().empty()) make<Springs>(model);
+  if (!model.all<model::EdgeBand>().empty()) make<EdgeBands>(model);
   if (Hinges::possible(model)) make<Hinges>(model, std::as_const(configuration_));
-  Gas* const gas = model.gases().empty() ? nullptr : &make<Gas>(model);
+  Gas* const gas = model.all<model::GasPointer>().empty() ? nullptr : &make<Gas>(model);
   if (model.interactions().any()) {
     auto& contacts = make<Contacts>(model, std::as_const(configuration_), cloth, dofs_);
     if (gas != nullptr) gas->press_on(contacts, trial());

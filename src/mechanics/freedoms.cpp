@@ -110,7 +110,7 @@ int plane_normal(const model::FixedFreedoms& fixed) {
 void lay_into_planes(const model::Model& model, std::vector<Vec3>& directors) {
   constexpr double kAcross = 1e-6;  // a shorter projection gives no direction
   std::vector<std::vector<Vec3>> normals(directors.size());
-  for (const auto& support : model.supports())
+  for (const auto& support : model.all<model::Support>())
     if (const int i = plane_normal(support.fixed); i >= 0)
       for (const Index n : model.mesh().set(support.set))
         normals[n].push_back(support.frame.row(i).transpose());
@@ -152,7 +152,7 @@ Freedoms number_freedoms(const model::Model& model, const std::vector<Vec3>& dir
     f.nodes[n].frame = frame;
     f.nodes[n].oblique = frame != Mat3::Identity();
   };
-  for (const auto& support : model.supports())
+  for (const auto& support : model.all<model::Support>())
     for (const Index n : mesh.set(support.set)) {
       HeldDirections& h = holds[n];
       bool translates = false;
@@ -168,7 +168,7 @@ Freedoms number_freedoms(const model::Model& model, const std::vector<Vec3>& dir
       if (translates && !whole) use_frame(n, support.frame);
       if (whole) h.translation = {true, true, true};
     }
-  for (const auto& move : model.motions()) {
+  for (const auto& move : model.all<model::PrescribedMotion>()) {
     std::array<Index, 3> history{-1, -1, -1};
     for (int i = 0; i < 3; ++i)
       if (move.displacement[i]) history[i] = add_history(*move.displacement[i], f);
@@ -181,7 +181,7 @@ Freedoms number_freedoms(const model::Model& model, const std::vector<Vec3>& dir
         }
     }
   }
-  for (const auto& turn : model.turns()) add_turn(turn, mesh, f, motion);
+  for (const auto& turn : model.all<model::PrescribedTurn>()) add_turn(turn, mesh, f, motion);
   mark_ties(model, f);
   for (std::size_t n = 0; n < f.nodes.size(); ++n) {
     auto& node = f.nodes[n];

@@ -13,9 +13,9 @@
 namespace fabricsh::mechanics {
 
 void Dofs::begin_seams(const model::Model& model) {
-  if (model.seams().empty()) return;
+  if (model.all<model::Seam>().empty()) return;
   stitches_ = model::work_out_seams(model);
-  seams_ = model.seams();
+  seams_ = model.all<model::Seam>();
   ties_ = freedoms_.followers;
   for (const NodeFreedoms& node : freedoms_.nodes) {
     unsewn_.push_back(node.equation);

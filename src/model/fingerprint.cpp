@@ -131,35 +131,53 @@ std::string thickness_text(const Model& model, std::size_t region) {
   return text;
 }
 
-class LoadCollector {
- public:
-  explicit LoadCollector(PartCollector& part) : part_(part) {}
-  void components(const Components& value, const char*) { part_.add_components(value); }
-  void history(const char*, const History& value, const char*) { part_.add_history(value); }
-  void frame(const Mat3& value) { part_.add_frame(value); }
-  void stiffness(const std::array<double, 3>& value, const char*) {
-    for (const double k : value) part_.add(k);
+// Whatever is told of a declaration, in its order.
+struct TellPart : DeclarationVisitor {
+  explicit TellPart(PartCollector& to) : part(to) {}
+  PartCollector& part;
+  using DeclarationVisitor::set;
+  void set(const std::string& name) { part.add_set(name); }
+  void freedoms(const FixedFreedoms& value) { part.add_freedoms(value); }
+  void components(const Components& value, const char*) { part.add_components(value); }
+  void history(const char*, const std::optional<History>& h, const char*, const char* = "") {
+    if (h) part.add_history(*h);
   }
-
- private:
-  PartCollector& part_;
+  void number(const char*, const std::optional<double>& value, const char*, double = 1) {
+    part.add(value.value_or(-1));
+  }
+  void time(const char*, const std::optional<double>& value, const char*, const char* = "") {
+    part.add(value.value_or(-1));
+  }
+  void flag(const char*, const std::optional<bool>& value, const std::string& = "", const std::string& = "") {
+    part.add(value ? static_cast<int>(*value) : -1);
+  }
+  void text(const char*, const std::string& value, const std::string&) { part.add(fabricsh::hash(value)); }
+  void vector(const char*, const std::optional<Vec3>& v, const char*) {
+    part.add(v.has_value());
+    if (v) part.add_vector(*v);
+  }
+  void frame(const Mat3& value) { part.add_frame(value); }
+  void stiffness(const std::array<double, 3>& value, const char*) {
+    for (const double k : value) part.add(k);
+  }
 };
 
-// Kinds are told apart by their number in Loads. Those after the fifth came later: where a model has none of
-// them its fingerprint is that of earlier releases.
+template <class D>
+void add_all(PartCollector& part, const Model& model) {
+  TellPart told(part);
+  for (const D& one : model.all<D>()) one.tell(told);
+}
+
 void add_loads(PartCollector& part, const Model& model) {
-  constexpr int first_kinds = 5;
-  LoadCollector collector(part);
-  int kind = 0;
-  each_kind(model.loads(), [&](const auto& all) {
-    if (kind > 0 && (kind < first_kinds || !all.empty())) part.add(kind);
-    if (kind == 1) part.add_components(model.gravity());
-    for (const auto& load : all) {
-      part.add_set(load.set);
-      load.tell(collector);
-    }
-    ++kind;
-  });
+  add_all<ForceLoad>(part, model);
+  part.add(1).add_components(model.gravity());
+  add_all<MomentLoad>(part, model);
+  part.add(2);
+  add_all<TractionLoad>(part, model);
+  part.add(3);
+  add_all<PressureLoad>(part, model);
+  part.add(4);
+  add_all<GroundSpring>(part, model);
 }
 
 // A function of the pressure is known by some of its values.
@@ -169,8 +187,8 @@ void add_gas(PartCollector& part, const Model& model, const GasGiven& g) {
   part.add(g.initial, g.mass.value_or(-1), g.temperature, g.molar, g.cp, g.exponent, g.outside);
   if (g.inflow) part.add_history(*g.inflow);
   for (const GasVent& v : g.vents) {
-    const auto to = std::find(model.gases().begin(), model.gases().end(), v.to);
-    part.add(static_cast<int>(to - model.gases().begin()));
+    const auto to = std::find(model.all<GasPointer>().begin(), model.all<GasPointer>().end(), v.to);
+    part.add(static_cast<int>(to - model.all<GasPointer>().begin()));
     if (!v.set.empty()) part.add_set(v.set);
     part.add(v.area, v.coefficient, v.opens);
   }
@@ -181,9 +199,9 @@ void add_gas(PartCollector& part, const Model& model, const GasGiven& g) {
 }
 
 void add_motions(PartCollector& part, const Model& model) {
-  for (const auto& m : model.motions()) part.add_set(m.set).add_components(m.displacement).add_frame(m.frame);
+  add_all<PrescribedMotion>(part, model);
   part.add(1);
-  for (const auto& t : model.turns()) {
+  for (const auto& t : model.all<PrescribedTurn>()) {
     part.add_set(t.set).add_vector(t.axis).add_history(t.angle).add(t.centre.has_value());
     if (t.centre) part.add_vector(*t.centre);
   }
@@ -212,9 +230,9 @@ void add_motion(PartCollector& part, const Rigid& body, const BodyMotion& motion
 // Of what loads and holds a body; the numbers of the other bodies of springs.
 void add_held(PartCollector& part, const Interactions& all, const Rigid& body) {
   const auto bodies = all.bodies();
-  for (const BodyLoad& load : all.loads())
+  for (const BodyLoad& load : all.all<BodyLoad>())
     if (load.body.get() == &body) part.add(load.moment).add_components(load.total);
-  for (const BodySpring& spring : all.springs()) {
+  for (const BodySpring& spring : all.all<BodySpring>()) {
     if (spring.body.get() != &body) continue;
     part.add(spring.damper).add_vector(spring.stiffness).add(spring.place.has_value());
     if (spring.place) part.add_vector(*spring.place);
@@ -225,10 +243,8 @@ void add_held(PartCollector& part, const Interactions& all, const Rigid& body) {
 }
 
 bool is_held(const Interactions& all, const Rigid& body) {
-  const auto of_body = [&](const auto& one) { return one.body.get() == &body; };
-  return std::any_of(all.loads().begin(), all.loads().end(), of_body) ||
-         std::any_of(all.springs().begin(), all.springs().end(), of_body) ||
-         std::any_of(all.supports().begin(), all.supports().end(), of_body);
+  return all.first<BodyLoad>(body) != nullptr || all.first<BodySpring>(body) != nullptr ||
+         all.first<BodySupport>(body) != nullptr;
 }
 
 // "contact of 'front', 'back' and sphere"
@@ -297,6 +313,20 @@ void add_interactions(const Model& model, const Add& add) {
   }
 }
 
+// Kinds of declarations after the first ones, which are named above, have a part each where a model has any.
+template <class Add>
+void add_later_kinds(const Model& model, const Add& add) {
+  constexpr int first_kinds = 23;
+  int kind = 0;
+  model.declarations().each_kind([&](const auto& all) {
+    if (++kind <= first_kinds || all.empty()) return;
+    add(plain(all.front()).call(), "", [&](PartCollector& part) {
+      TellPart told(part);
+      for (const auto& one : all) plain(one).tell(told);
+    });
+  });
+}
+
 }  // namespace
 
 Fingerprint fingerprint(const Model& model, double duration) {
@@ -320,21 +350,19 @@ Fingerprint fingerprint(const Model& model, double duration) {
         [&](PartCollector& part) { add_thickness(part, model, r); });
     add("warp direction" + of, "", [&](PartCollector& part) { add_warp(part, model, r); });
   }
-  add("supports", "", [&](PartCollector& part) {
-    for (const auto& s : model.supports()) part.add_set(s.set).add_freedoms(s.fixed).add_frame(s.frame);
-  });
+  add("supports", "", [&](PartCollector& part) { add_all<Support>(part, model); });
   add("motions", "", [&](PartCollector& part) { add_motions(part, model); });
   add("loads", "", [&](PartCollector& part) { add_loads(part, model); });
   add("ties", "", [&](PartCollector& part) {
-    for (const auto& t : model.ties()) {
+    for (const auto& t : model.all<Tie>()) {
       part.add(static_cast<int>(t.kind)).add_set(t.set).add_freedoms(t.freedoms);
       if (t.kind == TieKind::periodic) part.add_set(t.partner);
       if (t.kind == TieKind::rigid && !t.partner.empty()) part.add(hash(t.partner));
     }
   });
-  if (!model.zones().empty())
+  if (!model.all<Zone>().empty())
     add("tearable zones", "", [&](PartCollector& part) {
-      for (const auto& zone : model.zones()) {
+      for (const auto& zone : model.all<Zone>()) {
         part.add_set(zone.set).add(static_cast<int>(zone.lower)).add(zone.seed);
         if (!zone.path.empty()) part.add_set(zone.path);
         if (zone.keep) part.add(zone.keep);
@@ -343,36 +371,35 @@ Fingerprint fingerprint(const Model& model, double duration) {
   if (std::any_of(model.bodies().begin(), model.bodies().end(),
                   [](const BodyGiven& body) { return body.reference.any(); }))
     add("reference", reference_text(model), [&](PartCollector& part) { add_reference(part, model); });
-  if (!model.creases().empty())
+  if (!model.all<CreaseGiven>().empty())
     add("creases", "", [&](PartCollector& part) {
       for (const CreaseEdge& edge : crease_edges(model)) {
         part.add(edge.from, edge.to, edge.angle);
         if (edge.stiffness) part.add(*edge.stiffness);
       }
     });
-  if (!model.strengths().empty())
+  if (!model.all<StrengthGiven>().empty())
     add("strengths", "", [&](PartCollector& part) {
-      for (const auto& s : model.strengths()) part.add_set(s.set).add(s.factor, s.modulus).add(s.seed);
+      for (const auto& s : model.all<StrengthGiven>())
+        part.add_set(s.set).add(s.factor, s.modulus).add(s.seed);
     });
-  if (!model.seams().empty())
+  if (!model.all<Seam>().empty())
     add("seams", "", [&](PartCollector& part) {
-      for (const auto& s : model.seams()) {
+      for (const auto& s : model.all<Seam>()) {
         part.add_set(s.first).add_set(s.second).add(s.ease);
         part.add(s.reverse ? static_cast<int>(*s.reverse) : -1)
             .add(s.hinge ? static_cast<int>(*s.hinge) : -1);
         for (const auto& value : {s.over, s.stiffness, s.strength, s.energy}) part.add(value.value_or(-1));
       }
     });
-  if (!model.bands().empty())
-    add("bands", "", [&](PartCollector& part) {
-      for (const auto& b : model.bands()) part.add_set(b.set).add(b.stiffness, b.ease, b.over.value_or(-1));
-    });
-  if (!model.gases().empty())
+  if (!model.all<EdgeBand>().empty())
+    add("bands", "", [&](PartCollector& part) { add_all<EdgeBand>(part, model); });
+  if (!model.all<GasPointer>().empty())
     add("gas", "", [&](PartCollector& part) {
-      for (const auto& g : model.gases()) add_gas(part, model, *g);
+      for (const auto& g : model.all<GasPointer>()) add_gas(part, model, *g);
     });
   add("velocities", "", [&](PartCollector& part) {
-    for (const auto& v : model.velocities()) {
+    for (const auto& v : model.all<InitialVelocity>()) {
       part.add_set(v.set).add_vector(v.linear).add_vector(v.spin).add_vector(v.centre);
       if (!v.place) continue;
       for (const auto n : model.mesh().set(v.set)) {
@@ -382,6 +409,7 @@ Fingerprint fingerprint(const Model& model, double duration) {
     }
   });
   if (model.interactions().any()) add_interactions(model, add);
+  add_later_kinds(model, add);
   return parts;
 }
 

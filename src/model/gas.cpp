@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
+#include "model/declaration_rows.hpp"
 #include "model/gas_planes.hpp"
 #include "model/model.hpp"
 
@@ -79,7 +80,7 @@ class Surface {
       const auto inside = mesh_.elements_in(mesh_.set(set));
       all.insert(inside.begin(), inside.end());
     }
-    for (const Zone& zone : model_.zones())
+    for (const Zone& zone : model_.all<Zone>())
       for (const Index e : mesh_.elements_in(mesh_.set(zone.set)))
         if (all.contains(e))
           refuse(gas_, "element " + std::to_string(e + 1) + " is in the tearable zone '" + zone.set +
@@ -96,7 +97,7 @@ class Surface {
 
   // Between the edges of a seam, which are drawn together and then have no area between them.
   void add_strips() {
-    const auto& seams = model_.seams();
+    const auto& seams = model_.all<Seam>();
     if (seams.empty()) return;
     std::vector<std::map<Index, Index>> met(
         seams.size());  // of each node of the finer edge, one of the other
@@ -188,12 +189,12 @@ class Surface {
   }
   bool is_closed_otherwise(const EdgeRing& ring) const {
     if (lid_of(ring) != nullptr) return true;
-    for (const Support& s : model_.supports())
+    for (const Support& s : model_.all<Support>())
       if (s.symmetry >= 0 && inside(ring, s.set)) return true;
     return std::all_of(ring.begin(), ring.end(), [&](Index n) { return is_at_seam(n); });
   }
   bool lies_in(Index n, const SymmetryPlane& plane) const {
-    for (const Support& s : model_.supports())
+    for (const Support& s : model_.all<Support>())
       if (s.symmetry == plane.axis && inside({n}, s.set) &&
           std::abs(at(n)[plane.axis] - plane.at) <= kInPlane * std::abs(span_))
         return true;
@@ -210,7 +211,7 @@ class Surface {
   }
   // Where three panels meet, the ends of their seams leave a hole.
   bool is_at_seam(Index n) const {
-    return std::any_of(model_.seams().begin(), model_.seams().end(),
+    return std::any_of(model_.all<Seam>().begin(), model_.all<Seam>().end(),
                        [&](const Seam& s) { return inside({n}, s.first) || inside({n}, s.second); });
   }
   void add_lids() {
@@ -400,7 +401,7 @@ void check_vent(const Model& model, const GasGiven& gas, const GasVent& vent) {
   if (!vent.set.empty() && model.mesh().elements_in(model.mesh().set(vent.set)).empty())
     throw Error("gas: field 'vents': set '" + vent.set + "' holds no whole element");
   if (!vent.to) return;
-  const auto& all = model.gases();
+  const auto& all = model.all<GasPointer>();
   if (std::find(all.begin(), all.end(), vent.to) == all.end())
     throw Error("gas: field 'vents.to': expected a gas volume of this model that was declared before");
   if (vent.to->molar != gas.molar || vent.to->cp != gas.cp || vent.to->outside != gas.outside)
@@ -425,40 +426,28 @@ Vec3 apex_of_gas(const Model& model, const Vec3& place) {
 
 Enclosure enclosure_of(const Model& model, const GasGiven& gas) { return Surface(model, gas).closed(); }
 
-void Model::close_with_bodies() {
-  std::vector<RigidPointer> all;
-  for (const GasPointer& gas : gases_) all.insert(all.end(), gas->bodies.begin(), gas->bodies.end());
-  interactions_.close(std::move(all));
-}
-
-GasPointer Model::gas(GasGiven gas) {
-  check_open("gas");
+void check(const Model& model, const GasPointer& pointer) {
+  const GasGiven& gas = *pointer;
+  const mesh::Mesh& mesh = model.mesh();
   if (gas.sets.empty())
     throw Error("gas: field 'set': expected the name of a set, or a list, got an empty one");
   for (const auto& set : gas.sets)
-    if (mesh_->elements_in(mesh_->set(set)).empty())
+    if (mesh.elements_in(mesh.set(set)).empty())
       throw Error("gas: field 'set': set '" + set + "' holds no whole element");
-  for (const auto& set : gas.lids) mesh_->set(set);
+  for (const auto& set : gas.lids) mesh.set(set);
   for (const auto& body : gas.bodies)
     if (body->moving() != nullptr)
-      throw Error("gas: field 'lids': the " + interactions_.name_of(*body) +
+      throw Error("gas: field 'lids': the " + model.interactions().name_of(*body) +
                   " changes its shape and closes no volume: expected a body that keeps it");
-  check_number("outside", gas.outside > 0, "a positive pressure, Pa", gas.outside);
+  field::require("gas", gas_rows(), gas);
   check_number("initial", gas.initial > -gas.outside,
                "a pressure above that of a vacuum, Pa, from -outside on", gas.initial);
-  check_number("temperature", gas.temperature > 0, "a positive temperature, K", gas.temperature);
   check_number("gas.molar", gas.molar > 0, "a positive mass, kg/mol", gas.molar);
   check_number("gas.cp", gas.cp > gas.specific(), "more than the gas constant over the molar mass, J/(kg K)",
                gas.cp);
-  check_number("exponent", gas.exponent >= 1 && gas.exponent <= 5.0 / 3, "a number from 1 to 1.67",
-               gas.exponent);
-  if (gas.mass) check_number("mass", *gas.mass > 0, "a positive mass, kg", *gas.mass);
   if (gas.mass && gas.initial != 0)
     throw Error("gas: field 'mass': the mass determines the pressure: expected mass= or initial=, got both");
-  for (const GasVent& vent : gas.vents) check_vent(*this, gas, vent);
-  gases_.push_back(std::make_shared<const GasGiven>(std::move(gas)));
-  close_with_bodies();
-  return gases_.back();
+  for (const GasVent& vent : gas.vents) check_vent(model, gas, vent);
 }
 
 }  // namespace fabricsh::model

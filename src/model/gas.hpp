@@ -26,7 +26,9 @@ struct GasVent {
   double opens = 0;          // Pa, pressure difference at which it opens, and then stays open; 0: it is open
 };
 
+// Gas in a closed volume. Its errors beside those of check(): later, those of enclosure_of.
 struct GasGiven {
+  static constexpr const char* call() { return "gas"; }
   std::vector<std::string> sets = {"all"};      // elements that close together
   std::vector<std::string> lids = {};           // nodes of holes that something without weight closes
   std::vector<RigidPointer> bodies = {};        // that close holes
@@ -46,6 +48,20 @@ struct GasGiven {
   double specific() const { return constant / molar; }     // J/(kg K)
   double ratio() const { return cp / (cp - specific()); }  // of specific heats
   std::string name() const;                                // "of set 'all'"
+  void tell(auto& v) const {
+    v.sets(sets);
+    v.number("mass", mass, "# kg");
+    v.number("initial", initial, mass ? "" : "# Pa at the start");
+    v.number("temperature", temperature, "");
+    v.number("exponent", exponent, "exponent #");
+    v.number("outside", outside, "");
+    v.history("inflow", inflow, "kg/s", "inflow #");
+    v.number("vents", static_cast<double>(vents.size()),
+             vents.empty()       ? ""
+             : vents.size() == 1 ? "# vent"
+                                 : "# vents");
+    v.flag("leaks", static_cast<bool>(leakage), "leakage " + leakage_words);
+  }
 };
 
 // A closed surface whose faces are oriented outwards.

@@ -8,6 +8,8 @@
 #include "base/number.hpp"
 #include "base/suggest.hpp"
 #include "contact/scene.hpp"
+#include "model/declaration_rows.hpp"
+#include "model/model.hpp"
 
 namespace fabricsh::model {
 
@@ -95,9 +97,9 @@ void check_positive(const char* field, const std::optional<double>& value, const
 
 }  // namespace
 
-void Interactions::add(ContactGiven contact, const mesh::Mesh& mesh) {
+void check(const Model& model, const ContactGiven& contact) {
   if (contact.between.empty()) throw Error("contact: expected between={...} or self=, got neither");
-  for (const Party& party : contact.between) check_side(party, mesh);
+  for (const Party& party : contact.between) check_side(party, model.mesh());
   check_bodies(contact);
   if (!(contact.friction >= 0) || !std::isfinite(contact.friction))
     throw Error("contact: field 'friction': expected a number of at least 0, got " +
@@ -107,106 +109,80 @@ void Interactions::add(ContactGiven contact, const mesh::Mesh& mesh) {
                 number(contact.friction) + ", got " + number(*contact.sticking));
   check_positive("friction.weft", contact.across, "number");
   if (contact.across) check_positive("friction.warp", contact.friction, "number");
-  check_positive("film.viscosity", contact.viscosity, "number in Pa s");
-  check_positive("film.thickness", contact.film, "length in m");
   if (contact.viscosity.has_value() != contact.film.has_value())
     throw Error("contact: field 'film': expected a viscosity and a thickness");
-  if (!(contact.restitution >= 0.4 && contact.restitution <= 1))
-    throw Error("contact: field 'restitution': expected a number from 0.4 to 1, got " +
-                number(contact.restitution));
-  check_positive("thickness", contact.thickness, "length in m");
-  check_positive("stiffness", contact.stiffness, "number in Pa/m");
-  check_positive("settle", contact.settle, "time in s");
-  contacts_.push_back(std::move(contact));
+  field::require("contact", contact_rows(), contact);
 }
 
 namespace {
-
-template <class Declaration>
-bool has(const std::vector<Declaration>& all, const Rigid& body) {
-  return std::any_of(all.begin(), all.end(), [&](const auto& one) { return one.body.get() == &body; });
-}
 
 std::string named_body(const char* call, const Rigid& body) {
   return std::string(call) + ": the " + body.kind() +
          (body.name().empty() ? "" : " " + quoted_name(body.name()));
 }
 
-void want_floating(const char* call, const Rigid& body, bool moved) {
+void want_one_shape(const char* call, const Rigid& body) {
   if (body.moving() != nullptr)
     throw Error(named_body(call, body) +
                 " moves from shape to shape by itself: expected a body that keeps its shape");
-  if (moved)
-    throw Error(named_body(call, body) +
+}
+
+void want_floating(const Model& model, const auto& declaration) {
+  const Rigid& body = *declaration.body;
+  want_one_shape(declaration.call(), body);
+  if (model.interactions().motion_of(body) != nullptr)
+    throw Error(named_body(declaration.call(), body) +
                 " is moved by m:move, which gives its whole place: expected a body that is not moved");
 }
 
 }  // namespace
 
-void Interactions::move(BodyMotion motion) {
+void check(const Model& model, const BodyMotion& motion) {
   const Rigid& body = *motion.body;
-  const std::string what =
-      "move: the " + body.kind() + (body.name().empty() ? "" : " " + quoted_name(body.name()));
+  const Interactions given = model.interactions();
+  const std::string what = named_body("move", body);
   if (body.free())
     throw Error(what +
                 " has a mass and moves freely: expected a body without a mass (m:velocity gives a free one "
                 "its start)");
   if (body.moving() != nullptr)
     throw Error(what + " moves from shape to shape by itself and cannot be moved");
-  if (floats(body) || has(supports_, body))
+  if (given.floats(body) || given.first<BodySupport>(body) != nullptr)
     throw Error(what +
                 " has forces, springs or supports of its own, which decide where it is: expected these, or "
                 "m:move, which gives its whole place");
-  if (motion_of(body) != nullptr)
+  if (given.motion_of(body) != nullptr)
     throw Error(
         what +
         " is moved already: expected one call with x, y, z and turn (a copy of a model leaves out the "
         "move it has with m:copy{without=\"move " +
-        name_of(body) + "\"})");
+        given.name_of(body) + "\"})");
   const auto& u = motion.displacement;
   if (!u[0] && !u[1] && !u[2] && !motion.turn)
     throw Error("move: expected at least one of x, y, z, turn, got none");
   if (motion.turn && (!motion.turn->axis.allFinite() || !(motion.turn->axis.norm() > 0)))
     throw Error("move: field 'turn.axis': expected a direction {x, y, z}");
-  motions_.push_back(std::move(motion));
 }
 
-void Interactions::velocity(BodyVelocity velocity) {
+void check(const Model& model, const BodyVelocity& velocity) {
   const Rigid& body = *velocity.body;
-  const std::string what =
-      "velocity: the " + body.kind() + (body.name().empty() ? "" : " " + quoted_name(body.name()));
+  const std::string what = named_body("velocity", body);
   if (!body.free()) throw Error(what + " has no mass: expected a free body (m:move drives one that is not)");
-  if (velocity_of(body) != nullptr) throw Error(what + " has a velocity already");
+  if (model.interactions().velocity_of(body) != nullptr) throw Error(what + " has a velocity already");
   if (!velocity.linear.allFinite() || !velocity.spin.allFinite())
     throw Error("velocity: expected finite numbers in m/s and degrees/s");
-  velocities_.push_back(std::move(velocity));
 }
 
-void Interactions::remove(InteractionKind part, std::size_t i) {
-  const auto take = [i](auto& all) {
-    if (i >= all.size()) throw Error("remove: there is no such contact or motion of a body");
-    all.erase(all.begin() + static_cast<std::ptrdiff_t>(i));
-  };
-  if (part == InteractionKind::contact) return take(contacts_);
-  if (part == InteractionKind::motion) return take(motions_);
-  if (part == InteractionKind::load) return take(loads_);
-  if (part == InteractionKind::spring) return take(springs_);
-  if (part == InteractionKind::support) return take(supports_);
-  take(velocities_);
-}
-
-void Interactions::load(BodyLoad load) {
-  const char* const call = load.moment ? "moment" : "force";
-  want_floating(call, *load.body, motion_of(*load.body) != nullptr);
+void check(const Model& model, const BodyLoad& load) {
+  want_floating(model, load);
   if (!load.total[0] && !load.total[1] && !load.total[2])
-    throw Error(std::string(call) + ": expected at least one of x, y, z, got none");
-  loads_.push_back(std::move(load));
+    throw Error(std::string(load.call()) + ": expected at least one of x, y, z, got none");
 }
 
-void Interactions::spring(BodySpring spring) {
-  const char* const call = spring.damper ? "damper" : "spring";
-  want_floating(call, *spring.body, motion_of(*spring.body) != nullptr);
-  if (spring.to && spring.to->moving() != nullptr) want_floating(call, *spring.to, false);
+void check(const Model& model, const BodySpring& spring) {
+  const char* const call = spring.call();
+  want_floating(model, spring);
+  if (spring.to) want_one_shape(call, *spring.to);
   if (spring.to == spring.body)
     throw Error(named_body(call, *spring.body) + ": field 'to': expected another body than itself");
   if (!(spring.stiffness.minCoeff() >= 0) || !(spring.stiffness.maxCoeff() > 0) ||
@@ -214,36 +190,38 @@ void Interactions::spring(BodySpring spring) {
     throw Error(std::string(call) + ": expected at least one of x, y, z above 0, got none");
   if (spring.place && !spring.place->allFinite())
     throw Error(std::string(call) + ": field 'to': expected a finite place {x, y, z} in m");
-  springs_.push_back(std::move(spring));
 }
 
-void Interactions::support(BodySupport support) {
-  const Rigid& body = *support.body;
-  want_floating("fix", body, motion_of(body) != nullptr);
+void check(const Model& model, const BodySupport& support) {
+  want_floating(model, support);
   const auto held_axes = std::count(support.turns.begin(), support.turns.end(), true);
   if (held_axes == 1)
-    throw Error(named_body("fix", body) +
+    throw Error(named_body("fix", *support.body) +
                 " would turn about two axes: expected all of rx ry rz (\"rotation\"), two of them or none");
-  supports_.push_back(std::move(support));
 }
 
 bool Interactions::floats(const Rigid& body) const {
-  if (body.free() || has(loads_, body)) return true;
-  if (has(springs_, body)) return true;
-  if (!has(supports_, body)) return false;
+  if (body.free() || first<BodyLoad>(body) != nullptr || first<BodySpring>(body) != nullptr) return true;
+  if (first<BodySupport>(body) == nullptr) return false;
   const BodySupport all = held(body);
   const auto whole = [](const auto& three) { return three[0] && three[1] && three[2]; };
   return !(whole(all.moves) && whole(all.turns));
 }
 
 BodySupport Interactions::held(const Rigid& body) const {
-  BodySupport all;
-  for (const BodySupport& one : supports_)
+  BodySupport out;
+  for (const BodySupport& one : all<BodySupport>())
     for (std::size_t i = 0; i < 3 && one.body.get() == &body; ++i) {
-      all.moves[i] = all.moves[i] || one.moves[i];
-      all.turns[i] = all.turns[i] || one.turns[i];
+      out.moves[i] = out.moves[i] || one.moves[i];
+      out.turns[i] = out.turns[i] || one.turns[i];
     }
-  return all;
+  return out;
+}
+
+bool Interactions::any() const {
+  const auto& gases = all<GasPointer>();
+  return !contacts().empty() ||
+         std::any_of(gases.begin(), gases.end(), [](const auto& gas) { return !gas->bodies.empty(); });
 }
 
 std::vector<RigidPointer> Interactions::bodies() const {
@@ -251,9 +229,10 @@ std::vector<RigidPointer> Interactions::bodies() const {
   const auto add = [&](const RigidPointer& body) {
     if (body && std::find(all.begin(), all.end(), body) == all.end()) all.push_back(body);
   };
-  for (const ContactGiven& contact : contacts_)
+  for (const ContactGiven& contact : contacts())
     for (const Party& party : contact.between) add(party.body);
-  for (const RigidPointer& body : closing_) add(body);
+  for (const GasPointer& gas : declared_.all<GasPointer>())
+    for (const RigidPointer& body : gas->bodies) add(body);
   return all;
 }
 
@@ -269,79 +248,41 @@ std::string Interactions::name_of(const Rigid& body) const {
   return count < 2 || number == 0 ? name : name + " " + std::to_string(number);
 }
 
-const BodyMotion* Interactions::motion_of(const Rigid& body) const {
-  for (const auto& motion : motions_)
-    if (motion.body.get() == &body) return &motion;
-  return nullptr;
-}
-
-const BodyVelocity* Interactions::velocity_of(const Rigid& body) const {
-  for (const auto& velocity : velocities_)
-    if (velocity.body.get() == &body) return &velocity;
-  return nullptr;
-}
-
-std::vector<double> Interactions::kinks() const {
-  std::vector<double> all;
-  const auto add = [&](const history::History& h) {
-    all.insert(all.end(), h.kinks().begin(), h.kinks().end());
-  };
-  for (const auto& motion : motions_) {
-    for (const auto& h : motion.displacement)
-      if (h) add(*h);
-    if (motion.turn) add(motion.turn->angle);
-  }
-  for (const auto& load : loads_)
-    for (const auto& h : load.total)
-      if (h) add(*h);
-  for (const auto& body : bodies())
-    if (body->moving() != nullptr)
-      all.insert(all.end(), body->moving()->times.begin(), body->moving()->times.end());
-  return all;
-}
-
 void Interactions::validate(const mesh::Mesh& mesh) const {
   const auto known = bodies();
   const auto touches = [&](const RigidPointer& body) {
     return std::find(known.begin(), known.end(), body) != known.end();
   };
-  for (const auto& motion : motions_) {
-    if (!touches(motion.body))
-      throw Error("model: the " + motion.body->kind() +
-                  " that is moved touches nothing: expected m:contact{between={it, ...}}");
-    try {
-      for (const auto& h : motion.displacement)
-        if (h) h->value(0);
-      if (motion.turn) motion.turn->angle.value(0);
-    } catch (const Error& error) {
-      throw Error("move: the " + name_of(*motion.body) + ": " + error.what());
-    }
-  }
-  for (const auto& velocity : velocities_)
-    if (!touches(velocity.body))
-      throw Error("model: the " + velocity.body->kind() +
-                  " that has a velocity touches nothing: expected m:contact{between={it, ...}}");
-  const auto want_touching = [&](const RigidPointer& body, const char* what) {
+  const auto want_touching = [&](const RigidPointer& body, const std::string& what) {
     if (!touches(body))
       throw Error("model: the " + body->kind() + " that " + what +
                   " touches nothing: expected m:contact{between={it, ...}}");
   };
-  for (const auto& load : loads_) {
-    want_touching(load.body, load.moment ? "has a moment" : "has a force");
+  // What is not finite at time 0 says so by its call and body.
+  const auto want_values = [&](const auto& declaration, const Components& histories, const History* turn) {
     try {
-      for (const auto& h : load.total)
+      for (const auto& h : histories)
         if (h) h->value(0);
+      if (turn != nullptr) turn->value(0);
     } catch (const Error& error) {
-      throw Error(std::string(load.moment ? "moment" : "force") + ": the " + name_of(*load.body) + ": " +
+      throw Error(std::string(declaration.call()) + ": the " + name_of(*declaration.body) + ": " +
                   error.what());
     }
+  };
+  for (const auto& motion : all<BodyMotion>()) {
+    want_touching(motion.body, "is moved");
+    want_values(motion, motion.displacement, motion.turn ? &motion.turn->angle : nullptr);
   }
-  for (const auto& spring : springs_) {
-    const char* const what = spring.damper ? "has a damper" : "has a spring";
-    want_touching(spring.body, what);
-    if (spring.to) want_touching(spring.to, what);
+  for (const auto& velocity : all<BodyVelocity>()) want_touching(velocity.body, "has a velocity");
+  for (const auto& load : all<BodyLoad>()) {
+    want_touching(load.body, std::string("has a ") + load.call());
+    want_values(load, load.total, nullptr);
   }
-  for (const auto& support : supports_) want_touching(support.body, "is held");
+  for (const auto& spring : all<BodySpring>()) {
+    want_touching(spring.body, std::string("has a ") + spring.call());
+    if (spring.to) want_touching(spring.to, std::string("has a ") + spring.call());
+  }
+  for (const auto& support : all<BodySupport>()) want_touching(support.body, "is held");
   for (const auto& body : known)
     if (std::holds_alternative<Plane>(body->shape()) && floats(*body)) {
       const auto turns = held(*body).turns;

@@ -109,7 +109,7 @@ std::vector<CreaseEdge> crease_edges(const Model& model) {
   std::vector<CreaseEdge> all;
   std::map<Index, int> count, plain;  // of the edges at a place, and of those that are no hinges
   std::map<Edge, int> seen;
-  for (const CreaseGiven& crease : model.creases())
+  for (const CreaseGiven& crease : model.all<CreaseGiven>())
     for (const CreaseEdge& edge : edges_of(model, crease)) {
       if (++seen[{edge.from, edge.to}] > 1)
         throw Error("crease: the edge between nodes " + std::to_string(edge.from + 1) + " and " +
@@ -146,7 +146,7 @@ void check_hinges(const Model& model) {
   const auto hinges = hinge_edges(model);
   if (hinges.empty()) return;
   if (model.membrane()) refuse_hinge("whose cloth bends, got a membrane");
-  if (!model.zones().empty()) refuse_hinge("without tearable zones");
+  if (!model.all<Zone>().empty()) refuse_hinge("without tearable zones");
   const mesh::Mesh& mesh = model.mesh().uncut();
   std::map<Index, bool> at;
   std::map<Edge, bool> sides;
@@ -160,9 +160,9 @@ void check_hinges(const Model& model) {
         refuse_hinge("whose hinges stay away from " + what + ", got node " + std::to_string(n + 1) + " at " +
                      place_text(model.rest_node(n)) + " of set '" + set + "'");
   };
-  for (const auto& seam : model.seams())
+  for (const auto& seam : model.all<Seam>())
     for (const std::string& set : {seam.first, seam.second}) check(set, "seams");
-  for (const auto& tie : model.ties())
+  for (const auto& tie : model.all<Tie>())
     if (tie.kind == TieKind::periodic)
       for (const std::string& set : {tie.set, tie.partner}) check(set, "periodic ties");
   mesh::for_each_edge(mesh::edges(mesh), [&](const mesh::Edge* begin, const mesh::Edge* end) {
@@ -180,52 +180,9 @@ mesh::Mesh rest_mesh(const Model& model) {
   return mesh;
 }
 
-// The parts of a joined mesh follow each other, and so do their stress-free shapes.
-void Model::take_reference(const BodyGiven& body, const std::string& of) {
-  const auto& given = body.reference;
-  if (given.prestress && !body.options.plies.empty())
-    throw Error("model: " + of + "field 'prestress': expected a card without layers, which share a tension");
-  if (given.mesh) check_reference(of, *body.mesh, *given.mesh);
-  if (!given.mesh) return;
-  const auto part = std::find_if(mesh_->parts.begin(), mesh_->parts.end(),
-                                 [&](const auto& one) { return one.name == body.name; });
-  const Index node = part == mesh_->parts.end() ? 0 : part->first_node,
-              element = part == mesh_->parts.end() ? 0 : part->first_element;
-  if (rest_nodes_.empty()) {
-    rest_nodes_ = mesh_->nodes;
-    rest_warp_ = mesh_->warp;
-    rest_warp_.resize(mesh_->elements.size(), Vec3::Zero());
-  }
-  std::copy(given.mesh->nodes.begin(), given.mesh->nodes.end(), rest_nodes_.begin() + node);
-  const auto warp = rest_warp_.begin() + element;
-  std::fill_n(warp, given.mesh->elements.size(), Vec3(Vec3::Zero()));
-  std::copy(given.mesh->warp.begin(), given.mesh->warp.end(), warp);
-}
-
 bool Model::has_rest() const {
-  return !creases_.empty() ||
-         std::any_of(bodies_.begin(), bodies_.end(), [](const auto& body) { return body.reference.any(); });
-}
-
-Vec3 Model::warp_as_placed(Index element, const Vec3& x, const Vec3& n) const {
-  if (rest_nodes_.empty()) return warp_at(element, x, n);
-  const auto& e = mesh_->elements[static_cast<std::size_t>(element)];
-  const int last = e[3] < 0 ? 2 : 3;
-  Vec3 middle = Vec3::Zero();
-  for (int a = 0; a <= last; ++a) middle += rest_corner(element, a) / (last + 1);
-  const auto sides = [&](const auto& at) {
-    Eigen::Matrix<double, 3, 2> both;
-    both.col(0) = at(last - 1) - at(0);
-    both.col(1) = at(last) - at(last == 2 ? 0 : 1);
-    return both;
-  };
-  const auto there = sides([&](int a) -> const Vec3& { return rest_corner(element, a); });
-  const auto here = sides([&](int a) -> const Vec3& {
-    return mesh_->nodes[static_cast<std::size_t>(e[static_cast<std::size_t>(a)])];
-  });
-  const Vec3 normal = there.col(0).cross(there.col(1)).normalized();
-  const Vec3 warp = warp_at(element, middle, normal);
-  return here * there.colPivHouseholderQr().solve(warp - warp.dot(normal) * normal);
+  return !all<CreaseGiven>().empty() ||
+         std::any_of(bodies().begin(), bodies().end(), [](const auto& body) { return body.reference.any(); });
 }
 
 }  // namespace fabricsh::model

@@ -34,10 +34,16 @@ std::string rest_text(const ReferenceGiven& given);
 // other. With a stiffness it is a hinge: each side has a director of its own, and the moment between them is
 // that times the angle less the one at rest.
 struct CreaseGiven {
+  static constexpr const char* call() { return "crease"; }
   std::string set;
   std::vector<Vec3> line;                // m
   double angle = 0;                      // degrees
   std::optional<double> stiffness = {};  // N/rad, that is N m/rad per metre of crease; none: it is no hinge
+  void tell(auto& v) const {
+    set.empty() ? v.place("line") : v.set(set);
+    v.number("angle", angle, "at rest at # degrees");
+    v.number("stiffness", stiffness, "# N/rad");
+  }
 };
 
 // One edge of a crease: nodes of the mesh without further nodes, the angle, rad, and the stiffness of a

@@ -255,18 +255,18 @@ void check_nodes(const Model& model, const std::vector<Stitch>& stitches) {
   if (stitches.empty()) return;
   const mesh::Mesh& mesh = model.mesh().uncut();
   std::map<Index, std::string> taken;
-  for (const Tie& tie : model.ties())
+  for (const Tie& tie : model.all<Tie>())
     for (const std::string& set : {tie.set, tie.kind == TieKind::periodic ? tie.partner : std::string()})
       if (!set.empty())
         for (const Index n : mesh.set(set)) taken.emplace(n, "is tied (set '" + set + "')");
-  for (const Zone& zone : model.zones())
+  for (const Zone& zone : model.all<Zone>())
     for (const Index e : mesh.elements_in(mesh.set(zone.set)))
       for (const Index n : mesh.elements[e])
         if (n >= 0) taken.emplace(n, "is in a tearable zone (set '" + zone.set + "')");
   const auto check = [&](Index n, const Stitch& s) {
     if (const auto found = taken.find(n); found != taken.end())
-      refuse(model.seams()[s.seam], "node " + std::to_string(n + 1) + " " + found->second +
-                                        ": expected edges of nodes that are not");
+      refuse(model.all<Seam>()[s.seam], "node " + std::to_string(n + 1) + " " + found->second +
+                                            ": expected edges of nodes that are not");
   };
   for (const Stitch& s : stitches) {
     check(s.node, s);
@@ -299,10 +299,10 @@ EdgeChain chain_of(const mesh::Mesh& mesh, const std::string& set) {
 
 std::vector<Stitch> work_out_seams(const Model& model) {
   std::vector<Stitch> all;
-  if (model.seams().empty()) return all;
+  if (model.all<Seam>().empty()) return all;
   const mesh::Mesh rest = rest_mesh(model);
-  for (std::size_t i = 0; i < model.seams().size(); ++i) {
-    auto own = Matching(model.mesh().uncut(), rest, model.seams()[i], i).stitches();
+  for (std::size_t i = 0; i < model.all<Seam>().size(); ++i) {
+    auto own = Matching(model.mesh().uncut(), rest, model.all<Seam>()[i], i).stitches();
     all.insert(all.end(), own.begin(), own.end());
   }
   check_nodes(model, all);

@@ -11,6 +11,7 @@
 namespace fabricsh::model {
 
 struct Seam {
+  static constexpr const char* call() { return "seam"; }
   std::string first, second;        // sets of the nodes of two edges
   std::optional<double> over = {};  // s, in which the edges are drawn together; empty: they lie on each other
   double ease = 0.01;               // by what share of the longer edge the other may be shorter
@@ -24,6 +25,15 @@ struct Seam {
   std::optional<double> strength = {};   // N/m
   std::optional<double> energy = {};     // J/m, of breaking a metre of it
   std::string name() const { return "of '" + first + "' and '" + second + "'"; }
+  void tell(auto& v) const {
+    v.set(first, second);
+    v.time("over", over, "over # s", "from the start");
+    v.flag("hinge", hinge, "a hinge", "bends as one piece");
+    v.flag("reverse", reverse, "reversed", "not reversed");
+    v.number("stiffness", stiffness, "stiffness # N/m^2");
+    v.number("strength", strength, "strength # N/m");
+    v.number("energy", energy, "# J/m");
+  }
 };
 
 // A node of the edge with more nodes, and the place of the other edge that it meets.

@@ -98,7 +98,7 @@ std::string SymmetryPlane::words() const {
 std::vector<SymmetryPlane> symmetry_planes(const Model& model) {
   std::vector<SymmetryPlane> all;
   const double near = kFlat * box_of(model.mesh().nodes).size().norm();
-  for (const Support& support : model.supports()) {
+  for (const Support& support : model.all<Support>()) {
     if (support.symmetry < 0) continue;
     SymmetryPlane plane = plane_of(model, support);
     if (std::none_of(all.begin(), all.end(), [&](const SymmetryPlane& other) {
@@ -110,7 +110,7 @@ std::vector<SymmetryPlane> symmetry_planes(const Model& model) {
 }
 
 void check_symmetry(const Model& model) {
-  for (const Support& support : model.supports()) {
+  for (const Support& support : model.all<Support>()) {
     if (support.symmetry < 0) continue;
     plane_of(model, support);
     check_cloth(model, support);

@@ -25,15 +25,15 @@ class HeldFreedoms {
  public:
   explicit HeldFreedoms(const Model& model) {
     const auto& mesh = model.mesh();
-    for (const auto& s : model.supports())
+    for (const auto& s : model.all<Support>())
       for (const auto n : mesh.set(s.set)) add_support(n, s);
-    for (const auto& m : model.motions())
+    for (const auto& m : model.all<PrescribedMotion>())
       for (const auto n : mesh.set(m.set)) {
         add_frame(n, m.frame, m.set);
         for (int i = 0; i < 3; ++i)
           if (m.displacement[i]) add({n, i}, "moved (set '" + m.set + "')");
       }
-    for (const auto& t : model.turns())
+    for (const auto& t : model.all<PrescribedTurn>())
       for (const auto n : mesh.set(t.set))
         for (int i = t.centre ? 0 : 3; i < 4; ++i) add({n, i}, "turned (set '" + t.set + "')");
   }
@@ -115,7 +115,7 @@ mesh::NodeSet partners(const mesh::Mesh& mesh, const Tie& tie) {
 class Builder {
  public:
   explicit Builder(const Model& model) : mesh_(model.mesh()), holds_(model) {
-    for (const auto& tie : model.ties()) {
+    for (const auto& tie : model.all<Tie>()) {
       if (tie.kind == TieKind::rigid && !tie.partner.empty()) {  // to a rigid body, which moves by itself
         want_body(model.interactions(), tie.partner);
         take_along(tie);
@@ -273,7 +273,7 @@ class Builder {
 }  // namespace
 
 Ties work_out_ties(const Model& model) {
-  if (model.ties().empty() && !model.mesh().hinged) return {};
+  if (model.all<Tie>().empty() && !model.mesh().hinged) return {};
   return Builder(model).finish();
 }
 

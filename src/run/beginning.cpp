@@ -54,7 +54,7 @@ void report_beginning(const Run& from, Run& run) {
   if (!run.moves())
     run.notices().remark("static: the velocities of the other run, with " + number(from.energy().kinetic) +
                          " J, are left out");
-  else if (run.shared_model() != from.shared_model() && !run.model().velocities().empty())
+  else if (run.shared_model() != from.shared_model() && !run.model().all<model::InitialVelocity>().empty())
     run.warn(
         "dropped",
         "dynamic: the velocities of the model are dropped, since the run goes on with those of the other "

@@ -83,21 +83,16 @@ DynamicOptions checked(DynamicOptions options) {
 }
 
 // Whether any of the histories changes between two times: at their middle or end.
-struct Driven {
-  double from, to;
-  bool any = false;
-  template <class Load>
-  void about(const Load&) {}
-  void history(const char*, const history::History& h, const char*) {
-    const double first = h.value(from);
-    any = any || h.value((from + to) / 2) != first || h.value(to) != first;
+struct Driven : model::DeclarationVisitor {
+  double begin, end;
+  bool any;
+  Driven(double from, double to, bool at_once) : begin(from), end(to), any(at_once) {}
+  void history(const char*, const std::optional<history::History>& h, const char*, const char* = "") {
+    if (h) any = any || h->value((begin + end) / 2) != h->value(begin) || h->value(end) != h->value(begin);
   }
   void components(const model::Components& value, const char* unit) {
-    for (const auto& h : value)
-      if (h) history("", *h, unit);
+    for (const auto& h : value) history("", h, unit);
   }
-  void stiffness(const std::array<double, 3>&, const char*) {}
-  void frame(const Mat3&) {}
 };
 
 // What is moved or loaded slowly has next to no kinetic energy, and does not rest.
@@ -105,19 +100,16 @@ bool driven(const Run& run, double look) {
   const model::Model& model = run.model();
   const double from = run.time() - look, to = run.time();
   Driven seen{from, to, run.released_over() > 0 && from < run.began() + run.released_over()};
-  for (const auto& motion : model.motions()) seen.components(motion.displacement, "m");
-  for (const auto& turn : model.turns()) seen.history("", turn.angle, "degrees");
-  model::tell_each(model.loads(), seen);
-  seen.components(model.gravity(), "m/s^2");
-  for (const auto& motion : model.interactions().motions()) {
-    seen.components(motion.displacement, "m");
-    if (motion.turn) seen.history("", motion.turn->angle, "degrees");
-  }
-  for (const auto& load : model.interactions().loads()) seen.components(load.total, "N");
+  model.declarations().each_kind([&seen]<class D>(const std::vector<D>& all) {
+    for (const D& one : all)
+      if constexpr (std::is_same_v<D, model::GasPointer>)
+        seen.any = seen.any || (one->inflow && one->inflow->value(seen.end) != 0);
+      else
+        one.tell(seen);
+  });
   for (const auto& body : model.interactions().bodies())
     if (const auto* shapes = body->moving(); shapes != nullptr && !shapes->times.empty())
       seen.any = seen.any || from < shapes->times.back();
-  for (const auto& gas : model.gases()) seen.any = seen.any || (gas->inflow && gas->inflow->value(to) != 0);
   return seen.any;
 }
 
@@ -246,7 +238,7 @@ mechanics::NodalRates Dynamic::initial_rates() const {
   if (!left_rates().x.empty()) return left_rates();
   mechanics::NodalRates rates{std::vector<double>(3 * X.size(), 0), std::vector<double>(3 * X.size(), 0)};
   const auto d = std::as_const(*assembly_).state().d();
-  for (const auto& given : model_->velocities())
+  for (const auto& given : model_->all<model::InitialVelocity>())
     for (const auto n : model_->mesh().set(given.set)) {
       const model::RigidVelocity here = given.at(X[n]);
       const Vec3 v = here.linear + here.spin.cross(X[n] - here.centre);
@@ -283,7 +275,7 @@ void Dynamic::report_dropped_rates(const mechanics::NodalRates& rates) {
   const auto nodes = std::count(dropped.begin(), dropped.end(), true);
   if (nodes == 0) return;
   std::vector<std::string> sets;
-  for (const auto& given : model_->velocities()) {
+  for (const auto& given : model_->all<model::InitialVelocity>()) {
     const auto& set = model_->mesh().set(given.set);
     const bool touched = std::any_of(set.begin(), set.end(), [&](auto n) { return dropped[n]; });
     if (touched && std::find(sets.begin(), sets.end(), given.set) == sets.end()) sets.push_back(given.set);

@@ -13,7 +13,7 @@
 namespace fabricsh::run {
 
 solver::Judge judge_of(const model::Model& model, const mechanics::Assembly& assembly) {
-  if (!model.loads<model::MomentLoad>().empty()) return solver::Judge::never;
+  if (!model.all<model::MomentLoad>().empty()) return solver::Judge::never;
   const auto& terms = assembly.terms();  // the cloth is the first
   const bool loads_have_energy =
       std::all_of(terms.begin() + 1, terms.end(), [](const auto& t) { return t->symmetric(); });

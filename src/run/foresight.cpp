@@ -60,19 +60,17 @@ class JumpFinder {
 };
 
 // Tells it the histories of each load.
-class LoadJumps {
+class LoadJumps : public model::DeclarationVisitor {
  public:
   explicit LoadJumps(JumpFinder& found) : found_(found) {}
   template <class Load>
   void about(const Load& load) {
-    what_ = std::string("the ") + Load::call + " on '" + load.set + "'";
+    what_ = std::string("the ") + load.call() + " on '" + load.set + "'";
   }
   void components(const model::Components& value, const char* unit) { found_.at(what_, value, unit); }
-  void history(const char*, const model::History& value, const char* unit) {
-    found_.at(what_, "", value, unit);
+  void history(const char*, const std::optional<model::History>& h, const char* unit, const char* = "") {
+    if (h) found_.at(what_, "", *h, unit);
   }
-  void stiffness(const std::array<double, 3>&, const char*) {}
-  void frame(const Mat3&) {}
 
  private:
   JumpFinder& found_;
@@ -96,15 +94,17 @@ Jumps find_jumps(const model::Model& model, double duration) {
   const auto of = [](const char* what, const std::string& set) { return what + (" '" + set + "'"); };
   loads.at("gravity", model.gravity(), "m/s^2");
   LoadJumps of_loads(loads);
-  model::tell_each(model.loads(), of_loads);
-  for (const auto& m : model.motions()) motions.at(of("the motion of", m.set), m.displacement, "m");
-  for (const auto& t : model.turns()) motions.at(of("the turn of", t.set), "", t.angle, "degrees");
+  model::tell_loads(model.declarations(), of_loads);
+  for (const auto& m : model.all<model::PrescribedMotion>())
+    motions.at(of("the motion of", m.set), m.displacement, "m");
+  for (const auto& t : model.all<model::PrescribedTurn>())
+    motions.at(of("the turn of", t.set), "", t.angle, "degrees");
   return jumps;
 }
 
 std::string moved_bodies_text(const model::Model& model) {
   std::vector<Jump> moved;
-  for (const model::BodyMotion& motion : model.interactions().motions()) {
+  for (const model::BodyMotion& motion : model.interactions().all<model::BodyMotion>()) {
     const std::string what = "the motion of the " + model.interactions().name_of(*motion.body);
     const auto look = [&](const std::string& component, const model::History& h, const char* unit) {
       if (const double at = h.value(0); at != 0)
@@ -191,8 +191,8 @@ std::vector<std::string> idle_loads(const model::Model& model, const mechanics::
     find_supported_loads(what + (" '" + load.set + "'"), set, components, load.frame,
                          !model.mesh().elements_in(set).empty(), assembly, duration, lines);
   };
-  for (const auto& f : model.loads<model::ForceLoad>()) look("the force on", f, f.total);
-  for (const auto& t : model.loads<model::TractionLoad>()) look("the traction on", t, t.intensity);
+  for (const auto& f : model.all<model::ForceLoad>()) look("the force on", f, f.total);
+  for (const auto& t : model.all<model::TractionLoad>()) look("the traction on", t, t.intensity);
   return lines;
 }
 
@@ -247,7 +247,7 @@ void check_symmetric_loads(const model::Model& model, double duration) {
           "gravity: its " + std::string(1, "xyz"[plane.axis]) + " points across " + plane.words() +
           ", and would pull the part that is left out the other way: expected gravity in the plane, or "
           "the whole model");
-    for (const model::BodyMotion& motion : model.interactions().motions())
+    for (const model::BodyMotion& motion : model.interactions().all<model::BodyMotion>())
       if (moves_across(motion, plane.axis, duration) && cuts(plane, *motion.body, extent))
         throw Error("move: the " + model.interactions().name_of(*motion.body) + " is cut by " +
                     plane.words() +
@@ -536,7 +536,7 @@ std::string axes_of(const std::vector<Mode>& free) {
 Mechanism find_mechanism(const model::Model& model, const mechanics::Assembly& assembly,
                          const std::vector<double>& times) {
   RigidMotions motions(assembly);
-  for (const auto& spring : model.loads<model::GroundSpring>())
+  for (const auto& spring : model.all<model::GroundSpring>())
     motions.add_spring(spring, model.mesh().set(spring.set));
   const auto free = motions.free();
   Mechanism found;

@@ -90,11 +90,10 @@ bool loads_nothing(const model::Model& m, const mechanics::Assembly& assembly) {
   const auto& g = m.gravity();
   const bool weighs = std::any_of(g.begin(), g.end(), [](const auto& history) { return bool(history); });
   bool loaded = false;
-  model::each_kind(m.loads(), [&](const auto& all) {
-    if (!model::resists<typename std::decay_t<decltype(all)>::value_type>) loaded |= !all.empty();
-  });
-  return !weighs && !loaded && m.motions().empty() && m.gases().empty() &&
-         assembly.terms().find<mechanics::Contacts>() == nullptr;
+  m.declarations().each_kind(
+      [&loaded]<class D>(const std::vector<D>& all) { loaded |= model::is_load<D> && !all.empty(); });
+  return !weighs && !loaded && m.all<model::PrescribedMotion>().empty() &&
+         m.all<model::GasPointer>().empty() && assembly.terms().find<mechanics::Contacts>() == nullptr;
 }
 
 bool has_free_bodies(const mechanics::Assembly& assembly) {
@@ -672,7 +671,7 @@ double energy_of_rounding(const mechanics::Assembly& assembly) {
 // a step says how uncertain the work is, and not that the shape is wrong.
 void Static::check_balance() {
   // The work of moments about the normals of rigid sets is not counted.
-  if (!model_->loads<model::MomentLoad>().empty() && !assembly_->dofs().freedoms().bodies.empty()) return;
+  if (!model_->all<model::MomentLoad>().empty() && !assembly_->dofs().freedoms().bodies.empty()) return;
   const double scale = std::max({work_.largest(), now_.internal, energy_of_rest()}),
                made = now_.made - now_.unsure;
   if (!(scale > 0) || now_.made <= options_.ledger_limit * scale || scale <= energy_of_rounding(*assembly_))

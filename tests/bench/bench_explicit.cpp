@@ -207,7 +207,7 @@ std::shared_ptr<run::Run> make_run(const Case& c, int steps) {
   auto moving = std::make_shared<model::Model>(mesh, model->card(), model->options());
   for (int row = 0; row <= c.n; ++row) {
     const double y = static_cast<double>(row) / c.n;
-    moving->velocity({"row" + std::to_string(row), row_velocity(y)});
+    moving->add<model::InitialVelocity>({"row" + std::to_string(row), row_velocity(y)});
   }
   run::DynamicOptions options;
   options.duration = 1;

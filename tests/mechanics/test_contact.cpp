@@ -20,7 +20,7 @@ enum class Under { ball, small_ball, thin_rod };
 struct Pile {
   std::shared_ptr<model::Model> model;
   model::RigidPointer ball;
-  explicit Pile(double friction, const model::Displacement& moved = {}, Under under = Under::ball) {
+  explicit Pile(double friction, const model::Components& moved = {}, Under under = Under::ball) {
     const double t = svk().thickness;
     const auto sheet = [&](double side, int n, const Vec3& origin) {
       auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(side, side, n, n));
@@ -42,9 +42,9 @@ struct Pile {
       ball = std::make_shared<const model::Rigid>(
           model::Sphere{under == Under::ball ? 0.02 : 0.006, Vec3(0.014, 0.013, z)}, std::nullopt, "",
           "sphere");
-    model->contact({{{"", ball}, {"all", nullptr}}, friction});
-    model->contact({{{"low", nullptr}, {"high", nullptr}}, friction, 1.0 * t, 1e9});
-    if (moved[0] || moved[1] || moved[2]) model->move({ball, moved, std::nullopt});
+    model->add<model::ContactGiven>({{{"", ball}, {"all", nullptr}}, friction});
+    model->add<model::ContactGiven>({{{"low", nullptr}, {"high", nullptr}}, friction, 1.0 * t, 1e9});
+    if (moved[0] || moved[1] || moved[2]) model->add<model::BodyMotion>({ball, moved, std::nullopt});
   }
 };
 
@@ -108,7 +108,7 @@ TEST_CASE("contact: the term's tangent is the derivative of its forces, with fri
 }
 
 TEST_CASE("contact: a moving body leads the predictor as its forces change") {
-  model::Displacement up;
+  model::Components up;
   up[2] = model::History::table({{0, 0}, {1, 1e-7}});
   const Pile pile(0.2, up);
   mechanics::Assembly a(*pile.model);

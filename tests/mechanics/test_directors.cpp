@@ -246,7 +246,7 @@ TEST_CASE(
   constexpr double kFold = 1.2;  // of each half from the plane
   auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(0.02, 0.01, 2, 1));
   auto m = std::make_shared<model::Model>(mesh, test::svk(), model::Options{});
-  m->tearable("all");
+  m->add<model::Zone>({"all"});
   m->validate();
   m->divide_zones();
   Guarded sheet(m);

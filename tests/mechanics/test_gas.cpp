@@ -21,7 +21,7 @@ std::shared_ptr<model::Model> tube(const model::GasGiven& gas) {
   options.warp = [](const Vec3&) { return model::Direction(Vec3(Vec3::UnitZ())); };
   auto m = std::make_shared<model::Model>(mesh, test::svk(), options);
   m->fix("bottom", model::parse_freedoms("x y z rotation"));
-  m->gas(gas);
+  m->add(std::make_shared<const model::GasGiven>(gas));
   return m;
 }
 
@@ -67,12 +67,12 @@ TEST_CASE("the gradient of the volume is what the gas pushes with") {
   model::GasGiven gas;
   gas.lids = {"bottom", "top"};
   const auto m = tube(gas);
-  const auto surface = model::enclosure_of(*m, *m->gases()[0]);
+  const auto surface = model::enclosure_of(*m, *m->all<model::GasPointer>()[0]);
   CHECK(surface.lids.size() == 2);
   CHECK(surface.cloth.size() == 21);
   Assembly a(*m);
   const auto* const term = a.terms().find<mechanics::Gas>();
-  const auto state = term->read(*m->gases()[0]);
+  const auto state = term->read(*m->all<model::GasPointer>()[0]);
   CHECK(state.volume == Approx(7 / 2.0 * 0.05 * 0.05 * std::sin(2 * M_PI / 7) * 0.12).epsilon(1e-12));
   mechanics::NodalRanks ranks;
   term->add_ranks(a.trial(), ranks);

@@ -109,9 +109,9 @@ TEST_CASE("a zone nowhere open has the residual and the tangent of the sheet wit
     model::Components load;
     load[2] = history::History::constant(0.3);
     model->force("right", load);
-    model->traction("top", load);
-    model->spring("corners", {1, 2, 3});
-    if (tearable) model->tearable("all");
+    model->add<model::TractionLoad>({"top", load});
+    model->add<model::GroundSpring>({"corners", {1, 2, 3}});
+    if (tearable) model->add<model::Zone>({"all"});
     model->validate();
     model->divide_zones();
     return model;
@@ -151,7 +151,7 @@ TEST_CASE("a zone nowhere open has the residual and the tangent of the sheet wit
 
 TEST_CASE("opening copies rates, closing takes their mean by mass, and a tangent follows each") {
   auto model = std::make_shared<model::Model>(square(2), test::blend(), model::Options{});
-  model->tearable("all");
+  model->add<model::Zone>({"all"});
   model->divide_zones();
   mechanics::Assembly a(*model);
   const auto before = a.dofs().unknowns();
@@ -194,7 +194,7 @@ TEST_CASE("opening copies rates, closing takes their mean by mass, and a tangent
 
 TEST_CASE("nodes that are apart do not become one, and nothing is changed then") {
   auto model = std::make_shared<model::Model>(square(2), test::blend(), model::Options{});
-  model->tearable("all");
+  model->add<model::Zone>({"all"});
   model->divide_zones();
   mechanics::Assembly a(*model);
   REQUIRE(a.open(a.dofs().joints().edges_between(std::vector<Index>{3, 4, 5}), 0));
@@ -219,9 +219,9 @@ TEST_CASE("a zone without an element, and one in a periodic tie, are refused") {
   auto mesh = square(2);
   mesh->define("line", mesh::NodeSet{3, 4, 5});
   model::Model m(mesh, test::blend(), {});
-  CHECK_THROWS_WITH(m.tearable("line"), "tearable: set 'line' holds no whole element");
-  m.tie({model::TieKind::periodic, "left", "right", model::parse_freedoms("x", "tie")});
-  m.tearable("all");
+  CHECK_THROWS_WITH(m.add<model::Zone>({"line"}), "tearable: set 'line' holds no whole element");
+  m.add<model::Tie>({model::TieKind::periodic, "left", "right", model::parse_freedoms("x", "tie")});
+  m.add<model::Zone>({"all"});
   CHECK_THROWS_WITH(m.validate(),
                     Catch::StartsWith("tearable: node 1 of a zone is in the periodic tie of set 'left'"));
 }

@@ -144,25 +144,25 @@ TEST_CASE("the assembled tangent is the derivative of the residual, with every k
       {"pressure", [](model::Model& m) { m.pressure("all", history::History::constant(2e5)); }},
       {"moment",
        [](model::Model& m) {
-         m.moment("right", along_x(0.3), model::frame_from(Vec3(1, 2, 3), Vec3(0, 1, 0)));
+         m.add<model::MomentLoad>({"right", along_x(0.3), model::frame_from(Vec3(1, 2, 3), Vec3(0, 1, 0))});
        }},
       {"spring",
        [&](model::Model& m) {
-         m.spring("top", {1e5, 2e5, 3e5}, frame);
+         m.add<model::GroundSpring>({"top", {1e5, 2e5, 3e5}, frame});
        }},
       {"oblique support", [&](model::Model& m) { m.fix("left", model::parse_freedoms("x z ry"), frame); }},
-      {"symmetry", [](model::Model& m) { m.symmetry("left", 0); }},
+      {"symmetry", [](model::Model& m) { m.add(model::symmetry("left", 0)); }},
       {"equal",
        [](model::Model& m) {
-         m.tie({model::TieKind::equal, "top", {}, tied("x z")});
+         m.add<model::Tie>({model::TieKind::equal, "top", {}, tied("x z")});
        }},
       {"rigid",
        [&](model::Model& m) {
-         m.tie({model::TieKind::rigid, "top", {}, {}});
+         m.add<model::Tie>({model::TieKind::rigid, "top", {}, {}});
          m.gravity(model::steady({1e4, 2e5, -3e5}));
          m.force("top", along_x(30), frame);
          m.pressure("all", history::History::constant(2e5));
-         m.moment("top", along_x(0.3), model::frame_from(Vec3(1, 2, 3), Vec3(0, 1, 0)));
+         m.add<model::MomentLoad>({"top", along_x(0.3), model::frame_from(Vec3(1, 2, 3), Vec3(0, 1, 0))});
        }},
       {"driven", [&](model::Model& m) { m.move("left", along_x(0), frame); }},
   };
@@ -181,13 +181,13 @@ TEST_CASE("the assembled tangent is the derivative of the residual, with every k
       {"straight",
        [&](model::Model& m) {
          m.move("corners", along_x(0), frame);
-         m.tie({Kind::straight, "right", {}, tied("x y z")});
+         m.add<model::Tie>({Kind::straight, "right", {}, tied("x y z")});
          m.pressure("all", history::History::constant(2e5));
        }},
       {"periodic",
        [](model::Model& m) {
-         m.tie({Kind::periodic, "left", "right", tied("x y z rotation")});
-         m.tie({Kind::periodic, "bottom", "top", tied("x y z rotation")});
+         m.add<model::Tie>({Kind::periodic, "left", "right", tied("x y z rotation")});
+         m.add<model::Tie>({Kind::periodic, "bottom", "top", tied("x y z rotation")});
        }},
   };
   for (const auto& [name, load] : flat) {
@@ -221,8 +221,8 @@ TEST_CASE("a tangent that keeps its upper triangle has the whole one's entries, 
        }},
       {"ties",
        [](model::Model& m) {
-         m.tie({model::TieKind::rigid, "top", {}, {}});
-         m.tie({model::TieKind::equal, "bottom", {}, tied("x z")});
+         m.add<model::Tie>({model::TieKind::rigid, "top", {}, {}});
+         m.add<model::Tie>({model::TieKind::equal, "bottom", {}, tied("x z")});
        }},
   };
   for (const bool triangles : {false, true})
@@ -311,8 +311,8 @@ TEST_CASE("directors on the edge of a cut lie in its plane of symmetry, at a cor
     return d;
   };
   const auto cut = directors([](model::Model& m) {
-    m.symmetry("left", 0);
-    m.symmetry("bottom", 1);
+    m.add(model::symmetry("left", 0));
+    m.add(model::symmetry("bottom", 1));
   });
   const auto bare = directors([](model::Model&) {});
   for (const auto n : mesh->set("left")) {
@@ -429,7 +429,7 @@ TEST_CASE("forces and tangent have the same bits for one, two and four threads")
     omp_set_num_threads(threads);
     auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(1, 1, 40, 40));
     model::Model m(mesh, test::blend(), {});
-    m.tie({model::TieKind::periodic, "left", "right", tied("x y z rotation")});
+    m.add<model::Tie>({model::TieKind::periodic, "left", "right", tied("x y z rotation")});
     mechanics::Assembly a(m);
     std::mt19937 random(3);
     std::uniform_real_distribution<double> number(-1e-3, 1e-3);

@@ -24,7 +24,7 @@ std::shared_ptr<model::Model> pieces(int cells, double gap, const model::Seam& s
   bodies.push_back({"high", part(0.03, cells, 0.02 + gap), test::svk(), {}, {}});
   auto m = std::make_shared<model::Model>(std::move(bodies));
   m->fix("low.bottom", model::parse_freedoms("x y z rotation"));
-  m->seam(seam);
+  m->add(seam);
   return m;
 }
 
@@ -75,7 +75,7 @@ TEST_CASE("the tangent of threads and of a band is the derivative of their force
   seam.over = 1.0;
   auto m = pieces(5, 0.002, seam);
   m->fix("high.corners", model::parse_freedoms("z"));
-  m->band({"high.right", 300, 0.2, {}});
+  m->add<model::EdgeBand>({"high.right", 300, 0.2, {}});
   Assembly a(*m);
   CHECK(tangent_error(a, 0.05, 1e-5) < 1e-6);
 }

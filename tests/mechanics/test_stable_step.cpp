@@ -165,9 +165,9 @@ TEST_CASE("springs, pressure and moments are in the bound, and springs on held n
     for (const int load : {0, 1, 2}) {
       CAPTURE(triangles, load);
       const auto m = sheet(crooked(triangles, 1.5, 0.1, 0.2), isotropic(4e6, 0.3, 0.5e-3));
-      if (load == 0) m->spring("all", {1e5, 0, 3e5});
+      if (load == 0) m->add<model::GroundSpring>({"all", {1e5, 0, 3e5}});
       if (load == 1) m->pressure("all", history::History::constant(2e5));
-      if (load == 2) m->moment("right", model::steady({0, 0.4, 0.15}));
+      if (load == 2) m->add<model::MomentLoad>({"right", model::steady({0, 0.4, 0.15})});
       m->validate();
       mechanics::Assembly a(*m);
       a.set_time(0);
@@ -178,7 +178,7 @@ TEST_CASE("springs, pressure and moments are in the bound, and springs on held n
             1.2 * mechanics::rate_bound(a, true, {}));
     }
   const auto held = sheet(crooked(false, 1, 0, 0), isotropic(4e6, 0.3, 0.5e-3));
-  held->spring("all", {3e8, 0, 1e9});
+  held->add<model::GroundSpring>({"all", {3e8, 0, 1e9}});
   held->fix("all", model::parse_freedoms("x y z"));
   held->validate();
   const mechanics::Assembly a(*held);
@@ -216,7 +216,7 @@ TEST_CASE("the bound holds for cloth tied to a lead whose frame is oblique") {
     const auto m = sheet(mesh, isotropic(4e6, 0.3, 0.5e-3));
     model::FixedFreedoms z = model::parse_freedoms("z");
     m->fix("lead", z, Mat3(Eigen::AngleAxisd(angle / 57.3, Vec3(0.2, 0.3, 1).normalized())));
-    m->tie({model::TieKind::equal, "pair", "", model::parse_freedoms("x y z")});
+    m->add<model::Tie>({model::TieKind::equal, "pair", "", model::parse_freedoms("x y z")});
     m->validate();
     mechanics::Assembly a(*m);
     CHECK(excess(a, true) > 1 - 1e-6);

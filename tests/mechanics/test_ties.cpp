@@ -38,50 +38,50 @@ TEST_CASE("ties that cannot be are refused with node, freedom and both sets") {
     return "none";
   };
   CHECK(refusal([](mesh::Mesh&, model::Model& m) {
-          m.tie({TieKind::equal, "top", {}, words("x")});
+          m.add<model::Tie>({TieKind::equal, "top", {}, words("x")});
           m.fix("all", model::parse_freedoms("x"));
         }) == "model: node 8: x is tied (set 'top') and fixed (set 'all')");
   CHECK(refusal([](mesh::Mesh&, model::Model& m) {
-          m.tie({TieKind::rigid, "top", {}, {}});
+          m.add<model::Tie>({TieKind::rigid, "top", {}, {}});
           m.move("top", constant(1, 1e-3));
         }) == "model: node 7: y is tied (set 'top') and moved (set 'top')");
   CHECK(refusal([](mesh::Mesh&, model::Model& m) {
-          m.tie({TieKind::rigid, "top", {}, {}});
-          m.turn("right", Vec3::UnitX(), history::History::constant(1), std::nullopt);
+          m.add<model::Tie>({TieKind::rigid, "top", {}, {}});
+          m.add<model::PrescribedTurn>({"right", Vec3::UnitX(), history::History::constant(1), std::nullopt});
         }) == "model: node 9: rotation is tied (set 'top') and turned (set 'right')");
   CHECK(refusal([](mesh::Mesh&, model::Model& m) {
-          m.tie({TieKind::equal, "top", {}, words("x")});
-          m.tie({TieKind::straight, "right", {}, words("x")});
-          m.tie({TieKind::equal, "right", {}, words("x")});
+          m.add<model::Tie>({TieKind::equal, "top", {}, words("x")});
+          m.add<model::Tie>({TieKind::straight, "right", {}, words("x")});
+          m.add<model::Tie>({TieKind::equal, "right", {}, words("x")});
         }) == "model: node 6: x is tied twice, in two ways");
   CHECK(refusal([](mesh::Mesh&, model::Model& m) {
-          m.tie({TieKind::rigid, "top", {}, {}});
-          m.tie({TieKind::rigid, "right", {}, {}});
+          m.add<model::Tie>({TieKind::rigid, "top", {}, {}});
+          m.add<model::Tie>({TieKind::rigid, "right", {}, {}});
         }) == "model: node 9: is in two rigid sets");
   CHECK(refusal([](mesh::Mesh&, model::Model& m) {
-          m.tie({TieKind::periodic, "left", "corners", words("x")});
+          m.add<model::Tie>({TieKind::periodic, "left", "corners", words("x")});
         }) == "tie: sets 'left' and 'corners' have 3 and 4 nodes: they do not pair");
   CHECK(refusal([](mesh::Mesh& mesh, model::Model& m) {
           mesh.nodes[5].y() += 0.003;
-          m.tie({TieKind::periodic, "left", "right", words("x")});
+          m.add<model::Tie>({TieKind::periodic, "left", "right", words("x")});
         })
             .find("tie: node 1 of set 'left' has no partner in set 'right': the nearest, node 3, is 0.001 m "
                   "off") == 0);
   CHECK(refusal([](mesh::Mesh& mesh, model::Model& m) {
           mesh.nodes[5].x() += 0.003;
-          m.tie({TieKind::straight, "right", {}, words("x")});
+          m.add<model::Tie>({TieKind::straight, "right", {}, words("x")});
         }) ==
         "model: node 6: set 'right' is not straight: the node is 0.003 m off the line between its ends");
   CHECK(refusal([](mesh::Mesh&, model::Model& m) {
-          m.tie({TieKind::equal, "top", {}, words("x rx")});
+          m.add<model::Tie>({TieKind::equal, "top", {}, words("x rx")});
         }) == "tie: expected some of x y z");
 }
 
 TEST_CASE("followers are where their leads put them; a rigid edge keeps its shape through a large turn") {
   auto mesh = square(4);
   model::Model m(mesh, test::blend(), {});
-  m.tie({TieKind::straight, "bottom", {}, words("x y z")});
-  m.tie({TieKind::rigid, "top", {}, {}});
+  m.add<model::Tie>({TieKind::straight, "bottom", {}, words("x y z")});
+  m.add<model::Tie>({TieKind::rigid, "top", {}, {}});
   m.validate();
   mechanics::Assembly a(m);
   std::vector<double> step(a.dofs().unknowns());
@@ -117,7 +117,7 @@ TEST_CASE("the directors of a periodic seam are the mean of its two sides'") {
     options.warp = [](const Vec3&) { return model::Direction(Vec3(0, 1, 0)); };
     model::Model tied(corrugated(1), test::blend(), options), apart(corrugated(1), test::blend(), options),
         two(corrugated(2), test::blend(), options);
-    tied.tie({TieKind::periodic, "left", "right", words("x y z rotation")});
+    tied.add<model::Tie>({TieKind::periodic, "left", "right", words("x y z rotation")});
     for (const auto* m : {&tied, &apart, &two}) m->validate();
     const mechanics::Assembly seam(tied), open(apart), whole(two);
     const auto director = [](const mechanics::Assembly& a, int n) {

@@ -19,7 +19,7 @@ model::Options warp(const model::Direction& direction) {
 }
 
 std::string refused(model::Model& m, const char* set, int axis) {
-  m.symmetry(set, axis);
+  m.add(model::symmetry(set, axis));
   return message_of([&] { m.validate(); });
 }
 
@@ -48,7 +48,7 @@ TEST_CASE("directions are looked at where the cloth meets the plane, and there a
   radial.warp = [](const Vec3& X) { return model::Direction(Vec3(X.x(), X.y(), 0)); };
   fan.warp = [](const Vec3& X) { return model::Direction(X.x() < 0.011 ? 90.0 : 30.0); };
   model::Model m(quarter(), test::blend(), radial);
-  m.symmetry("left", 0);
+  m.add(model::symmetry("left", 0));
   CHECK(refused(m, "bottom", 1) == "no error");
   CHECK(refused(fan) == "no error");
   says(refused(fan, "bottom", 1), "the cloth of element 2 is not symmetric");
@@ -76,8 +76,8 @@ TEST_CASE("the set of a plane of symmetry lies in a plane") {
         "symmetry: set 'bottom': expected nodes in a plane normal to x, got x from 0 to 0.04 m");
   CHECK(refused(warp(30.0), "all", 2) == "no error");  // a sheet that lies in the plane itself
   model::Model m(quarter(), test::blend(), warp(0.0));
-  m.symmetry("left", 0);
-  m.symmetry("right", 0);
+  m.add(model::symmetry("left", 0));
+  m.add(model::symmetry("right", 0));
   m.fix("bottom", model::parse_freedoms("y rx rz"));
   const auto planes = model::symmetry_planes(m);
   REQUIRE(planes.size() == 2);

@@ -64,11 +64,11 @@ Thrown thrown(unsigned seed, double fastest = 30) {
       model::Sphere{0.008, Vec3(number(0, 0.03), number(0, 0.03), -0.008 - thickness)}, 0.001, "", "sphere");
   model::ContactGiven self{{{"all", nullptr}}, friction, thickness},
       on_ball{{{"", out.ball}, {"all", nullptr}}, friction, thickness};
-  out.model->contact(self);
-  out.model->contact(on_ball);
-  out.model->velocity(model::InitialVelocity{"high.all", Vec3(number(-1, 1), number(-1, 1), -speed),
-                                             Vec3(number(-200, 200), 0, 0)});
-  out.model->velocity(model::BodyVelocity{out.ball, Vec3(0, 0, number(0, fastest / 3)), Vec3(0, 300, 0)});
+  out.model->add(self);
+  out.model->add(on_ball);
+  out.model->add(model::InitialVelocity{"high.all", Vec3(number(-1, 1), number(-1, 1), -speed),
+                                        Vec3(number(-200, 200), 0, 0)});
+  out.model->add(model::BodyVelocity{out.ball, Vec3(0, 0, number(0, fastest / 3)), Vec3(0, 300, 0)});
   return out;
 }
 
@@ -144,8 +144,8 @@ TEST_CASE("contact: an implicit run with friction has the same bits for two thre
     out.ball = std::make_shared<const model::Rigid>(model::Sphere{0.01, Vec3(0.016, 0.014, 0.01 + 0.51 * t)},
                                                     0.002, "", "sphere");
     out.model->fix("low.boundary", model::parse_freedoms("x y z rotation"));
-    out.model->contact({{{"", out.ball}, {"all", nullptr}}, 0.3});
-    out.model->velocity(model::BodyVelocity{out.ball, Vec3(0.3, 0, -1), Vec3::Zero()});
+    out.model->add<model::ContactGiven>({{{"", out.ball}, {"all", nullptr}}, 0.3});
+    out.model->add(model::BodyVelocity{out.ball, Vec3(0.3, 0, -1), Vec3::Zero()});
     return out;
   };
   std::string first;
@@ -178,10 +178,10 @@ TEST_CASE("contact: a punch that is moved presses a held sheet in statics; work,
   const auto punch = std::make_shared<const model::Rigid>(model::Sphere{r, Vec3(0.015, 0.015, r + 0.55 * t)},
                                                           std::nullopt, "punch", "sphere");
   m->fix("boundary", model::parse_freedoms("x y z rotation"));
-  m->contact({{{"", punch}, {"all", nullptr}}, 0.2});
-  model::Displacement down;
+  m->add<model::ContactGiven>({{{"", punch}, {"all", nullptr}}, 0.2});
+  model::Components down;
   down[2] = model::History::ramp(-0.002, 1);
-  m->move({punch, down, std::nullopt});
+  m->add<model::BodyMotion>({punch, down, std::nullopt});
   run::StaticOptions options;
   options.duration = 1;
   options.step = 0.05;
@@ -228,7 +228,8 @@ TEST_CASE("contact: what begins too near is opened, and the ledger holds the wor
     const auto plane = std::make_shared<const model::Rigid>(
         model::Plane{Vec3(0, 0, -0.05 * t), Vec3(0, 0, 1)}, std::nullopt, "", "plane");
     const double gap = t / 2, floor = 0.5 * 590 * t / 1500, kappa = 1e8;
-    m->contact({.between = {{"", plane}, {"all", nullptr}}, .stiffness = kappa, .settle = 2e-4});
+    m->add<model::ContactGiven>(
+        {.between = {{"", plane}, {"all", nullptr}}, .stiffness = kappa, .settle = 2e-4});
     // Lengths that the law has when half of the time is over, at a gap of 0.05 t.
     const auto notices = std::make_shared<Notices>();
     std::shared_ptr<run::Run> run;
@@ -264,7 +265,8 @@ TEST_CASE("contact: a free sheet that begins below its floor is opened to its ga
     auto m = std::make_shared<model::Model>(std::vector<model::BodyGiven>{sheet("", 0.04, 4, Vec3::Zero())});
     const auto plane = std::make_shared<const model::Rigid>(model::Plane{Vec3(0, 0, -0.1 * t), Vec3(0, 0, 1)},
                                                             std::nullopt, "", "plane");
-    m->contact({.between = {{"", plane}, {"all", nullptr}}, .friction = 0.2, .settle = 2e-3});
+    m->add<model::ContactGiven>(
+        {.between = {{"", plane}, {"all", nullptr}}, .friction = 0.2, .settle = 2e-3});
     run::DynamicOptions options;
     options.duration = 2.5e-3;
     if (implicit) options.step = 5e-6;
@@ -285,7 +287,7 @@ TEST_CASE("contact: an overlap is refused, and what settle opens is told") {
     auto m = std::make_shared<model::Model>(std::vector<model::BodyGiven>{sheet("", 0.04, 2, Vec3::Zero())});
     const auto plane = std::make_shared<const model::Rigid>(model::Plane{Vec3(0, 0, -z), Vec3(0, 0, 1)},
                                                             std::nullopt, "", "plane");
-    m->contact({.between = {{"", plane}, {"all", nullptr}}, .settle = settle});
+    m->add<model::ContactGiven>({.between = {{"", plane}, {"all", nullptr}}, .settle = settle});
     auto notices = std::make_shared<Notices>([told](const std::string& line) {
       if (told != nullptr) *told += line + "\n";
     });
@@ -310,9 +312,9 @@ TEST_CASE("contact: what touches is told by the names of the bodies") {
       sheet("front", 0.04, 2, Vec3::Zero()), sheet("back", 0.04, 2, Vec3(0, 0, 0.01))});
   const auto plane = std::make_shared<const model::Rigid>(model::Plane{Vec3(0, 0, -0.01), Vec3(0, 0, 1)},
                                                           std::nullopt, "", "plane");
-  m->contact({{{"front", nullptr}, {"back", nullptr}}, 0});
-  m->contact({{{"front", nullptr}}, 0});
-  m->contact({{{"", plane}, {"front", nullptr}}, 0});
+  m->add<model::ContactGiven>({{{"front", nullptr}, {"back", nullptr}}, 0});
+  m->add<model::ContactGiven>({{{"front", nullptr}}, 0});
+  m->add<model::ContactGiven>({{{"", plane}, {"front", nullptr}}, 0});
   std::string told;
   run::StaticOptions options;
   options.duration = 1;
@@ -330,9 +332,9 @@ TEST_CASE("contact: a spinning ball comes to roll as friction asks, explicit and
     const auto m = held_sheet(4);
     const auto ball =
         std::make_shared<const model::Rigid>(model::Sphere{r, Vec3(0, 0, r + 0.5 * t)}, 0.02, "", "sphere");
-    m->contact({{{"", ball}, {"all", nullptr}}, mu, {}, 1e11});  // so that it feels no nodes
+    m->add<model::ContactGiven>({{{"", ball}, {"all", nullptr}}, mu, {}, 1e11});  // so that it feels no nodes
     m->gravity({std::nullopt, std::nullopt, model::History::constant(-9.81)});
-    m->velocity(model::BodyVelocity{ball, Vec3::Zero(), Vec3(0, spin, 0)});
+    m->add(model::BodyVelocity{ball, Vec3::Zero(), Vec3(0, spin, 0)});
     const auto run = moving_run(m, 0.035, implicit ? std::optional(5e-5) : std::nullopt, implicit);
     // Slipping: v = mu times the impulse per mass that presses, g t and what throws the ball up; rolling from
     // 2 spin r / (7 mu g) = 14 ms on with 2/7 of spin r.
@@ -361,7 +363,7 @@ TEST_CASE("contact: implicit steps carry a light ball on a contact of any stiffn
   const auto m = held_sheet(8);
   const auto ball = std::make_shared<const model::Rigid>(model::Sphere{r, Vec3(0.001, 0.002, r + 0.5 * t)},
                                                          mass, "", "sphere");
-  m->contact({{{"", ball}, {"all", nullptr}}, 0.2, {}, stiffness});
+  m->add<model::ContactGiven>({{{"", ball}, {"all", nullptr}}, 0.2, {}, stiffness});
   m->gravity({std::nullopt, std::nullopt, model::History::constant(-9.81)});
   run::DynamicOptions options;
   options.duration = 0.05;
@@ -390,8 +392,8 @@ TEST_CASE("contact: implicit steps of a sheet and a free ball keep momentum") {
   const double t = test::svk().thickness, r = 0.01, mass = 2e-4;
   const auto ball = std::make_shared<const model::Rigid>(model::Sphere{r, Vec3(0.004, 0.001, r + 0.51 * t)},
                                                          mass, "", "sphere");
-  m->contact({{{"", ball}, {"all", nullptr}}, 0.3});
-  m->velocity(model::BodyVelocity{ball, Vec3(0.1, 0, -0.5), Vec3(0, 50, 20)});
+  m->add<model::ContactGiven>({{{"", ball}, {"all", nullptr}}, 0.3});
+  m->add(model::BodyVelocity{ball, Vec3(0.1, 0, -0.5), Vec3(0, 50, 20)});
   const auto run = moving_run(m, 4e-3, 5e-5, true);
   run->solve();
   REQUIRE(run->energy().lost_in("friction") > 0);
@@ -410,8 +412,8 @@ TEST_CASE("contact: cloth that slides on itself has the same bits for any thread
     auto m = std::make_shared<model::Model>(std::vector<model::BodyGiven>{
         sheet("low", 0.03, 4, Vec3::Zero()), sheet("high", 0.02, 3, Vec3(0.004, 0.006, 1.02 * t))});
     m->fix("low.boundary", model::parse_freedoms("x y z rotation"));
-    m->contact({{{"all", nullptr}}, 0.3});
-    m->velocity(model::InitialVelocity{"high.all", Vec3(0.3, 0.1, -0.5), Vec3::Zero()});
+    m->add<model::ContactGiven>({{{"all", nullptr}}, 0.3});
+    m->add(model::InitialVelocity{"high.all", Vec3(0.3, 0.1, -0.5), Vec3::Zero()});
     return moving_run(m, 2.4e-4, implicit ? std::optional(1e-5) : std::nullopt, implicit);
   };
   const int most = omp_get_max_threads();
@@ -450,7 +452,7 @@ TEST_CASE(
     // A body has half of the sheet against it.
     const auto plane = std::make_shared<const model::Rigid>(model::Plane{Vec3(0, 0, -0.18e-3), Vec3(0, 0, 1)},
                                                             std::nullopt, "", "plane");
-    m->contact({{{"", plane}, {"all", nullptr}}, 0});
+    m->add<model::ContactGiven>({{{"", plane}, {"all", nullptr}}, 0});
     std::string told;
     const auto notices = std::make_shared<Notices>([&](const std::string& line) { told += line; });
     run::DynamicOptions options;
@@ -492,15 +494,15 @@ struct Fold {
     model->fix("middle", model::parse_freedoms("x y z rotation"));
     const double high = half + thickness / 2 + 1e-5, way = high - end / 2 - thickness / 2;
     upper = plane(high, -1, -way);
-    model->contact({{{"", upper}, {"", plane(-high, 1, way)}, {"all", nullptr}}, 0});
-    model->contact({{{"all", nullptr}}, 0});
+    model->add<model::ContactGiven>({{{"", upper}, {"", plane(-high, 1, way)}, {"all", nullptr}}, 0});
+    model->add<model::ContactGiven>({{{"all", nullptr}}, 0});
   }
   model::RigidPointer plane(double z, double normal, double way) {
     auto body = std::make_shared<const model::Rigid>(model::Plane{Vec3(0, 0, z), Vec3(0, 0, normal)},
                                                      std::nullopt, normal < 0 ? "upper" : "lower", "plane");
-    model::Displacement moved;
+    model::Components moved;
     moved[2] = model::History::ramp(way, 1);
-    model->move({body, moved, std::nullopt});
+    model->add<model::BodyMotion>({body, moved, std::nullopt});
     return body;
   }
 };
@@ -550,8 +552,8 @@ TEST_CASE("contact: statics lay a strip over a rod, with friction, and relaxatio
     const auto rod = std::make_shared<const model::Rigid>(
         model::Cylinder{r, Vec3(0, -0.02, -r - 0.46 * t), Vec3(0, 0.06, -r - 0.46 * t)}, std::nullopt, "",
         "cylinder");
-    m->contact({{{"", rod}, {"all", nullptr}}, friction});
-    m->contact({{{"all", nullptr}}, friction});
+    m->add<model::ContactGiven>({{{"", rod}, {"all", nullptr}}, friction});
+    m->add<model::ContactGiven>({{{"all", nullptr}}, friction});
     m->gravity({std::nullopt, std::nullopt, model::History::ramp(-9.81, 1)});
     run::StaticOptions options;
     options.duration = 1;

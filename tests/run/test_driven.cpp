@@ -108,7 +108,7 @@ TEST_CASE("a mass drawn along on a ramp swings as sin does, in any phase of the 
   card.density = density;
   auto m = std::make_shared<model::Model>(mesh, card, model::Options{});
   m->fix("all", model::parse_freedoms("y z rotation"));
-  m->tie({model::TieKind::equal, "follows", {}, model::parse_freedoms("x")});
+  m->add<model::Tie>({model::TieKind::equal, "follows", {}, model::parse_freedoms("x")});
   model::Components along;
   along[0] = lift(t0, 1, v);
   m->move("left", along);

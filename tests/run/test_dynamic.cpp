@@ -42,7 +42,7 @@ Momenta momenta(const Run& a, const mechanics::NodalRates& rates) {
 std::shared_ptr<model::Model> make_flight(int n) {
   auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(1, 1, n, n));
   auto m = std::make_shared<model::Model>(mesh, blend(), model::Options{});
-  m->velocity({"all", Vec3(0.3, -0.2, 0.5), Vec3(2, 1, 5), Vec3(0.5, 0.5, 0)});
+  m->add<model::InitialVelocity>({"all", Vec3(0.3, -0.2, 0.5), Vec3(2, 1, 5), Vec3(0.5, 0.5, 0)});
   return m;
 }
 
@@ -84,7 +84,8 @@ std::shared_ptr<model::Model> make_string(int cells, double width) {
     model::Components along;
     along[0] = history::History::constant((stretch - 1) * X);
     m->move(sets[i], along);
-    m->velocity({sets[i], Vec3(0, 0, 1e-4 * std::sin(std::numbers::pi * X)), Vec3::Zero(), Vec3::Zero()});
+    m->add<model::InitialVelocity>(
+        {sets[i], Vec3(0, 0, 1e-4 * std::sin(std::numbers::pi * X)), Vec3::Zero(), Vec3::Zero()});
   }
   return m;
 }
@@ -111,9 +112,9 @@ std::shared_ptr<model::Model> make_plate(int n) {
   for (const char* edge : {"bottom", "top"}) m->fix(edge, model::parse_freedoms("z ry"));
   for (std::size_t i = 0; i < mesh->nodes.size(); ++i) {
     const Vec3& X = mesh->nodes[i];
-    m->velocity({sets[i],
-                 Vec3(0, 0, 1e-5 * std::sin(std::numbers::pi * X.x()) * std::sin(std::numbers::pi * X.y())),
-                 Vec3::Zero(), Vec3::Zero()});
+    m->add<model::InitialVelocity>(
+        {sets[i], Vec3(0, 0, 1e-5 * std::sin(std::numbers::pi * X.x()) * std::sin(std::numbers::pi * X.y())),
+         Vec3::Zero(), Vec3::Zero()});
   }
   return m;
 }
@@ -472,7 +473,7 @@ TEST_CASE("the support of driven nodes overcomes the damping of their mass too")
 TEST_CASE("a rigid sheet falls freely: tied nodes accelerate from the start") {
   auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(0.4, 0.1, 4, 1));
   auto m = std::make_shared<model::Model>(mesh, blend(), model::Options{});
-  m->tie({model::TieKind::rigid, "all", "", {}});
+  m->add<model::Tie>({model::TieKind::rigid, "all", "", {}});
   m->gravity(model::steady({0, 0, -9.81}));
   const auto a = make_dynamic(m, {.duration = 0.02, .step = 1e-3, .scheme = Scheme::implicit_steps}, quiet());
   a->solve();
@@ -531,7 +532,7 @@ TEST_CASE(
     auto notices = std::make_shared<Notices>([&](const std::string& text) { said.push_back(text); });
     auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(0.4, 0.4, 2, 2));
     auto m = std::make_shared<model::Model>(mesh, isotropic(kModulus, 0.3, 1e-3), model::Options{});
-    m->velocity({"all", Vec3::Zero(), Vec3(0.1, 0, 0), Vec3(0.2, 0.2, 0)});
+    m->add<model::InitialVelocity>({"all", Vec3::Zero(), Vec3(0.1, 0, 0), Vec3(0.2, 0.2, 0)});
     const auto a = make_dynamic(m, {.duration = 0.01, .scaled = scaled}, notices);
     a->solve();
     const auto& more = a->assembly().cloth().rotary_inertia(true);
@@ -597,7 +598,7 @@ TEST_CASE("an implicit run that makes energy is stopped by the second step that 
   auto m = std::make_shared<model::Model>(mesh, blend(), model::Options{});
   m->fix("left", model::parse_freedoms("x y z"));
   m->gravity(model::steady({0, 0, -9.81}));
-  m->velocity({"right", Vec3(0, 0, -20), Vec3::Zero(), Vec3::Zero()});
+  m->add<model::InitialVelocity>({"right", Vec3(0, 0, -20), Vec3::Zero(), Vec3::Zero()});
   std::vector<std::string> said;
   auto notices = std::make_shared<Notices>([&](const std::string& text) { said.push_back(text); });
   // Steps of fifty times what the wave takes through an element.
@@ -649,7 +650,7 @@ TEST_CASE("velocities of held nodes and motions that jump are said by name") {
     model::Components up;
     up[1] = history::History::callback([jump](double t) { return jump && t > 5e-4 ? 0.15 : 0; });
     m->move("left", up);
-    m->velocity({"all", Vec3(0.1, 0, 0)});
+    m->add<model::InitialVelocity>({"all", Vec3(0.1, 0, 0)});
     const auto notices = std::make_shared<Notices>([&](const std::string& text) { said += text + "\n"; });
     run::DynamicOptions options{.duration = 1e-3, .scheme = scheme, .ledger_limit = 1e9};
     const auto a = run::make_dynamic(m, options, notices);

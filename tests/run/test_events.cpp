@@ -214,9 +214,11 @@ TEST_CASE("the external work counts moments, turned grips and pressure") {
       [](model::Model& m) {
         model::Components about_y;
         about_y[1] = history::History::ramp(0.3, 1);
-        m.moment("right", about_y);
+        m.add<model::MomentLoad>({"right", about_y});
       },
-      [](model::Model& m) { m.turn("right", Vec3::UnitY(), history::History::ramp(20, 1), std::nullopt); },
+      [](model::Model& m) {
+        m.add<model::PrescribedTurn>({"right", Vec3::UnitY(), history::History::ramp(20, 1), std::nullopt});
+      },
       [](model::Model& m) { m.pressure("all", history::History::ramp(5, 1)); }};
   for (const auto& load : loads) {
     const double coarse = error_of(load, 0.1), fine = error_of(load, 0.05);

@@ -23,14 +23,14 @@ std::shared_ptr<model::Model> strip(bool touches = false) {
   card::Card card = test::isotropic(1e6, 0.3, 5e-4);
   card.density = 500;
   auto m = std::make_shared<model::Model>(mesh, card, model::Options{});
-  m->tearable("all");
+  m->add<model::Zone>({"all"});
   m->fix("all", model::parse_freedoms("z"));
   m->fix("bottom", model::parse_freedoms("x y"));
   m->fix("top", model::parse_freedoms("x"));
   model::Components pull;
   pull[1] = history::History::table({{0, 0}, {0.01, 2e-3}});
   m->move("top", pull);
-  if (touches) m->contact({{{"all", nullptr}}, 0.0});
+  if (touches) m->add<model::ContactGiven>({{{"all", nullptr}}, 0.0});
   return m;
 }
 
@@ -158,9 +158,9 @@ TEST_CASE("joints that close lose the kinetic energy of the halves against each 
   card::Card card = test::isotropic(1e6, 0.3, 5e-4);
   card.density = 500;
   auto m = std::make_shared<model::Model>(mesh, card, model::Options{});
-  m->tearable("all");
+  m->add<model::Zone>({"all"});
   model::InitialVelocity up{"upper", Vec3(0.2, 0.1, -0.1)};
-  m->velocity(up);
+  m->add(up);
   auto a = make(kind, m);
   CHECK(a->cut(kMiddle) == 4);  // before the run begins
   a->advance(2e-3);
@@ -189,13 +189,13 @@ TEST_CASE("halves that were cut and come back touch, and do not pass") {
   card::Card card = test::isotropic(1e6, 0.3, 5e-4);
   card.density = 500;
   auto m = std::make_shared<model::Model>(mesh, card, model::Options{});
-  m->tearable("all");
+  m->add<model::Zone>({"all"});
   m->fix("all", model::parse_freedoms("x z rx ry rz"));
   m->fix("bottom", model::parse_freedoms("y"));
   model::Components pull;  // apart, and back by as much as the strip is long to be pressed together
   pull[1] = history::History::table({{0, 0}, {0.006, 1e-3}, {0.02, -5e-4}});
   m->move("top", pull);
-  m->contact({{{"all", nullptr}}, 0.0});
+  m->add<model::ContactGiven>({{{"all", nullptr}}, 0.0});
   auto a = make(kind, m, 1000);
   const auto& X = a->assembly().dofs().reference();
   a->advance(0.0005);
@@ -227,7 +227,7 @@ TEST_CASE("cut and join say what they need") {
   CHECK_THROWS_WITH(a->cut({"top", {}}),
                     Catch::StartsWith("cut: set 'top' has no edge between two elements"));
   auto m = strip();
-  m->remove(model::Model::DeclarationKind::tearable, 0);
+  m->remove<model::Zone>(0);
   auto b = make(Kind::still, m);
   CHECK_THROWS_WITH(b->cut(kMiddle),
                     "cut: the model has no tearable zone: expected m:tearable(set) before the run");

@@ -42,7 +42,7 @@ std::shared_ptr<Run> make_moving(run::DynamicOptions options) {
   options.duration = 1;
   auto m = make_strip(blend(), false);
   model::InitialVelocity v{"right", Vec3(0, 0, 0.5)};
-  m->velocity(v);
+  m->add(v);
   return run::make_dynamic(m, options, quiet());
 }
 
@@ -175,7 +175,7 @@ std::shared_ptr<Run> make_falling(run::DynamicOptions options) {
   m->gravity(down);
   const auto ball = std::make_shared<const model::Rigid>(model::Sphere{0.02, Vec3(0.05, 0.03, -0.025)},
                                                          std::nullopt, "", "sphere");
-  m->contact(model::ContactGiven{{{"", ball}, {"all", nullptr}}, 0.3});
+  m->add(model::ContactGiven{{{"", ball}, {"all", nullptr}}, 0.3});
   options.duration = 0.07;
   options.scheme = run::Scheme::implicit_steps;
   options.step = 5e-3;

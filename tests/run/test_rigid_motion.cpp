@@ -29,8 +29,8 @@ std::shared_ptr<model::Model> body(const std::string& set, const Vec3& spin, con
   model::Options options;
   options.warp = [](const Vec3&) { return model::Direction(Vec3::UnitX()); };
   auto m = std::make_shared<model::Model>(mesh, card, options);
-  m->tie({model::TieKind::rigid, set, "", {}});
-  m->velocity({"all", linear, spin, Vec3(0.1 * kWidth, 0, 0)});
+  m->add<model::Tie>({model::TieKind::rigid, set, "", {}});
+  m->add<model::InitialVelocity>({"all", linear, spin, Vec3(0.1 * kWidth, 0, 0)});
   return m;
 }
 

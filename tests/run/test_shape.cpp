@@ -39,7 +39,8 @@ std::string refused(const std::shared_ptr<model::Model>& m) {
 TEST_CASE("a director that is turned over is told by its node, an element turned inside out by its number") {
   const auto turned = refused(make_sheet([](model::Model& m) {
     m.fix("middle", model::parse_freedoms("x y z"));
-    m.turn("middle", Vec3(1, 0.4, 0).normalized(), history::History::table({{0, 0}, {1, 130}}), std::nullopt);
+    m.add<model::PrescribedTurn>(
+        {"middle", Vec3(1, 0.4, 0).normalized(), history::History::table({{0, 0}, {1, 130}}), std::nullopt});
   }));
   says(turned, "the director at node 13 is turned over");
   CHECK(turned.find("is turned inside out)") == std::string::npos);

@@ -51,7 +51,7 @@ std::shared_ptr<model::Model> shaken(std::shared_ptr<mesh::Mesh> mesh, const car
     for (int i = 0; i < 3; ++i) v[i] = 1e-4 * std::sin(54321 * X.x() + 98765 * X.y() + 2.3 * i);
     return model::RigidVelocity{v, Vec3::Zero(), Vec3::Zero()};
   };
-  m->velocity(any);
+  m->add(any);
   return m;
 }
 
@@ -92,7 +92,7 @@ TEST_CASE("the usual step carries springs, pressure that stiffens and stiff tran
     return shaken(std::make_shared<mesh::Mesh>(mesh::rectangle(0.08, 0.06, 4, 4)), card);
   };
   auto m = sheet(rubber());
-  m->spring("left", {0, 2e6, 7e5});
+  m->add<model::GroundSpring>({"left", {0, 2e6, 7e5}});
   CHECK(usual(m) < 0.4 * usual(sheet(rubber())));
   runs_calmly(m);
   for (const bool both : {true, false}) {
@@ -153,7 +153,7 @@ TEST_CASE("a bound is the same for any number of threads, and a run goes on with
   const int before = omp_get_max_threads();
   const auto make = [] {
     auto m = shaken(triangles(0.09, 0.02, 0.1), rubber());
-    m->spring("left", {1e5, 0, 3e5});
+    m->add<model::GroundSpring>({"left", {1e5, 0, 3e5}});
     m->pressure("all", history::History::ramp(300, 0.002));
     return m;
   };
@@ -192,7 +192,7 @@ TEST_CASE("a step that a few elements forbid says which, and a run that breaks b
   std::vector<std::string> said;
   const auto notices = std::make_shared<Notices>([&](const std::string& text) { said.push_back(text); });
   const auto m = shaken(mesh, card);
-  m->spring("right", {0, 0, 4e7});
+  m->add<model::GroundSpring>({"right", {0, 0, 4e7}});
   const auto a = make_dynamic(m, {.duration = 1e-3}, notices);
   REQUIRE(!said.empty());
   CHECK(said[0].find("of what waves in the cloth allow, because of the springs or loads at element ") !=

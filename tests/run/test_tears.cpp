@@ -49,7 +49,7 @@ struct Bar {
     auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(width, length, 1, elements));
     mesh->define("end", [&](const Vec3& X) { return X.y() > length - 1.01 * h; });
     auto m = std::make_shared<model::Model>(mesh, cloth(strength, energy), model::Options{});
-    m->tearable("end");
+    m->add<model::Zone>({"end"});
     m->fix("all", model::parse_freedoms("x z rotation"));
     m->fix("bottom", model::parse_freedoms("y"));
     std::vector<std::pair<double, double>> smooth;  // begins without a jump of the speed
@@ -106,7 +106,7 @@ struct Strip {
     auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(length, height, columns, rows));
     mesh->define("middle", [&](const Vec3& X) { return std::abs(X.y() - height / 2) < 1.01 * h; });
     auto m = std::make_shared<model::Model>(mesh, cloth(strength, energy), model::Options{});
-    m->tearable("middle", lower);
+    m->add<model::Zone>({"middle", lower});
     m->fix("all", model::parse_freedoms("z rotation"));
     m->fix("bottom", model::parse_freedoms("x y"));
     m->fix("top", model::parse_freedoms("x"));
@@ -216,7 +216,7 @@ namespace {
 std::pair<std::vector<double>, double> even_pull(const card::Card& card, int cells, std::uint64_t seed) {
   auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(0.1, 0.1, cells, cells));
   auto m = std::make_shared<model::Model>(mesh, card, model::Options{});
-  m->tearable(model::Zone{"all", true, seed, {}, true});
+  m->add(model::Zone{"all", true, seed, {}, true});
   m->fix("all", model::parse_freedoms("x z rotation"));
   m->fix("bottom", model::parse_freedoms("y"));
   pull(*m, {{0, 0}, {1, 1e-4}});
@@ -296,7 +296,7 @@ TEST_CASE("cloth that pulls at a support beyond its strength is told of, since n
   // The row of elements in the jaw is the zone: the first place where a yarn could break is the jaw's edge.
   mesh->define("zone", [](const Vec3& X) { return X.y() < 1.01 * Bar::length / 4; });
   auto m = std::make_shared<model::Model>(mesh, cloth(1e3, 40), model::Options{});
-  m->tearable("zone");
+  m->add<model::Zone>({"zone"});
   m->fix("all", model::parse_freedoms("x z rotation"));
   m->fix("jaw", model::parse_freedoms("y"));
   const bool moves = GENERATE(false, true);

@@ -23,7 +23,7 @@ std::shared_ptr<model::Model> roll(const card::Card& card, history::History angl
   mesh->define("inside", [](const Vec3& X) { return X.x() < kLength - 1e-6; });
   m->fix("all", model::parse_freedoms("y"));
   m->fix("inside", model::parse_freedoms("rx"));
-  m->turn("right", Vec3::UnitY(), std::move(angle), std::nullopt);
+  m->add<model::PrescribedTurn>({"right", Vec3::UnitY(), std::move(angle), std::nullopt});
   return m;
 }
 

@@ -32,8 +32,8 @@ TEST_CASE("patch test through periodic ties: a distorted cell stretched and shea
   model::Options options;
   options.warp = [](const Vec3&) { return model::Direction(25.0); };
   auto m = std::make_shared<model::Model>(mesh, isotropic(1e7, 0.3, 1e-3), options);
-  m->tie({TieKind::periodic, "left", "right", tied("x y z rotation")});
-  m->tie({TieKind::periodic, "bottom", "top", tied("x y z rotation")});
+  m->add<model::Tie>({TieKind::periodic, "left", "right", tied("x y z rotation")});
+  m->add<model::Tie>({TieKind::periodic, "bottom", "top", tied("x y z rotation")});
   m->fix("first", model::parse_freedoms("x y z"));
   m->move("along", ramp(0, 0.01));
   m->fix("along", model::parse_freedoms("y z"));
@@ -65,7 +65,7 @@ TEST_CASE("a rigid edge pulled by the force of a clamped grip moves as that grip
   options.warp = [](const Vec3&) { return model::Direction(90.0); };
   auto m = std::make_shared<model::Model>(mesh, s.card, options);
   m->fix("bottom", model::parse_freedoms("x y z rotation"));
-  m->tie({TieKind::rigid, "top", {}, {}});
+  m->add<model::Tie>({TieKind::rigid, "top", {}, {}});
   m->force("top", ramp(1, force));
   run::Static a(m, {.duration = 1, .step = 0.1, .tolerance = 1e-12}, quiet());
   a.solve();
@@ -81,8 +81,8 @@ TEST_CASE("a strip rolled by a moment on its rigid end closes as under the same 
     auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(L, 1, 16, 2));
     auto m = std::make_shared<model::Model>(mesh, isotropic(E, 0, t), model::Options{});
     m->fix("left", model::parse_freedoms("x y z rotation"));
-    if (rigid) m->tie({TieKind::rigid, "right", {}, {}});
-    m->moment("right", ramp(1, -M));
+    if (rigid) m->add<model::Tie>({TieKind::rigid, "right", {}, {}});
+    m->add<model::MomentLoad>({"right", ramp(1, -M)});
     run::Static a(m, {.duration = 1, .step = 0.1}, quiet());
     a.solve();
     int iterations = 0;
@@ -105,8 +105,8 @@ TEST_CASE("a moment about the normal of a rigid end turns the sheet in its plane
   const double E = 1e6, t = 0.01, b = 0.1, M = 1e-3 * E * t * b * b * b / 12;  // curvature 1e-3
   auto m = std::make_shared<model::Model>(mesh, isotropic(E, 0, t), model::Options{});
   m->fix("left", model::parse_freedoms("x y z rotation"));
-  m->tie({TieKind::rigid, "right", {}, {}});
-  m->moment("right", ramp(2, M));
+  m->add<model::Tie>({TieKind::rigid, "right", {}, {}});
+  m->add<model::MomentLoad>({"right", ramp(2, M)});
   run::Static a(m, {.duration = 1, .step = 1}, quiet());
   a.solve();
   CHECK(a.node(41).u.y() == Approx(0.5e-3).epsilon(1e-4));
@@ -123,7 +123,7 @@ TEST_CASE("an edge kept straight under a pull stays straight, and its ends carry
   auto m = std::make_shared<model::Model>(mesh, s.card, options);
   m->fix("all", model::parse_freedoms("z rotation"));
   m->fix("bottom", model::parse_freedoms("x y"));
-  m->tie({TieKind::straight, "top", {}, tied("x y")});
+  m->add<model::Tie>({TieKind::straight, "top", {}, tied("x y")});
   m->move("ends", ramp(1, 5e-3));
   run::Static a(m, {.duration = 1, .step = 0.1}, quiet());
   a.solve();

@@ -14,7 +14,7 @@ constexpr double kTaut = 1e-9;  // a strain above minus this is one of a taut ba
 
 }  // namespace
 
-EdgeBands::EdgeBands(const model::Model& model) : bands_(model.bands()) {
+EdgeBands::EdgeBands(const model::Model& model) : bands_(model.all<model::EdgeBand>()) {
   const mesh::Mesh rest = model::rest_mesh(model);
   for (std::size_t i = 0; i < bands_.size(); ++i) {
     const model::EdgeChain chain = model::chain_of(rest, bands_[i].set);

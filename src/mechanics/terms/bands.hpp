@@ -1,5 +1,5 @@
-// Bands along edges (model/bands.hpp): between neighbouring nodes of an edge a spring that pulls and never
-// pushes, whose length without force is that of the edge, less the ease.
+// Bands along edges (model/declarations.hpp): between neighbouring nodes of an edge a spring that pulls and
+// never pushes, whose length without force is that of the edge, less the ease.
 #pragma once
 #include <vector>
 

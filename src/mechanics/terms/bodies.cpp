@@ -77,7 +77,7 @@ Bodies::Bodies(const model::Model& model, contact::Scene& scene) : model_(model)
 
 // The places at which the rims of volumes of gas lie on a body go along with it.
 void Bodies::add_seats(const Body& body, contact::Scene& scene) {
-  const auto& gases = model_.gases();
+  const auto& gases = model_.all<model::GasPointer>();
   const std::size_t nodes = model_.mesh().nodes.size();
   for (std::size_t g = 0; g < gases.size(); ++g) {
     if (gases[g]->bodies.empty()) continue;
@@ -93,7 +93,7 @@ void Bodies::add_seats(const Body& body, contact::Scene& scene) {
 }
 
 void Bodies::add_tied(const Body& body, contact::Scene& scene) {
-  for (const model::Tie& tie : model_.ties()) {
+  for (const model::Tie& tie : model_.all<model::Tie>()) {
     if (tie.kind != model::TieKind::rigid || tie.partner != body.given->name()) continue;
     for (const Index n : model_.mesh().set(tie.set)) {
       tied_.push_back({n, scene.reference().size() - model_.mesh().nodes.size()});

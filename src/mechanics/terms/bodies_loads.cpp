@@ -19,13 +19,13 @@ constexpr double kLeastForce = 1e-6;  // N, by which the stiffness is chosen tha
 }  // namespace
 
 void Bodies::add_loads() {
-  for (const auto& load : model_.interactions().loads())
+  for (const auto& load : model_.interactions().all<model::BodyLoad>())
     for (std::size_t b = 0; b < bodies_.size(); ++b)
       if (bodies_[b].given == load.body) loads_.push_back({b, &load});
 }
 
 void Bodies::add_springs() {
-  for (const auto& given : model_.interactions().springs()) {
+  for (const auto& given : model_.interactions().all<model::BodySpring>()) {
     Spring spring;
     spring.stiffness = given.stiffness;
     spring.damper = given.damper;

@@ -73,7 +73,7 @@ void Cloth::set_initial_states() {
 std::vector<std::array<double, 2>> Cloth::strengths_of_elements() const {
   const auto& mesh = model_.mesh();
   std::vector<std::array<double, 2>> out(mesh.elements.size(), {1, 1});
-  for (const auto& given : model_.strengths())
+  for (const auto& given : model_.all<model::StrengthGiven>())
     for (const Index e : mesh.elements_in(mesh.set(given.set)))
       for (int family = 0; family < 2; ++family)
         out[static_cast<std::size_t>(e)][static_cast<std::size_t>(family)] *=

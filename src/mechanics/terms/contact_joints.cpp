@@ -23,10 +23,10 @@ void Contacts::find_masses() {
     const bool moves = std::any_of(eq.begin(), eq.begin() + 3, [](Index e) { return e >= 0 || e == tied; });
     if (moves && mass[n] > 0) inverse_mass_[n] = 1 / mass[n];
   }
-  const bool cut = std::any_of(model_.supports().begin(), model_.supports().end(),
+  const bool cut = std::any_of(model_.all<model::Support>().begin(), model_.all<model::Support>().end(),
                                [](const auto& support) { return support.symmetry >= 0; });
   if (cut) planes_.assign(x_.size(), 0);
-  for (const auto& support : model_.supports())
+  for (const auto& support : model_.all<model::Support>())
     if (support.symmetry >= 0)
       for (const Index n : model_.mesh().set(support.set)) {
         const auto plane = static_cast<unsigned char>(1 << support.symmetry);

@@ -34,7 +34,7 @@ GasFlow flow_of(const model::Model& model) {
   const auto& mesh = model.mesh();
   const auto x = positions(mesh);
   std::vector<GasFlow::VolumeGiven> all;
-  for (const auto& gas : model.gases()) {
+  for (const auto& gas : model.all<model::GasPointer>()) {
     const auto area = [&](const std::string& set) {
       std::vector<FaceNodes> faces;
       for (const auto e : mesh.elements_in(mesh.set(set))) faces.push_back(mesh.elements[e]);
@@ -52,10 +52,10 @@ GasFlow flow_of(const model::Model& model) {
 Gas::Gas(const model::Model& model)
     : nodes_(model.mesh().nodes.size()), flow_(flow_of(model)), open_(flow_.begin()) {
   auto x = positions(model.mesh());
-  for (const auto& gas : model.gases()) add_volume(model, *gas, x);
+  for (const auto& gas : model.all<model::GasPointer>()) add_volume(model, *gas, x);
   const auto V = volumes(x);
   for (std::size_t i = 0; i < V.size(); ++i) {
-    const auto& gas = *model.gases()[i];
+    const auto& gas = *model.all<model::GasPointer>()[i];
     const double of_one = gas.specific() * gas.temperature / V[i];  // Pa, of 1 kg
     const double pressure = gas.mass ? *gas.mass * of_one : gas.outside + gas.initial;
     states_.push_back({V[i], pressure, pressure / of_one});

@@ -94,9 +94,9 @@ void Gravity::add_tangent(const Trial& trial, TangentSink& sink) const {
 
 DeadLoads::DeadLoads(const model::Model& model) {
   const auto& mesh = model.mesh();
-  for (const auto& f : model.loads<model::ForceLoad>())
+  for (const auto& f : model.all<model::ForceLoad>())
     loads_.push_back(spread(mesh, f.set, f.total, f.frame, true));
-  for (const auto& t : model.loads<model::TractionLoad>())
+  for (const auto& t : model.all<model::TractionLoad>())
     loads_.push_back(spread(mesh, t.set, t.intensity, t.frame, false));
 }
 
@@ -170,7 +170,7 @@ bool edges_are_held(const model::Model& model, const Freedoms& freedoms,
 
 Pressure::Pressure(const model::Model& model, const Freedoms& freedoms) {
   const auto& mesh = model.mesh();
-  for (const auto& p : model.loads<model::PressureLoad>()) {
+  for (const auto& p : model.all<model::PressureLoad>()) {
     Faces faces{{}, p.value};
     for (const auto e : mesh.elements_in(mesh.set(p.set))) faces.elements.push_back(mesh.elements[e]);
     faces_.push_back(std::move(faces));
@@ -206,7 +206,7 @@ void Pressure::add_tangent(const Trial& trial, TangentSink& sink) const {
 // --- moments
 
 Moments::Moments(const model::Model& model) : at_trial_time_(model.mesh().nodes.size(), Vec3::Zero()) {
-  for (const auto& m : model.loads<model::MomentLoad>())
+  for (const auto& m : model.all<model::MomentLoad>())
     loads_.push_back(spread(model.mesh(), m.set, m.total, m.frame, true));
   set_time(0);
 }
@@ -254,7 +254,7 @@ void Moments::add_tangent(const Trial& trial, TangentSink& sink) const {
 // --- springs
 
 Springs::Springs(const model::Model& model) {
-  for (const auto& s : model.loads<model::GroundSpring>()) {
+  for (const auto& s : model.all<model::GroundSpring>()) {
     const auto& nodes = model.mesh().set(s.set);
     const Tributary t = tributary(model.mesh(), nodes);
     const Vec3 k(s.stiffness[0], s.stiffness[1], s.stiffness[2]);

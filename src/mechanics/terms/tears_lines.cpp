@@ -68,7 +68,7 @@ Stiffness2 stiffness_at(const section::Section& section, int family, double stre
 }  // namespace
 
 bool Tears::possible(const model::Model& model) {
-  return !model.zones().empty() &&
+  return !model.all<model::Zone>().empty() &&
          std::any_of(model.regions().begin(), model.regions().end(),
                      [](const model::Region& region) { return region.card.rupture.has_value(); });
 }
@@ -171,9 +171,9 @@ double Tears::coarse(const model::Zone& zone, std::size_t region, int family, do
 // of one size have the same strength, so that this is worked out once.
 void Tears::set_strengths() {
   const auto& mesh = model_.mesh();
-  std::vector<std::size_t> zone_of(mesh.elements.size(), model_.zones().size());
-  for (std::size_t z = model_.zones().size(); z-- > 0;)
-    for (const Index e : mesh.elements_in(mesh.set(model_.zones()[z].set)))
+  std::vector<std::size_t> zone_of(mesh.elements.size(), model_.all<model::Zone>().size());
+  for (std::size_t z = model_.all<model::Zone>().size(); z-- > 0;)
+    for (const Index e : mesh.elements_in(mesh.set(model_.all<model::Zone>()[z].set)))
       zone_of[static_cast<std::size_t>(e)] = z;
   const auto off_path = [&](const Site& site, const model::Zone& zone) {
     if (zone.path.empty()) return false;
@@ -186,9 +186,9 @@ void Tears::set_strengths() {
       for (int family = 0; family < 2; ++family) {
         const std::size_t z = zone_of[static_cast<std::size_t>(corner.element)];
         const auto& rupture = model_.card_of(corner.element).rupture;
-        if (z == model_.zones().size() || !rupture || !of_family(*rupture, family)) continue;
+        if (z == model_.all<model::Zone>().size() || !rupture || !of_family(*rupture, family)) continue;
         const card::YarnBreak& yarn = *of_family(*rupture, family);
-        const auto& zone = model_.zones()[z];
+        const auto& zone = model_.all<model::Zone>()[z];
         if (off_path(site, zone)) continue;
         const auto region = static_cast<std::size_t>(model_.region_of(corner.element));
         const double h = spacing(site, 1 - family);

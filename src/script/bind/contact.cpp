@@ -3,6 +3,7 @@
 #include <functional>
 #include <numbers>
 
+#include "model/declaration_rows.hpp"
 #include "model/model.hpp"
 #include "run/bodies.hpp"
 #include "script/bind/mesh.hpp"
@@ -10,10 +11,10 @@
 #include "script/bind/rooms.hpp"
 #include "script/bind/run.hpp"
 #include "script/call/words.hpp"
+#include "script/values/field_rows.hpp"
 
 namespace fabricsh::script {
 
-using model::Model;
 using model::Rigid;
 
 namespace {
@@ -69,10 +70,7 @@ std::vector<model::Facets> read_shapes(const Call& call) {
   lua_State* L = call.L();
   const bool closed = call.flag("closed");
   std::vector<model::Facets> shapes;
-  call.push(field);
-  const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
-  for (lua_Integer i = 1; i <= count; ++i) {
-    lua_rawgeti(L, -1, i);
+  call.each(field, [&](lua_Integer i) {
     const auto mesh = call.has("files") && lua_type(L, -1) == LUA_TSTRING
                           ? std::make_shared<mesh::Mesh>(read_mesh_file(call, lua_tostring(L, -1)))
                           : to_object<mesh::Mesh>(L, -1);
@@ -82,9 +80,7 @@ std::vector<model::Facets> read_shapes(const Call& call) {
     else
       call.refuse(field, "expected a list of " + std::string(call.has("files") ? "file names" : "meshes") +
                              ", got " + describe(L, -1) + " at place " + std::to_string(i));
-    lua_pop(L, 1);
-  }
-  lua_pop(L, 1);
+  });
   if (shapes.empty()) call.refuse(field, "expected at least one shape, got an empty table");
   for (std::size_t i = 1; i < shapes.size(); ++i) {
     const std::string wanted = "expected the same facets in every shape, got ", which = std::to_string(i + 1);
@@ -107,9 +103,7 @@ int motion(Call& call) {
 
 int body_text(lua_State* L) {
   const auto body = to_object<const Rigid>(L, 1);
-  const std::string words = "<" + (body->name().empty() ? "" : body->name() + ": ") + body->describe() + ">";
-  lua_pushlstring(L, words.data(), words.size());
-  return 1;
+  return push_text(L, "<" + (body->name().empty() ? "" : body->name() + ": ") + body->describe() + ">");
 }
 
 // --- contact
@@ -150,8 +144,8 @@ Argument friction_row() {
        number_("warp", "", positive, "of sliding along the warp of the cloth that comes first in the model")
            .optional(),
        number_("weft", "", positive, "of sliding across it").optional()},
-      "friction coefficient; or {static, kinetic}, of what sticks and of what slides; or {warp, "
-      "weft}, by direction");
+      "friction coefficient; or {static, kinetic}, of what sticks and of what slides; or {warp, weft}, by "
+      "direction");
   row.kinds |= number;
   row.range = not_negative;
   return row.or_else(0.0);
@@ -166,36 +160,20 @@ int contact(Call& call) {
   if (call.has("self")) {
     given.between.push_back({call.text("self"), nullptr});
   } else {
-    call.push("between");
-    const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
-    for (lua_Integer i = 1; i <= count; ++i) {
-      lua_rawgeti(L, -1, i);
-      given.between.push_back(party_at(call, L, "between", i));
-      lua_pop(L, 1);
-    }
-    lua_pop(L, 1);
+    const auto count = call.each(
+        "between", [&](lua_Integer i) { given.between.push_back(party_at(call, L, "between", i)); });
     if (count < 2) call.refuse("between", "expected two sides or more, got " + std::to_string(count));
   }
   read_friction(call, given);
+  read_rows(call, model::contact_rows(), given);
   if (call.has("film")) {
     const Fields film = call.fields("film");
-    given.viscosity = film.number("viscosity");
-    given.film = film.number("thickness");
     if (film.has("speed") != film.has("exponent"))
       call.refuse("film", std::string("expected speed and exponent, or none of them, got only ") +
                               (film.has("speed") ? "speed" : "exponent"));
-    if (film.has("speed")) {
-      given.film_speed = film.number("speed");
-      given.film_exponent = film.number("exponent");
-    }
-    lua_pop(call.L(), 1);
+    lua_pop(L, 1);
   }
-  if (call.has("thickness")) given.thickness = call.number("thickness");
-  if (call.has("stiffness")) given.stiffness = call.number("stiffness");
-  given.restitution = call.number("restitution");
-  if (call.has("settle")) given.settle = call.number("settle");
-  call.self<Model>()->contact(std::move(given));
-  return return_self(call);
+  return declare(call, std::move(given));
 }
 
 // --- reading
@@ -330,41 +308,13 @@ std::vector<Entry> body_rows() {
 }
 
 std::vector<Entry> contact_model_rows() {
+  std::vector<Argument> rows{
+      value_("between", table, "{ body or set, ... }: every two of them touch (\"all\": the whole cloth)")
+          .optional(),
+      value_("self", text, "a set whose cloth touches itself").optional(), friction_row()};
+  for (Argument& row : arguments_of(model::contact_rows())) rows.push_back(std::move(row));
   return {
-      {"model:contact",
-       Style::fields,
-       {value_("between", table, "{ body or set, ... }: every two of them touch (\"all\": the whole cloth)")
-            .optional(),
-        value_("self", text, "a set whose cloth touches itself").optional(), friction_row(),
-        fields_(
-            "film",
-            {number_("viscosity", "Pa s", positive, "of what is between the surfaces, such as a hot matrix"),
-             number_("thickness", "m", positive, "of it"),
-             number_("speed", "m/s", positive, "of sliding from which the viscosity falls; default: it stays")
-                 .optional(),
-             number_(
-                 "exponent", "", {0, 1, true},
-                 "of the speed in the traction far above that: 1 would be the same viscosity at all speeds")
-                 .optional()},
-            "beside friction, viscosity times sliding speed over thickness, where the surfaces touch; with "
-            "speed and exponent n times (1 + (v / speed)^2)^((n - 1) / 2)")
-            .optional(),
-        number_("thickness", "m", positive,
-                "of the cloth in contact; default: the cloth's own, or that of its card's compression")
-            .optional(),
-        number_("stiffness", "Pa/m", positive,
-                "pressure per closed gap; default: the compression curve of the card, or else 1 MPa down to "
-                "the floor; "
-                "in explicit runs no more than the cloth's own stable step carries")
-            .optional(),
-        number_("restitution", "", {0.4, 1},
-                "speed after over speed before of a sheet that meets something flat; 1: nothing is lost")
-            .or_else(model::ContactGiven::usual_restitution),
-        number_(
-            "settle", "s", positive,
-            "time from the start in which sheets and bodies that begin too near to each other, but not one "
-            "through the other, are brought apart; without it they are refused")
-            .optional()},
+      {"model:contact", Style::fields, rows,
        "Lets surfaces touch: cloth on rigid bodies, on other cloth, on itself. Nothing passes through.",
        sample_model() + "local floor = fabric.rigid.plane{ point={0, 0, -0.001}, normal={0, 0, 1} }\n"
                         "m:contact{ between={floor, 'all'}, friction=0.3 }:contact{ self='all' }",
@@ -382,18 +332,16 @@ std::vector<Entry> run_rows() {
        Style::positional,
        {object_("body", "body", "that touches something in the model")},
        "Where a rigid body is and how it moves: nine numbers, x y z of its centre (m), its velocity (m/s), "
-       "its spin (degrees/s); a moved body's "
-       "by differences of its histories.",
+       "its spin (degrees/s); a moved body's by differences of its histories.",
        falls + "local x, y, z = a:solve():body(floor)\nassert(z == -0.001)",
        body},
       {"analysis:on_body",
        Style::positional,
        {object_("body", "body", "of facets (surface, motion, limb, torso), that touches cloth in the model")},
        "What the cloth does to a rigid surface: of each vertex x, y, z (m, where it is), area (m2, a third "
-       "of "
-       "the facets around it, as they are) and pressure (Pa, without friction); and touch, whose lists node, "
-       "x, y, z are the nodes of the cloth that touch the surface, and where on it, m, in its shape at time "
-       "0.",
+       "of the facets around it, as they are) and pressure (Pa, without friction); and touch, whose lists "
+       "node, x, y, z are the nodes of the cloth that touch the surface, and where on it, m, in its shape at "
+       "time 0.",
        sample_model() +
            "local face = fabric.mesh.rectangle{ width=0.4, height=0.4, nx=8, ny=8, origin={-0.1, -0.1, 0} }\n"
            "local slab = fabric.rigid.surface{ mesh=face:map(function(x, y) return x, y, -0.0002 end) }\n"
@@ -403,13 +351,11 @@ std::vector<Entry> run_rows() {
            "for i, p in ipairs(on.pressure) do weight = weight + p*on.area[i] end\n"
            "assert(weight > 0 and #on.touch.node > 0)",
        on_body},
-      {"analysis:gap",
-       Style::positional,
-       {},
-       "Smallest distance of surfaces that may touch, less the smallest distance that contact allows, m, and "
-       "which surfaces these are; where none are near: the reach of contact, and nil.",
-       falls + "assert(a:solve():gap() > 0)",
-       gap},
+      without_arguments("analysis:gap",
+                        "Smallest distance of surfaces that may touch, less the smallest distance that "
+                        "contact allows, m, and "
+                        "which surfaces these are; where none are near: the reach of contact, and nil.",
+                        falls + "assert(a:solve():gap() > 0)", gap),
   };
 }
 

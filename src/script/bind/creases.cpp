@@ -1,10 +1,10 @@
 // Creases of a model: lines along which a sheet rests at an angle.
+#include "model/declaration_rows.hpp"
 #include "script/bind/model.hpp"
 #include "script/bind/rooms.hpp"
+#include "script/values/field_rows.hpp"
 
 namespace fabricsh::script {
-
-using model::Model;
 
 namespace {
 
@@ -13,32 +13,24 @@ int crease(Call& call) {
     call.refuse("set", "expected the name of a set, or a line, got " +
                            std::string(call.has("set") ? "both" : "neither"));
   model::CreaseGiven given;
-  given.angle = call.number("angle");
-  if (call.has("stiffness")) given.stiffness = call.number("stiffness");
+  read_rows(call, model::crease_rows(), given);
   if (call.has("set"))
     given.set = call.text("set");
   else
     given.line = read_line(call);
-  call.self<Model>()->crease(std::move(given));
-  return return_self(call);
+  return declare(call, std::move(given));
 }
 
 std::vector<Entry> creases_entries() {
+  const auto rows = arguments_of(model::crease_rows());
   return {
       {"model:crease",
        Style::fields,
        {value_("line", table,
                "{ {x, y, z}, ... }: through points of the stress-free shape, in m, along edges of its mesh")
             .optional(),
-        value_("set", text, "the nodes of a line of edges, in place of the line").optional(),
-        number_("angle", "degrees", Range{-180, 180},
-                "between the normals of both sides where the crease is at rest; positive where they lean "
-                "towards each other, as in a valley seen from the side of the normals"),
-        number_(
-            "stiffness", "N/rad", Range{0, 1e6},
-            "N m/rad per metre of crease: makes it a hinge, whose moment is this times the angle from rest; "
-            "without it the sheet is as stiff there as elsewhere")
-            .optional()},
+        value_("set", text, "the nodes of a line of edges, in place of the line").optional(), rows[0],
+        rows[1]},
        "Makes a crease: a line along which the sheet is at rest at an angle. The elements beside it are as "
        "stiff as elsewhere. Creases that all have a stiffness may cross.",
        "local fabric = require 'fabric'\n"

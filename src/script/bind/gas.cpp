@@ -4,12 +4,13 @@
 #include <cmath>
 
 #include "base/number.hpp"
-#include "model/rigid.hpp"
+#include "model/declaration_rows.hpp"
 #include "script/bind/model.hpp"
 #include "script/bind/rooms.hpp"
 #include "script/bind/run.hpp"
 #include "script/call/words.hpp"
 #include "script/session/at_work.hpp"
+#include "script/values/field_rows.hpp"
 
 namespace fabricsh::script {
 
@@ -24,18 +25,14 @@ std::vector<std::string> sets_of(const Call& call) {
   if (!call.has("set") || call.is("set", LUA_TSTRING)) return {call.text("set")};
   lua_State* L = call.L();
   std::vector<std::string> names;
-  call.push("set");
-  const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
-  for (lua_Integer i = 1; i <= count; ++i) {
-    if (lua_rawgeti(L, -1, i) != LUA_TSTRING) {
+  call.each("set", [&](lua_Integer i) {
+    if (lua_type(L, -1) != LUA_TSTRING) {
       const std::string got = describe(L, -1);
       call.refuse("set", "expected names of sets, got " + got + " at place " + std::to_string(i) +
                              (got == "a body" ? ": a body closes a hole as one of lids=" : ""));
     }
     names.emplace_back(lua_tostring(L, -1));
-    lua_pop(L, 1);
-  }
-  lua_pop(L, 1);
+  });
   return names;
 }
 
@@ -52,17 +49,12 @@ void read_lids(const Call& call, GasGiven& gas) {
       call.refuse("lids", "expected names of sets or rigid bodies, got " + describe(L, -1) +
                               (place > 0 ? " at place " + std::to_string(place) : ""));
   };
-  call.push("lids");
-  if (!lua_istable(L, -1)) {
-    take(0);
-  } else {
-    const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
-    for (lua_Integer i = 1; i <= count; ++i) {
-      lua_rawgeti(L, -1, i);
-      take(i);
-      lua_pop(L, 1);
-    }
+  if (call.is("lids", LUA_TTABLE)) {
+    call.each("lids", take);
+    return;
   }
+  call.push("lids");
+  take(0);
   lua_pop(L, 1);
 }
 
@@ -82,13 +74,8 @@ const std::vector<Argument>& vent_rows() {
 void read_vents(const Call& call, GasGiven& gas) {
   if (!call.has("vents")) return;
   lua_State* L = call.L();
-  call.push("vents");
-  const int list = lua_gettop(L);
-  const auto count = static_cast<lua_Integer>(lua_rawlen(L, list));
-  if (count == 0)
-    call.refuse("vents", "expected a list { {set=|area=, coefficient=?, to=?, opens=?}, ... }, got no entry");
-  for (lua_Integer i = 1; i <= count; ++i) {
-    if (lua_rawgeti(L, list, i) != LUA_TTABLE)
+  const auto count = call.each("vents", [&](lua_Integer i) {
+    if (!lua_istable(L, -1))
       call.refuse("vents", "expected a list { {set=|area=, coefficient=?, to=?, opens=?}, ... }, got " +
                                describe(L, -1) + " at place " + std::to_string(i));
     const Fields given(L, -1, vent_rows(), "vents[" + std::to_string(i) + "].");
@@ -99,9 +86,9 @@ void read_vents(const Call& call, GasGiven& gas) {
     if (given.has("to")) vent.to = given.object<const GasGiven>("to");
     if (given.has("opens")) vent.opens = given.number("opens");
     gas.vents.push_back(std::move(vent));
-    lua_settop(L, list);
-  }
-  lua_settop(L, list - 1);
+  });
+  if (count == 0)
+    call.refuse("vents", "expected a list { {set=|area=, coefficient=?, to=?, opens=?}, ... }, got no entry");
 }
 
 void read_gas(const Call& call, GasGiven& gas) {
@@ -145,8 +132,7 @@ void read_leakage(const Call& call, GasGiven& gas) {
     const auto both = call.numbers("leakage");
     if (both.size() != 2 || !(both[0] >= 0) || !(both[1] > 0))
       call.refuse("leakage",
-                  "expected {m/s, Pa}: a speed of 0 or more and the positive pressure at which it is, "
-                  "got " +
+                  "expected {m/s, Pa}: a speed of 0 or more and the positive pressure at which it is, got " +
                       counted(both.size(), "number"));
     speed = both[0];
     at = both[1];
@@ -160,11 +146,7 @@ int gas(Call& call) {
   GasGiven gas;
   gas.sets = sets_of(call);
   read_lids(call, gas);
-  if (call.has("initial")) gas.initial = call.number("initial");
-  if (call.has("mass")) gas.mass = call.number("mass");
-  gas.temperature = call.number("temperature");
-  gas.exponent = call.number("exponent");
-  gas.outside = call.number("outside");
+  read_rows(call, model::gas_rows(), gas);
   read_gas(call, gas);
   if (call.has("inflow")) {
     lua_State* L = call.L();
@@ -175,7 +157,9 @@ int gas(Call& call) {
   }
   read_vents(call, gas);
   read_leakage(call, gas);
-  push_object(call.L(), call.self<Model>()->gas(std::move(gas)));
+  const auto made = std::make_shared<const GasGiven>(std::move(gas));
+  call.self<Model>()->add(made);
+  push_object(call.L(), made);
   return 1;
 }
 
@@ -185,13 +169,10 @@ int reading(Call& call) {
   return 4;
 }
 
-int gas_text(lua_State* L) {
-  const std::string words = "<gas " + to_object<const GasGiven>(L, 1)->name() + ">";
-  lua_pushlstring(L, words.data(), words.size());
-  return 1;
-}
+int gas_text(lua_State* L) { return push_text(L, "<gas " + to_object<const GasGiven>(L, 1)->name() + ">"); }
 
 std::vector<Entry> gas_entries() {
+  const auto rows = arguments_of(model::gas_rows());
   const std::string bag =
       "local fabric = require 'fabric'\n"
       "local mesh = fabric.mesh.cylinder{ radius=0.05, length=0.2, around=12, along=6 }\n"
@@ -206,11 +187,10 @@ std::vector<Entry> gas_entries() {
   kind.choices = {"air"};
   Argument inflow = history_("inflow", "kg/s", "{ {time, kg/s}, ... } or a history: mass that flows in");
   inflow.kinds |= table;
-  Argument leakage =
-      value_("leakage", number | numbers | function,
-             "speed of the air through the cloth, m/s at 100 Pa; {m/s, Pa} at another pressure; "
-             "or function(Pa) returning m/s")
-          .optional();
+  Argument leakage = value_("leakage", number | numbers | function,
+                            "speed of the air through the cloth, m/s at 100 Pa; {m/s, Pa} at another "
+                            "pressure; or function(Pa) returning m/s")
+                         .optional();
   return {
       {"model:gas",
        Style::fields,
@@ -222,19 +202,12 @@ std::vector<Entry> gas_entries() {
             "something closes which weighs nothing: the gas pushes on it, and it on the nodes, evenly",
             text | table)
             .optional(),
-        number_("initial", "Pa", everything, "pressure above that outside at time 0; default 0").optional(),
-        number_("mass", "kg", positive, "mass of the gas at time 0, in place of a pressure").optional(),
-        number_("temperature", "K", positive, "at time 0, and of what flows in").or_else(293.15),
-        kind.optional(),
-        number_("exponent", "", {1, 5.0 / 3, false, false}, "n of p V^n: 1 isothermal, 1.4 adiabatic")
-            .or_else(1),
-        inflow,
-        value_(
-            "vents", table,
-            "{ {set=|area=, coefficient=0.6, to=?, opens=?}, ... }: holes through which gas flows out, or to "
-            "another volume, as through a nozzle; a set counts by its area at the start")
+        rows[0], rows[1], rows[2], kind.optional(), rows[3], inflow,
+        value_("vents", table,
+               "{ {set=|area=, coefficient=0.6, to=?, opens=?}, ... }: holes through which gas flows out, or "
+               "to another volume, as through a nozzle; a set counts by its area at the start")
             .optional(),
-        leakage, number_("outside", "Pa", positive, "absolute pressure outside").or_else(101325)},
+        leakage, rows[4]},
        "Fills a closed volume with gas. Its pressure is the same everywhere and follows from the volume, the "
        "mass and the temperature. Returns the volume, for a:gas and for vents of others.",
        bag + "assert(m:list()[3].kind == 'gas')",
@@ -243,8 +216,7 @@ std::vector<Entry> gas_entries() {
        Style::positional,
        {object_("gas", "gas", "a volume of the model, what m:gas returned")},
        "The gas of a volume as it is: four numbers, the pressure above that outside (Pa), the volume (m3), "
-       "the "
-       "mass (kg), and the temperature (K).",
+       "the mass (kg), and the temperature (K).",
        bag + "local a = fabric.static{ model=m, duration=1 }\n"
              "local p, V, mass, T = a:gas(g)\nassert(p == 500 and math.abs(mass * 287.05 * T / V - 101825) < "
              "1)",

@@ -2,27 +2,22 @@
 #include <algorithm>
 
 #include "base/archive.hpp"
+#include "model/declaration_rows.hpp"
 #include "script/bind/model.hpp"
 #include "script/bind/run.hpp"
 #include "script/runs/replay.hpp"
+#include "script/values/field_rows.hpp"
 
 namespace fabricsh::script {
 
-using model::Model;
-
 std::vector<Vec3> read_line(const Call& call) {
   lua_State* L = call.L();
-  call.push("line");
   std::vector<Vec3> line;
-  const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
-  for (lua_Integer i = 1; i <= count; ++i) {
+  call.each("line", [&](lua_Integer i) {
     const Argument row{std::to_string(i), numbers, "m", everything, ""};
-    lua_rawgeti(L, -1, i);
     check_value(L, -1, row, "line.", false);
     line.push_back(read_vector(read_numbers(L, -1), "field 'line." + row.name + "'"));
-    lua_pop(L, 1);
-  }
-  lua_pop(L, 1);
+  });
   if (line.size() < 2)
     call.refuse("line", "expected two points {x, y, z} or more, got " + std::to_string(line.size()));
   return line;
@@ -39,16 +34,14 @@ int tearable(Call& call) {
     zone.seed = static_cast<std::uint64_t>(options.integer("seed"));
     if (options.has("path")) zone.path = options.text("path");
   }
-  call.self<Model>()->tearable(std::move(zone));
-  return return_self(call);
+  return declare(call, std::move(zone));
 }
 
 int strength(Call& call) {
-  model::StrengthGiven given{call.text("set"), call.number("factor")};
-  if (call.has("modulus")) given.modulus = call.number("modulus");
+  model::StrengthGiven given{call.text("set")};
+  read_rows(call, model::strength_rows(), given);
   given.seed = static_cast<std::uint64_t>(call.integer("seed"));
-  call.self<Model>()->strength(std::move(given));
-  return return_self(call);
+  return declare(call, std::move(given));
 }
 
 run::Run::Along read_along(const Call& call) {
@@ -97,23 +90,19 @@ int joints(Call& call) {
   const auto& joints = dofs.joints();
   const auto& closed = dofs.sewn().closed;
   lua_createtable(call.L(), 0, 4);
-  lua_pushinteger(call.L(), static_cast<lua_Integer>(closed.size()));
-  lua_setfield(call.L(), -2, "stitches");
-  lua_pushinteger(call.L(), std::count(closed.begin(), closed.end(), 1));
-  lua_setfield(call.L(), -2, "closed");
-  lua_pushinteger(call.L(), static_cast<lua_Integer>(joints.open()));
-  lua_setfield(call.L(), -2, "open");
-  lua_pushinteger(call.L(), static_cast<lua_Integer>(joints.places()));
-  lua_setfield(call.L(), -2, "places");
+  set_integer(call.L(), "stitches", static_cast<lua_Integer>(closed.size()));
+  set_integer(call.L(), "closed", std::count(closed.begin(), closed.end(), 1));
+  set_integer(call.L(), "open", static_cast<lua_Integer>(joints.open()));
+  set_integer(call.L(), "places", static_cast<lua_Integer>(joints.places()));
   return 1;
 }
 
 std::vector<Argument> along_rows() {
-  return {value_("set", text, "the edges between nodes of this set").optional(),
-          value_("line", table,
-                 "a list of points {x, y, z}: the edges that lie on the line through them, m in the "
-                 "reference")
-              .optional()};
+  return {
+      value_("set", text, "the edges between nodes of this set").optional(),
+      value_("line", table,
+             "a list of points {x, y, z}: the edges that lie on the line through them, m in the reference")
+          .optional()};
 }
 
 std::string sample(const std::string& end) {
@@ -129,6 +118,7 @@ std::vector<Entry> joints_entries() {
       "m:move('top', { y=fabric.ramp(0.01, 1) }):fix('top', 'x')\n"
       "local a = fabric.static{ model=m, duration=1, step=0.25 }\n"
       "a:advance(0.5)\nassert(a:cut{ line={ {0, 0.05, 0}, {0.025, 0.05, 0} } } == 1)\n";
+  const auto strengths = arguments_of(model::strength_rows());
   auto join_rows = along_rows();
   join_rows.push_back(
       number_("within", "m", not_negative,
@@ -152,20 +142,13 @@ std::vector<Entry> joints_entries() {
                 "of breaking yarns")
             .optional()},
        "Declares a tearable zone: each corner of its elements gets a node of its own, which moves with the "
-       "others "
-       "at its place until a:cut opens the joint, or in explicit motion its yarns reach the strength that "
-       "the "
-       "card has in rupture. The further nodes are numbered after those of the mesh.",
+       "others at its place until a:cut opens the joint, or in explicit motion its yarns reach the strength "
+       "that the card has in rupture. The further nodes are numbered after those of the mesh.",
        sample(""),
        tearable},
       {"model:strength",
        Style::fields,
-       {value_("set", text, "the elements meant").or_else("all"),
-        number_("factor", "", positive, "strength of the yarns there over that of the card, the mean")
-            .or_else(1.0),
-        number_("modulus", "", positive,
-                "Weibull modulus, with which it differs from element to element; without it it does not")
-            .optional(),
+       {value_("set", text, "the elements meant").or_else("all"), strengths[0], strengths[1],
         integer_("seed", {0, 9007199254740992.0}, "of that").or_else(1)},
        "The strength of yarns that soften (see damage of a card) where it is not that of the card: weakened "
        "lines, scatter. Where sets overlap, the factors multiply.",
@@ -177,28 +160,19 @@ std::vector<Entry> joints_entries() {
        strength},
       {"analysis:cut", Style::fields, along_rows(),
        "Opens joints of tearable zones and stitches of seams, between two steps: in a hook, an event's "
-       "action, or between calls. "
-       "Along "
-       "the edges named the elements come apart; the tip of a cut stays whole. Returns how many joints there "
-       "are "
-       "more.",
+       "action, or between calls. Along the edges named the elements come apart; the tip of a cut stays "
+       "whole. Returns how many joints there are more.",
        sample(cut_sample), cut},
       {"analysis:join", Style::fields, join_rows,
        "Closes joints of tearable zones and stitches of seams, between two steps, where their nodes have met "
-       "again. They take the "
-       "mean "
-       "of their velocities weighted by their masses; the kinetic energy lost is a.energy.joints. Returns "
-       "how many "
-       "joints there are less.",
+       "again. They take the mean of their velocities weighted by their masses; the kinetic energy lost is "
+       "a.energy.joints. Returns how many joints there are less.",
        sample(cut_sample + "assert(a:join{ set='all' } == 1 and a.joints.open == 0)"), join},
-      {"analysis.joints",
-       Style::property,
-       {},
-       "Of the tearable zones: open, the number of places whose joint is open; places, of all places with "
-       "several "
-       "nodes. Of seams: stitches, and how many of them are closed.",
-       sample(cut_sample + "assert(a.joints.open == 1 and a.joints.places == 15 - 4)"),
-       joints},
+      without_arguments(
+          "analysis.joints",
+          "Of the tearable zones: open, the number of places whose joint is open; places, of all places with "
+          "several nodes. Of seams: stitches, and how many of them are closed.",
+          sample(cut_sample + "assert(a.joints.open == 1 and a.joints.places == 15 - 4)"), joints),
   };
 }
 

@@ -11,35 +11,28 @@
 
 namespace fabricsh::script {
 
-using model::Model;
-
 namespace {
 
 int moment(Call& call) {
   if (auto body = call.object<const model::Rigid>("set")) {
     model::BodyLoad load = read_body_load(call, std::move(body));
     load.moment = true;
-    call.self<Model>()->load(std::move(load));
-    return return_self(call);
+    return declare(call, std::move(load));
   }
-  call.self<Model>()->moment(call.text("set"), read_components(call), read_frame(call));
-  return return_self(call);
+  return declare(call, model::MomentLoad{call.text("set"), read_components(call), read_frame(call)});
 }
 
 int traction(Call& call) {
-  call.self<Model>()->traction(call.text("set"), read_components(call), read_frame(call));
-  return return_self(call);
+  return declare(call, model::TractionLoad{call.text("set"), read_components(call), read_frame(call)});
 }
 
 int pressure(Call& call) {
   lua_State* L = call.L();
   call.push("value");
   model::History value =
-      read_history(call.session(), L, -1,
-                   "pressure '" + (call.has("set") ? call.text("set") : "all") + "': argument 'value'");
+      read_history(call.session(), L, -1, "pressure '" + call.text("set") + "': argument 'value'");
   lua_pop(L, 1);
-  call.self<Model>()->pressure(call.has("set") ? call.text("set") : "all", std::move(value));
-  return return_self(call);
+  return declare(call, model::PressureLoad{call.text("set"), std::move(value)});
 }
 
 std::array<double, 3> read_stiffness(const Call& call, const char* field) {
@@ -66,8 +59,7 @@ int tie_body(Call& call, const char* field, bool damper) {
         options.refuse("to", "a damper has no place at which it is slack: expected a rigid body");
     }
   }
-  call.self<Model>()->spring(std::move(spring));
-  return return_self(call);
+  return declare(call, std::move(spring));
 }
 
 int damper(Call& call) { return tie_body(call, "rate", true); }
@@ -79,8 +71,7 @@ int spring(Call& call) {
                 call.text("set") + "', whose springs go to the ground");
   const std::array<double, 3> k = read_stiffness(call, "stiffness");
   if (k[0] + k[1] + k[2] == 0) throw Error("spring: expected at least one of x, y, z above 0, got none");
-  call.self<Model>()->spring(call.text("set"), k, read_frame(call));
-  return return_self(call);
+  return declare(call, model::GroundSpring{call.text("set"), k, read_frame(call)});
 }
 
 int turn_set(Call& call) {
@@ -92,8 +83,7 @@ int turn_set(Call& call) {
   model::History angle =
       read_history(call.session(), call.L(), -1, "turn '" + call.text("set") + "': field 'angle'");
   lua_pop(call.L(), 1);
-  call.self<Model>()->turn(call.text("set"), axis, std::move(angle), centre);
-  return return_self(call);
+  return declare(call, model::PrescribedTurn{call.text("set"), axis, std::move(angle), centre});
 }
 
 // The fields of a velocity, both in the call and in the result of a function of position.
@@ -145,8 +135,7 @@ int velocity_of_body(Call& call) {
   if (given.has("centre"))
     given.refuse("centre", "a rigid body spins about its centre of mass: expected nothing");
   const model::RigidVelocity v = read_velocity(given, "velocity: ");
-  call.self<Model>()->velocity(model::BodyVelocity{call.object<const model::Rigid>("set"), v.linear, v.spin});
-  return return_self(call);
+  return declare(call, model::BodyVelocity{call.object<const model::Rigid>("set"), v.linear, v.spin});
 }
 
 int velocity(Call& call) {
@@ -160,16 +149,14 @@ int velocity(Call& call) {
     v.spin = all.spin;
     v.centre = all.centre;
   }
-  call.self<Model>()->velocity(std::move(v));
-  return return_self(call);
+  return declare(call, std::move(v));
 }
 
 int symmetry(Call& call) {
   const std::string axis = call.text("normal");
   if (axis != "x" && axis != "y" && axis != "z")
     throw Error("symmetry: argument 'normal': expected \"x\", \"y\" or \"z\", got \"" + axis + "\"");
-  call.self<Model>()->symmetry(call.text("set"), axis[0] - 'x');
-  return return_self(call);
+  return declare(call, model::symmetry(call.text("set"), axis[0] - 'x'));
 }
 
 Argument velocity_row() {
@@ -209,8 +196,8 @@ std::vector<Entry> loads_entries() {
        {set_or_body_row(),
         components_row("N m", "{x=, y=, z=}: the total moment about axes that stay fixed in space"),
         frame_row()},
-       "Loads the directors of a node set with a moment, shared by length or area; or a rigid body about "
-       "its centre.",
+       "Loads the directors of a node set with a moment, shared by length or area; or a rigid body about its "
+       "centre.",
        sample + "m:moment('top', { x=fabric.ramp(1e-3, 1) })",
        moment},
       {"model:traction",
@@ -267,9 +254,7 @@ std::vector<Entry> loads_entries() {
        Style::positional,
        {set_or_body_row(), velocity_row()},
        "Velocity of a node set, or of a free rigid body, at time 0, for fabric.dynamic: one for all, or a "
-       "function of place that "
-       "returns "
-       "it for each node.",
+       "function of place that returns it for each node.",
        sample + "m:velocity('all', { z=-2, spin={0, 0, 360} })\n"
                 "m:velocity('top', function(x, y, z) return { z=0.1 * math.sin(x / 0.0254 * math.pi) } end)",
        velocity},
@@ -278,10 +263,8 @@ std::vector<Entry> loads_entries() {
        {loaded_set_row(), value_("normal", text, "\"x\", \"y\" or \"z\": normal of the plane")},
        "Holds a node set in a plane of symmetry: the displacement along the normal and the two rotations out "
        "of the plane. The nodes lie in such a plane, and the cloth is symmetric about it: its yarns run "
-       "along "
-       "and across it, in each layer. A free body that the plane cuts moves in it; its mass is that of the "
-       "part "
-       "in the model.",
+       "along and across it, in each layer. A free body that the plane cuts moves in it; its mass is that of "
+       "the part in the model.",
        sample + "m:symmetry('left', 'x')",
        symmetry},
   };

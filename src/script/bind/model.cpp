@@ -98,14 +98,13 @@ int fix_body(Call& call, model::RigidPointer body) {
   const auto fixed = model::parse_freedoms(call.text("freedoms"));
   model::BodySupport support{std::move(body), fixed.translation, fixed.axis};
   if (fixed.rotation) support.turns = {true, true, true};
-  call.self<Model>()->support(std::move(support));
-  return return_self(call);
+  return declare(call, std::move(support));
 }
 
 int fix(Call& call) {
   if (auto body = call.object<const model::Rigid>("set")) return fix_body(call, std::move(body));
-  call.self<Model>()->fix(call.text("set"), model::parse_freedoms(call.text("freedoms")), read_frame(call));
-  return return_self(call);
+  return declare(
+      call, model::Support{call.text("set"), model::parse_freedoms(call.text("freedoms")), read_frame(call)});
 }
 
 // Warns of a motion that is many times as long as the mesh, which is most often a wrong unit.
@@ -128,15 +127,8 @@ void ask_about_motion(const Call& call, const model::Components& components) {
 
 // Sets position and rotation of a rigid body.
 int move_body(Call& call, model::RigidPointer body) {
-  model::BodyMotion motion{std::move(body), {}, {}};
+  model::BodyMotion motion{std::move(body), read_axes(call, ""), {}};
   const Fields given = call.fields("components");
-  const char* const axes[] = {"x", "y", "z"};
-  const std::string what = "field '";
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (given.push(axes[i]) != LUA_TNIL)
-      motion.displacement[i] = read_history(call.session(), call.L(), -1, what + axes[i] + "'");
-    lua_pop(call.L(), 1);
-  }
   if (call.has("options")) call.refuse("options", "a rigid body moves along global axes: expected nothing");
   if (given.has("turn")) {
     const Fields turn = given.fields("turn");
@@ -147,8 +139,7 @@ int move_body(Call& call, model::RigidPointer body) {
     if (turn.has("centre"))
       motion.turn->centre = read_vector(turn.numbers("centre"), "move: field 'turn.centre'");
   }
-  call.self<Model>()->move(std::move(motion));
-  return return_self(call);
+  return declare(call, std::move(motion));
 }
 
 // Refuses fields that apply to bodies only, if the call is for a set.
@@ -180,17 +171,13 @@ int move(Call& call) {
   refuse_turn(call);
   auto components = read_components(call);
   ask_about_motion(call, components);
-  call.self<Model>()->move(call.text("set"), std::move(components), read_frame(call));
-  return return_self(call);
+  return declare(call, model::PrescribedMotion{call.text("set"), std::move(components), read_frame(call)});
 }
 
 int force(Call& call) {
-  if (auto body = call.object<const model::Rigid>("set")) {
-    call.self<Model>()->load(read_body_load(call, std::move(body)));
-    return return_self(call);
-  }
-  call.self<Model>()->force(call.text("set"), read_components(call), read_frame(call));
-  return return_self(call);
+  if (auto body = call.object<const model::Rigid>("set"))
+    return declare(call, read_body_load(call, std::move(body)));
+  return declare(call, model::ForceLoad{call.text("set"), read_components(call), read_frame(call)});
 }
 
 int gravity(Call& call) {
@@ -207,8 +194,7 @@ int gravity(Call& call) {
     lua_pop(L, 1);
   }
   lua_pop(L, 1);
-  call.self<Model>()->gravity(std::move(acceleration));
-  return return_self(call);
+  return declare(call, model::Gravity{std::move(acceleration)});
 }
 
 int thickness(Call& call) {
@@ -221,18 +207,13 @@ int card_of(Call& call) {
   return 1;
 }
 
-int model_text(lua_State* L) {
-  const std::string words = "<" + to_object<Model>(L, 1)->describe() + ">";
-  lua_pushlstring(L, words.data(), words.size());
-  return 1;
-}
+int model_text(lua_State* L) { return push_text(L, "<" + to_object<Model>(L, 1)->describe() + ">"); }
 
 int check_mesh(Call& call) {
   std::string text;
   for (const auto& region : model::outlook(*call.self<Model>()))
     for (const std::string& line : model::words(region)) text += (text.empty() ? "" : "\n") + line;
-  lua_pushlstring(call.L(), text.data(), text.size());
-  return 1;
+  return push_text(call.L(), text);
 }
 
 std::vector<Entry> model_entries() {
@@ -259,8 +240,7 @@ std::vector<Entry> model_entries() {
        Style::positional,
        {set_or_body_row(), motion_row(), frame_row()},
        "Prescribes displacements of a node set, or of a rigid body, as histories (number, function(t), "
-       "fabric.history, "
-       "fabric.ramp).",
+       "fabric.history, fabric.ramp).",
        sample + "m:move('top', { y=fabric.ramp(0.018, 1) })",
        move},
       {"model:force",
@@ -277,26 +257,14 @@ std::vector<Entry> model_entries() {
        "Lets gravity act on the whole sheet.",
        sample + "m:gravity{0, 0, -9.81}",
        gravity},
-      {"model:check",
-       Style::positional,
-       {},
-       "What the mesh can show of this cloth, as two lines for each region: how yarns cross its elements, "
-       "and how "
-       "large folds are beside elements.",
-       sample + "print(m:check())\nassert(m:check():find 'folds')",
-       check_mesh},
-      {"model.thickness",
-       Style::property,
-       {},
-       "Thickness of the sheet, m; of several bodies the first one's.",
-       sample + "assert(m.thickness > 0)",
-       thickness},
-      {"model.card",
-       Style::property,
-       {},
-       "The card it was made of; of several bodies the first one's.",
-       sample + "assert(m.card.name == 'blend')",
-       card_of},
+      without_arguments("model:check",
+                        "What the mesh can show of this cloth, as two lines for each region: how yarns cross "
+                        "its elements, and how large folds are beside elements.",
+                        sample + "print(m:check())\nassert(m:check():find 'folds')", check_mesh),
+      without_arguments("model.thickness", "Thickness of the sheet, m; of several bodies the first one's.",
+                        sample + "assert(m.thickness > 0)", thickness),
+      without_arguments("model.card", "The card it was made of; of several bodies the first one's.",
+                        sample + "assert(m.card.name == 'blend')", card_of),
   };
 }
 

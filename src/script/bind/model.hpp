@@ -19,6 +19,12 @@ std::string sample_model();  // for examples: defines fabric, mesh and m, a stri
 // stack.
 void keep_model(const Call& call);
 int return_self(const Call& call);  // so that methods of a model can be chained
+// Declares it, and returns the model.
+template <class Declaration>
+int declare(const Call& call, Declaration declaration) {
+  call.self<model::Model>()->add(std::move(declaration));
+  return return_self(call);
+}
 void bind_loads(Session& session);
 void bind_declared(Session& session);
 void bind_declarations(Session& session);

@@ -1,42 +1,13 @@
 // Seams of a model, and bands along its edges.
+#include "model/declaration_rows.hpp"
 #include "script/bind/model.hpp"
 #include "script/bind/rooms.hpp"
-#include "script/bind/run.hpp"
 #include "script/call/words.hpp"
+#include "script/values/field_rows.hpp"
 
 namespace fabricsh::script {
 
-using model::Model;
-
 namespace {
-
-std::vector<Argument> options() {
-  return {
-      number_("over", "s", positive,
-              "time in which threads draw the edges together, before they become one; without it they lie on "
-              "each other and are one from the start")
-          .optional(),
-      number_("ease", "", {0, 0.5, false, true},
-              "by what share of the longer edge the other may be shorter; the rest is spread evenly")
-          .or_else(0.01),
-      value_(
-          "reverse", boolean,
-          "whether the edges are matched from different ends, the end of an edge with the lowest number of "
-          "a node being its first; default so that the ends lie nearer")
-          .optional(),
-      value_("hinge", boolean,
-             "whether the edges can turn against each other; default where their normals are more than 60 "
-             "degrees apart as they become one")
-          .optional(),
-      number_("stiffness", "N/m^2", positive,
-              "force per metre of seam and metre of opening, of a seam that gives way; default none, the "
-              "edges become one")
-          .optional(),
-      number_("strength", "N/m", positive, "force per metre at which the seam bursts; default never")
-          .optional(),
-      number_("energy", "J/m", positive, "that bursting takes, per metre; with strength").optional(),
-  };
-}
 
 // The options alone, as a table of their own on top of the stack.
 void push_options(const Call& call, int given) {
@@ -72,35 +43,21 @@ int seam(Call& call) {
   seam.first = read_edge(call, given, 1);
   seam.second = read_edge(call, given, 2);
   push_options(call, given);
-  const auto rows = options();
-  const Fields fields(L, -1, rows, "seam.");
-  const auto number_of = [&](const char* name) {
-    return fields.has(name) ? std::optional<double>(fields.number(name)) : std::nullopt;
-  };
-  const auto flag_of = [&](const char* name) {
-    return fields.has(name) ? std::optional<bool>(fields.flag(name)) : std::nullopt;
-  };
-  seam.over = number_of("over");
-  seam.ease = fields.number("ease");
-  seam.reverse = flag_of("reverse");
-  seam.hinge = flag_of("hinge");
-  seam.stiffness = number_of("stiffness");
-  seam.strength = number_of("strength");
-  seam.energy = number_of("energy");
+  const auto rows = arguments_of(model::seam_rows());
+  read_rows(Fields(L, -1, rows, "seam."), model::seam_rows(), seam);
   lua_pop(L, 2);
-  call.self<Model>()->seam(std::move(seam));
-  return return_self(call);
+  return declare(call, std::move(seam));
 }
 
 int band_of(Call& call) {
-  model::EdgeBand band{call.text("set"), call.number("stiffness"), call.number("ease"), {}};
-  if (call.has("over")) band.over = call.number("over");
-  call.self<Model>()->band(std::move(band));
-  return return_self(call);
+  model::EdgeBand band;
+  read_rows(call, model::band_rows(), band);
+  return declare(call, std::move(band));
 }
 
 std::vector<Entry> seams_entries() {
-  Argument given = fields_("seam", options(), "{ first, second, ... }: the sets of the nodes of two edges");
+  Argument given = fields_("seam", arguments_of(model::seam_rows()),
+                           "{ first, second, ... }: the sets of the nodes of two edges");
   given.kinds |= table;
   return {
       {"model:seam",
@@ -117,16 +74,7 @@ std::vector<Entry> seams_entries() {
        "m:seam{ 'front.right', 'back.left', over=0.1 }\n"
        "assert(m:list()[3].kind == 'seam')",
        seam},
-      {"model:band",
-       Style::fields,
-       {value_("set", text, "the nodes of an edge"),
-        number_("stiffness", "N", positive, "force per strain of the band"),
-        number_("ease", "", {0, 1, false, true},
-                "by what share of the edge the band is shorter without force")
-            .or_else(0),
-        number_("over", "s", positive,
-                "time in which it becomes that short; without it, it is from the start")
-            .optional()},
+      {"model:band", Style::fields, arguments_of(model::band_rows()),
        "Puts a band along an edge: elastic in a hem, or with a high stiffness a cord that is drawn tight. It "
        "pulls and never pushes.",
        "local fabric = require 'fabric'\n"

@@ -1,4 +1,6 @@
 // fabric.model's ties between nodes.
+#include <algorithm>
+
 #include "model/model.hpp"
 #include "model/rigid.hpp"
 #include "script/bind/model.hpp"
@@ -7,17 +9,15 @@
 
 namespace fabricsh::script {
 
-using model::Model;
 using model::TieKind;
 
 namespace {
 
 TieKind read_kind(const Call& call) {
   const std::string kind = call.text("kind");
-  if (kind == "equal") return TieKind::equal;
-  if (kind == "straight") return TieKind::straight;
-  if (kind == "rigid") return TieKind::rigid;
-  if (kind == "periodic") return TieKind::periodic;
+  const auto& words = model::tie_words;
+  const auto at = std::find(words.begin(), words.end(), kind) - words.begin();
+  if (at < std::ssize(words)) return static_cast<TieKind>(at);
   call.refuse("kind", "expected \"equal\", \"straight\", \"rigid\" or \"periodic\", got \"" + kind + "\"");
 }
 
@@ -29,8 +29,7 @@ int tie_to_body(Call& call, model::Tie tie) {
   if (body->name().empty())
     call.refuse("second", "expected a body with a name, as fabric.rigid.disc{ name='plate', ... }");
   tie.partner = body->name();
-  call.self<Model>()->tie(std::move(tie));
-  return return_self(call);
+  return declare(call, std::move(tie));
 }
 
 int tie(Call& call) {
@@ -51,8 +50,7 @@ int tie(Call& call) {
     call.refuse("second", "a rigid set ties every freedom: expected nothing, got \"" + words + "\"");
   if (!periodic && call.has("freedoms"))
     call.refuse("freedoms", "only a periodic tie has a second set: name the freedoms in its place");
-  call.self<Model>()->tie(std::move(tie));
-  return return_self(call);
+  return declare(call, std::move(tie));
 }
 
 std::vector<Entry> ties_entries() {
@@ -64,11 +62,10 @@ std::vector<Entry> ties_entries() {
                "its ends; \"rigid\": nodes and directors move as one body; \"periodic\": two sets whose "
                "pairs of nodes keep one common relative displacement; the second follows the first"),
         value_("set", text, "name of a node set"),
-        object_(
-            "second", "body",
-            "periodic: the set that follows; rigid: nothing, or a rigid body with a name, along with which "
-            "the nodes go; else freedoms, some of x y z",
-            text)
+        object_("second", "body",
+                "periodic: the set that follows; rigid: nothing, or a rigid body with a name, along with "
+                "which the nodes go; else freedoms, some of x y z",
+                text)
             .optional(),
         value_("freedoms", text, "periodic: some of x y z rotation; default all").optional()},
        "Ties nodes to each other exactly, by elimination. To a rigid body they are tied by springs that are "

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/number.hpp"
+#include "script/call/push.hpp"
 #include "script/call/words.hpp"
 #include "script/values/lua_table.hpp"
 #include "system/gate.hpp"
@@ -25,20 +26,19 @@ std::string after_call(const DeckRun& run) {
 }
 
 [[noreturn]] void lose_reading(DeckRun& run, const std::string& what) {
-  lose(run,
-       what + " needs the run as it was " + after_call(run) +
-           ", which the restart passes over, and checkpoint '" + run.job.from()->path +
-           "' has not kept it (kept are plain results, up to " + std::to_string(Notes::most_bytes >> 20) +
-           " MB, that were read after a:checkpoint was called). Read it in a hook (a:every, a:event), which "
-           "a restart does not repeat");
+  lose(run, what + " needs the run as it was " + after_call(run) +
+                ", which the restart passes over, and checkpoint '" + run.job.from()->path +
+                "' has not kept it (kept are plain results, up to " +
+                std::to_string(Notes::most_bytes >> 20) +
+                " MB, that were read after a:checkpoint was called). Read it in a hook (a:every, a:event), "
+                "which a restart does not repeat");
 }
 
 [[noreturn]] void lose_beginning(DeckRun& run, const std::string& what) {
-  lose(run,
-       what + " begins from the state " + after_call(run) + ", which went on after that, and checkpoint '" +
-           run.job.from()->path +
-           "' has its later state alone. Let a run from which others begin end before, or go on with it as "
-           "a run of its own, from=");
+  lose(run, what + " begins from the state " + after_call(run) +
+                ", which went on after that, and checkpoint '" + run.job.from()->path +
+                "' has its later state alone. Let a run from which others begin end before, or go on with it "
+                "as a run of its own, from=");
 }
 
 // The moment of a reading and the expression, which give one value: a run changes only by calls, and its
@@ -53,8 +53,7 @@ std::string key_of(const DeckRun& run, std::string name, std::string arguments) 
 // Results as a packed table: a list with their number as `n`; `self` is the place of the object itself.
 std::string pack_results(lua_State* L, int first, int results) {
   lua_createtable(L, results, 2);
-  lua_pushinteger(L, results);
-  lua_setfield(L, -2, "n");
+  set_integer(L, "n", results);
   for (int i = 1; i <= results; ++i) {
     const bool self = lua_rawequal(L, first + i - 1, 1) != 0;
     if (self)
@@ -93,8 +92,8 @@ void put(DeckRun& run, Notes& notes, const std::string& key, std::string value) 
       "warning: checkpoint: what the deck reads of a run between its calls, and its kept tables then, "
       "exceed " +
           std::to_string(Notes::most_bytes >> 20) +
-          " MB and are no longer kept: a restarted deck that passes over such a reading ends there with "
-          "an error; read in hooks (a:every, a:event) instead");
+          " MB and are no longer kept: a restarted deck that passes over such a reading ends there with an "
+          "error; read in hooks (a:every, a:event) instead");
 }
 
 bool notes_readings(const DeckRun& run) {
@@ -110,7 +109,7 @@ void add_value(lua_State* L, const DeckRun& run, const Fields& fields, const Arg
     } else {
       const auto gas = to_object<const model::GasGiven>(L, -1);
       if (!gas) throw Error("an object that cannot be named");
-      const auto& gases = run.analysis->model().gases();
+      const auto& gases = run.analysis->model().all<model::GasPointer>();
       value = "gas " + std::to_string(std::find(gases.begin(), gases.end(), gas) - gases.begin());
     }
   } else if (!lua_isnil(L, -1) && (row.kinds & ValueKind::fields) != 0 && lua_istable(L, -1) &&
@@ -191,11 +190,10 @@ void refuse_within(lua_State* L, const Entry& entry) {
   if (!entry.method() || !changes(entry, lua_gettop(L) - 1))
     return;  // without the table of the gathered arguments
   if (!Session::of(L).is_still(changed_object(L))) return;
-  throw Error(
-      "this " + entry.owner() +
-      " may not change while it asks a function for a value (a history, a direction, a column, an event's "
-      "value, a function of mesh:set or mesh:map)" +
-      (entry.owner() == "analysis" ? "; a hook of analysis:every may do so" : ""));
+  throw Error("this " + entry.owner() +
+              " may not change while it asks a function for a value (a history, a direction, a column, an "
+              "event's value, a function of mesh:set or mesh:map)" +
+              (entry.owner() == "analysis" ? "; a hook of analysis:every may do so" : ""));
 }
 
 // A run that is passed over is in the state of the checkpoint, not in that of the call.
