@@ -185,6 +185,7 @@ std::string Dynamic::method() const {
        << ", scaled inertia " << scaled_ << ", line search " << o.line_search << ", force " << o.force
        << solver_text(o.solver);
   if (o.spectral_radius) text << ", spectral radius " << number(*o.spectral_radius);
+  if (o.error) text << ", error " << number(*o.error);
   if (o.until_rest)
     text << ", until rest " << number(o.until_rest->calm) << " for " << number(o.until_rest->window) << " s";
   if (o.linear != Symmetry::automatic) text << ", linear " << static_cast<int>(o.linear);
@@ -326,6 +327,7 @@ double Dynamic::driven_kinetic() const {
   return sum;
 }
 
+// From the way up to now alone: where a history has a kink, what comes after it has not happened.
 Vec3 Dynamic::inertia(mesh::Index node) const {
   Vec3 force = Vec3::Zero();
   const auto& freedoms = assembly_->dofs().freedoms();
@@ -335,10 +337,10 @@ Vec3 Dynamic::inertia(mesh::Index node) const {
     if (equation >= mechanics::held || equation == mechanics::tied) continue;
     const auto& m = freedoms.motions[mechanics::motion_of(equation)];
     const auto& history = freedoms.histories[m.history];
-    const double h = std::max(1e-5, 1e-4 * now_.step), t = std::clamp(time(), h, std::max(h, duration_ - h));
-    const double before = m.of(history.value(t - h)), now = m.of(history.value(t)),
-                 after = m.of(history.value(t + h));
-    const double a = (before - 2 * now + after) / (h * h), v = (after - before) / (2 * h);
+    const double h = std::max(1e-5, 1e-4 * now_.step), t = std::max(time(), 2 * h);
+    const double earlier = m.of(history.value(t - 2 * h)), before = m.of(history.value(t - h)),
+                 now = m.of(history.value(t));
+    const double a = (earlier - 2 * before + now) / (h * h), v = (3 * now - 4 * before + earlier) / (2 * h);
     force += assembly_->cloth().mass()[node] * (on.acceleration * a + on.velocity * v) *
              assembly_->dofs().freedoms().nodes[node].frame.row(m.component).transpose();
   }

@@ -41,7 +41,9 @@ struct DynamicOptions {
   // Implicit: the share of an amplitude that is left after a step much longer than its period, 0 to 1.
   // Instead of gamma, beta and hht.
   std::optional<double> spectral_radius = {};
-  bool slow = false;                // implicit: as spectral_radius = 0
+  bool slow = false;  // implicit: as spectral_radius = 0
+  // Implicit: the error of a node's place in a step, of the size of the model, that its length may cause.
+  std::optional<double> error = {};
   double mass_damping = 0;          // a of a M + b K_M, 1/s
   double stiffness_damping = 0;     // b, s
   std::optional<bool> scaled = {};  // scale up rotary inertia; default: explicit yes, implicit no

@@ -68,6 +68,11 @@ const std::vector<field::FieldOf<DynamicOptions>>& dynamic_options() {
       flag("slow", &O::slow,
            "implicit: motion that passes through near-equilibria, as spectral_radius=0 (Euler's backward "
            "rule): what is faster than the steps dies within them"),
+      number(
+          "error", &O::error, "", Range{0, 1, true, true},
+          "implicit: steps are so short that none errs by more in the place of a node, over the size of the "
+          "model; step= is then the largest, a twentieth of the duration unless given")
+          .or_by("steps as step= says"),
       linear_row<O>("implicit: "),
       damping_row(),
       rest_row(),
@@ -89,6 +94,7 @@ const std::vector<field::FieldOf<DynamicOptions>>& dynamic_options() {
 
 std::string refused_option(const DynamicOptions& options, const std::string& name) {
   if (options.scheme != Scheme::explicit_steps) return {};
+  if (name == "error") return "unknown for scheme=\"explicit\", whose steps are as short as stability wants";
   const bool iterates =
       name == "tolerance" || name == "max_iterations" || name == "max_cuts" || name == "line_search";
   return iterates ? "unknown for scheme=\"explicit\", which does not iterate" : "";

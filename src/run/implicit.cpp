@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
+#include "geometry/box.hpp"
 #include "geometry/node_view.hpp"
 #include "mechanics/terms/contact.hpp"
 
@@ -40,6 +41,9 @@ constexpr double kTurn = 2 * std::numbers::pi / 400, kFurther = 4;
 // are lost with half as many.
 constexpr double kWideTurn = 2 * std::numbers::pi / 100;
 constexpr double kTurning = 0.9;  // of the kinetic energy about the centre of mass
+// With an error asked for: the part of the step that would just do, and the least and the most that one step
+// is of the one before.
+constexpr double kSafe = 0.9, kShrink = 0.2, kGrow = 2;
 // Yarns of a cloth at rest switch between branches within any step. A residual that still is within so many
 // tolerances when the iterations are over is of such, and shorter steps would not change it.
 constexpr double kStanding = 100;
@@ -71,7 +75,8 @@ void check_contact(const DynamicOptions& o, const mechanics::Assembly& assembly)
 }
 
 StepControl control_of(const DynamicOptions& o, const mechanics::Assembly& assembly) {
-  StepControl control{o.step.value_or(o.duration / 200), 0, o.max_cuts, kMotionIterations};
+  const double usual = o.duration / (o.error ? 20 : 200);
+  StepControl control{o.step.value_or(usual), 0, o.max_cuts, kMotionIterations};
   if (assembly.terms().find<mechanics::Contacts>() != nullptr) control.expect_friction();
   return control;
 }
@@ -93,6 +98,7 @@ Implicit::Implicit(std::shared_ptr<model::Model> model, const DynamicOptions& op
   take_beginning();
   report_contacts();
   now_.step = control_.current();
+  extent_ = box_of(assembly_->dofs().reference()).size().norm();
   begin_free();
 }
 
@@ -186,12 +192,35 @@ double Implicit::try_step(double limit, StepReport& report) {
   }
   double size = control_.end(committed_time(), next_landing(limit, control_.current()));
   step_.tries.clear();
-  while (!attempt(size, report)) {
-    if (step_.broken() || ++report.cuts > options_.max_cuts || !control_.cut(size - committed_time()))
+  for (;;) {
+    const bool converged = attempt(size, report);
+    if (converged && !errs(size)) break;
+    ++report.cuts;
+    if (!converged &&
+        (step_.broken() || report.cuts > options_.max_cuts || !control_.cut(size - committed_time())))
       give_up(report);
     size = control_.end(committed_time(), next_landing(limit, control_.current()));
   }
   return size;
+}
+
+// A step whose error is more than what was asked for is made again, so much shorter that it will do.
+bool Implicit::errs(double end) {
+  if (!options_.error) return false;
+  const double made = end - committed_time(), smallest = control_.smallest();
+  const double error = problem_.error_of_step() / extent_, allowed = *options_.error;
+  const double fits = kSafe * made * std::cbrt(allowed / error), current = std::max(made, control_.current());
+  next_ = std::clamp(fits, kShrink * made, kGrow * current);
+  if (error <= allowed) return false;
+  if (made <= smallest * (1 + 1e-9)) {
+    if (!warned("step"))
+      warn("step", "dynamic: at time " + number(end) + " s the error of a step of " + number(made, 3) +
+                       " s is " + number(error, 3) + " of the model's size, more than error=" +
+                       number(allowed) + ", and smaller ones are not made: more max_cuts would allow them");
+    return false;
+  }
+  control_.aim(std::max(next_, smallest));
+  return true;
 }
 
 bool Implicit::attempt(double size, StepReport& report) {
@@ -235,7 +264,11 @@ void Implicit::commit(StepReport& report) {
     now_.loss += std::max(0.0, now_.base - energy().surplus());
   if (settling) settle();
   watch_jump(driven_before, problem_.driven(), report.time, smallest_);
-  control_.grow(step_.last.iterations, report.cuts > 0 || repeatable_.halved > 0);
+  const bool was_cut = report.cuts > 0 || repeatable_.halved > 0;
+  if (options_.error)
+    control_.aim(was_cut ? std::min(next_, control_.current()) : next_);
+  else
+    control_.grow(step_.last.iterations, was_cut);
   now_.step = control_.current();
   ++now_.steps;
 }

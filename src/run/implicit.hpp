@@ -26,6 +26,7 @@ class Implicit final : public Dynamic {
   void set_motion(const mechanics::NodalRates& rates) override;
   double try_step(double limit, StepReport& report) override;
   bool attempt(double size, StepReport& report) override;
+  bool errs(double end);  // more than asked for; chooses the next step
   double largest_step() const override { return control_.largest(); }
   void commit(StepReport& report) override;
   [[noreturn]] void give_up(const StepReport& report) override;
@@ -60,7 +61,8 @@ class Implicit final : public Dynamic {
   EquilibriumProblem problem_;
   solver::Newton newton_;
   StepControl control_;
-  Diagnosis step_;  // the present one
+  double extent_ = 0, next_ = 0;  // m, the size of the model; s, the next step for the error asked for
+  Diagnosis step_;                // the present one
   // The present step, if it may be taken back: as it is tried first, shortened, repeated with strong damping,
   // or as at first for good.
   struct Repeatable {

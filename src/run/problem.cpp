@@ -1,6 +1,7 @@
 #include "run/problem.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "base/error.hpp"
@@ -28,6 +29,8 @@ void EquilibriumProblem::resize() {
     for (auto* v : {&product_, &ahead_, &balance_})
       v->assign(static_cast<std::size_t>(assembly_.dofs().unknowns()), 0);
   memory_.balance.clear();
+  memory_.before.clear();
+  memory_.earlier.clear();
   lumped_.clear();
 }
 
@@ -58,6 +61,8 @@ void EquilibriumProblem::start() {
 
 void EquilibriumProblem::start(const mechanics::NodalRates& velocities) {
   newmark_->start(velocities);
+  memory_.before.clear();
+  memory_.earlier.clear();
   balance(0, 0, balance_);
   newmark_->set_accelerations(accelerations(balance_));
   start();
@@ -77,6 +82,7 @@ mechanics::NodalRates EquilibriumProblem::accelerations(std::span<const double> 
 }
 
 void EquilibriumProblem::commit(double time) {
+  if (newmark_ != nullptr) look_back();
   assembly_.commit(time);
   if (newmark_ != nullptr) {
     newmark_->commit(time, targets_);
@@ -84,6 +90,53 @@ void EquilibriumProblem::commit(double time) {
   }
   memory_.driven = targets_;
   remember();
+}
+
+// Remembers the places before the step.
+void EquilibriumProblem::look_back() {
+  const auto& state = std::as_const(assembly_).state();
+  const auto here = state.committed_kinematics().first(3 * state.nodes());
+  memory_.earlier.swap(memory_.before);
+  memory_.before.assign(here.begin(), here.end());
+  memory_.step_before = std::exchange(memory_.last_step, motion_.dt());
+}
+
+// The way of the nodes in the step, if they go on along the parabola through the last three places, or, where
+// these are not known, with their velocities and accelerations. Returns how far the nodes of a smooth motion
+// are off then, in dt^3 times the third derivative of their places.
+double EquilibriumProblem::goes_on(std::vector<double>& way) const {
+  const auto now = std::as_const(assembly_).state().committed_kinematics();
+  const double dt = motion_.dt();
+  if (memory_.earlier.size() != way.size()) {
+    const auto& motion = newmark_->committed();
+    for (std::size_t i = 0; i < way.size(); ++i) way[i] = dt * (motion.v.x[i] + dt / 2 * motion.a.x[i]);
+    return 1.0 / 6;
+  }
+  const double h = memory_.last_step, both = h + memory_.step_before;
+  const double first = dt * (dt + both) / (h * (h - both)), second = dt * (dt + h) / (both * (both - h));
+  for (std::size_t i = 0; i < way.size(); ++i)
+    way[i] = first * (memory_.before[i] - now[i]) + second * (memory_.earlier[i] - now[i]);
+  return (dt + h) * (dt + both) / (6 * dt * dt);
+}
+
+// A scheme of second order is off by a known part of the difference from the parabola, one of the first order
+// by nearly all of it.
+double EquilibriumProblem::error_of_step() const {
+  const auto& state = std::as_const(assembly_).state();
+  const std::size_t n = 3 * state.nodes();
+  const auto old = state.committed_kinematics();
+  mechanics::NodalRates off{std::vector<double>(n), std::vector<double>(n)};
+  const double parabola = goes_on(off.x);
+  for (std::size_t i = 0; i < n; ++i) off.x[i] = state.x()[i] - old[i] - off.x[i];
+  double largest = 0;
+  const auto unknowns = assembly_.dofs().collect_rates(off);
+  for (std::size_t i = 0; i < unknowns.size(); ++i)
+    if (!assembly_.dofs().turns(static_cast<mechanics::Index>(i)))
+      largest = std::max(largest, std::abs(unknowns[i]));
+  const auto& scheme = newmark_->scheme();
+  if (std::abs(scheme.gamma + scheme.hht - 0.5) > 1e-9) return largest;
+  const double own = std::abs(1.0 / 6 - scheme.beta + scheme.hht / 2);
+  return own / (own + parabola) * largest;
 }
 
 // A step has some forces at its end alone: the next one begins without them.

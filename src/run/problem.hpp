@@ -52,6 +52,9 @@ class EquilibriumProblem final : public solver::PathProblem {
   void keep(Archive& archive);
   // Tells whether a path is at a kink of a history, where loads may reverse.
   void at_kink(bool kink) { memory_.kink = kink; }
+  // m: by how much the place of a node at the end of the trial step may be wrong, at most, because the step
+  // is so long: from the way that the steps so far lead.
+  double error_of_step() const;
 
   // --- interface of the solvers
   void set_time(double time) override;
@@ -86,6 +89,8 @@ class EquilibriumProblem final : public solver::PathProblem {
   EquilibriumProblem(mechanics::Assembly& assembly, mechanics::Motion* motion, Newmark* newmark,
                      double small_time,
                      const Poll& poll);  // motion: null: none
+  void look_back();
+  double goes_on(std::vector<double>& way) const;
   // The present step as passed to the law.
   law::Step step(law::AtSwitch at = law::AtSwitch::loading) const;
   Answer made(bool done) const { return done ? Answer::ok : assembly_.outcome().answer; }
@@ -120,7 +125,14 @@ class EquilibriumProblem final : public solver::PathProblem {
     std::vector<double> on_bodies;       // the scheme's forces F^ on rigid bodies then, six each
     double peak = 0;                     // N, the largest nodal force of the run's committed states
     bool kink = true;
-    void keep(Archive& archive) { archive(driven, lead, external, push, balance, on_bodies, peak, kink); }
+    // The places of the nodes before the last step and before that, and the lengths of the two steps, s.
+    // Empty: there were none.
+    std::vector<double> before, earlier;
+    double last_step = 0, step_before = 0;
+    void keep(Archive& archive) {
+      archive(driven, lead, external, push, balance, on_bodies, peak, kink, before, earlier, last_step,
+              step_before);
+    }
   } memory_;
 };
 

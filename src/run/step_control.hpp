@@ -40,6 +40,9 @@ class StepControl {
     current_ = std::min(current_, cap_);
   }
   void set(double step) { current_ = step; }
+  // For the next step, within the limits.
+  void aim(double step) { current_ = std::min(largest(), std::max(step, smallest_)); }
+  double smallest() const { return smallest_; }
   double end(double now, double landing) const { return end_of_step(now, landing, current_); }
   // To be called when a step of that size has failed. False: half of it would be too small.
   bool cut(double failed) {

@@ -190,6 +190,10 @@ wrong("fabric.dynamic", "fabric.dynamic{ model=held, duration=1, until_rest={ wi
   "deck.lua:1: dynamic: unknown field 'until_rest.windows', did you mean 'until_rest.window'?")
 wrong("fabric.dynamic", "fabric.dynamic{ model=held, duration=1, until_rest={ window=1 } }",
   "deck.lua:1: dynamic: field 'until_rest.window': expected less than the duration, 1 s, got 1")
+wrong("fabric.dynamic", "fabric.dynamic{ model=held, duration=1, scheme='implicit', error=0 }",
+  "deck.lua:1: dynamic: field 'error': expected a number above 0 to below 1, got 0")
+wrong("fabric.dynamic", "fabric.dynamic{ model=held, duration=1, error=1e-4 }",
+  "deck.lua:1: dynamic: field 'error': unknown for scheme=\"explicit\", whose steps are as short as stability wants")
 wrong("fabric.dynamic", "fabric.dynamic{ model=held, duration=1, force='yes' }",
   "deck.lua:1: dynamic: field 'force': expected true or false, got 'yes'")
 wrong("fabric.dynamic", "fabric.dynamic{ model=held, duration=1, max_iterations=2.5 }",
