@@ -118,6 +118,13 @@ fails("tensile: displacement stays at 0.001 m in all 3 rows", pull, { 1e-3, 1e-3
 fails("tensile: force stays at 0 N in all 2 rows", pull, { 0, 1e-3 }, { 0, 0 })
 fails("fit: field 'tests': expected at least one test, got one test: write tests={ test }", lab.fit, { tests = pull({ 0, 1e-3, 2e-3 }, { 0, 1, 2 }) })
 fails("expected at least 6 loading points of every specimen, got 3 of specimen 1", lab.fit, { tests = { pull({ 0, 1e-3, 2e-3 }, { 0, 1, 2 }) } })
+do -- the file is named, since a folder has many
+  local short = os.tmpname() .. ".csv"
+  fabric.write(short, "Extension (mm),Load (N)\n0,0\n1,3\n2,7\n3,12\n")
+  local test = lab.tensile { file = short, gauge_length = 0.2, width = 0.05, thickness = 5e-4, plies = 1 }
+  fails("got 4 of specimen 1 (" .. short .. ")", lab.fit, { tests = { test } })
+  os.remove(short)
+end
 fails("a strain but no displacement: expected field 'gauge_length' in m", read, "Dehnung (%),Kraft (N)\n0,0\n2,100\n4,210\n")
 fails("column 'Load' is a force per width: expected field 'width' of the specimen in m", read, "Extension (mm),Load (N/mm)\n0,0\n2,100\n4,210\n")
 -- the extension in mm is the displacement, the one in per cent the strain

@@ -48,6 +48,11 @@ end
 
 local function polynomial(t, curves, find_slack)
   local degrees = type(t.degree) == "number" and { t.degree } or nil
+  local least = (degrees and t.degree or 4) + 2 -- of degree 2 and 4 the higher
+  for i, c in ipairs(curves) do
+    local file = t.tests[i].file
+    if #c.E < least then fail(("fit: expected at least %d loading points of every specimen, got %d of specimen %d%s"):format(least, #c.E, i, file and " (" .. file .. ")" or "")) end
+  end
   local candidates = fabric.lab.backbone { curves = curves, degrees = degrees, find_slack = find_slack }
   local chosen = candidates[candidates.chosen or 0]
   local text = criterion_text(candidates)
