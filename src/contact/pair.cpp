@@ -62,12 +62,12 @@ struct Slid {
   double kept() const { return sticks() ? 1 : most / (spring * trial.norm()); }
 };
 
-// Whether one side of a pair is held or driven.
+// Whether one side of a pair is held or driven, and the other is not.
 bool is_on_fixed(const Touch& touch, const Slip& slip) {
   double first = 0, second = 0;
   for (std::size_t i = 0; i < 4; ++i)
     (touch.weight[i] > 0 ? first : second) += std::abs(touch.weight[i]) * slip.inverse_mass[i];
-  return first == 0 || second == 0;
+  return (first == 0) != (second == 0);
 }
 
 // An implicit step has the stiffness at its beginning, so that the pressure is linear in the approach. What
