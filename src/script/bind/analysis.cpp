@@ -379,8 +379,7 @@ int steps(Call& call) {
     else
       lua_pushnumber(L, report.path);
     lua_setfield(L, -2, "path");
-    push_numbers(L, report.residuals);
-    lua_setfield(L, -2, "residuals");
+    set_numbers(L, "residuals", report.residuals);
     lua_rawseti(L, -2, ++i);
   }
   return 1;

@@ -52,13 +52,8 @@ int check(Call& call) {
   lua_newtable(L);
   set_text(L, "card", report.card);
   set_text(L, "text", report.text());
-  lua_pushboolean(L, report.ok());
-  lua_setfield(L, -2, "ok");
-  lua_newtable(L);
-  for (std::size_t i = 0; i < report.items.size(); ++i) {
-    push_item(L, report.items[i]);
-    lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
-  }
+  set_flag(L, "ok", report.ok());
+  push_list(L, report.items, [&](const auto& one) { push_item(L, one); });
   lua_setfield(L, -2, "items");
   push_criterion(L, *call.self<card::Card>(), report.ok());
   lua_setfield(L, -2, "criterion");

@@ -1,6 +1,5 @@
 // fabric.rigid.*, model:contact, and reading both from a run.
 #include <array>
-#include <functional>
 #include <numbers>
 
 #include "model/declaration_rows.hpp"
@@ -194,37 +193,23 @@ int gap(Call& call) {
   return 2;
 }
 
-void push_places(lua_State* L, std::size_t count, const char* name,
-                 const std::function<double(std::size_t)>& value) {
-  lua_createtable(L, static_cast<int>(count), 0);
-  for (std::size_t i = 0; i < count; ++i) {
-    lua_pushnumber(L, value(i));
-    lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
+void set_places(lua_State* L, const std::vector<Vec3>& places) {
+  for (int c = 0; c < 3; ++c) {
+    push_list(L, places, [&](const Vec3& place) { lua_pushnumber(L, place[c]); });
+    lua_setfield(L, -2, std::string(1, "xyz"[c]).c_str());
   }
-  lua_setfield(L, -2, name);
-}
-
-void push_places(lua_State* L, const std::vector<Vec3>& places) {
-  static constexpr std::array names = {"x", "y", "z"};
-  for (int c = 0; c < 3; ++c)
-    push_places(L, places.size(), names.at(static_cast<std::size_t>(c)),
-                [&places, c](std::size_t i) { return places[i][c]; });
 }
 
 int on_body(Call& call) {
   const auto skin = run::on_skin(*call.self<DeckRun>()->analysis, *call.object<const Rigid>("body"));
   lua_State* L = call.L();
   lua_newtable(L);
-  push_places(L, skin.at);
-  push_places(L, skin.area.size(), "pressure", [&skin](std::size_t i) { return skin.pressure[i]; });
-  push_places(L, skin.area.size(), "area", [&skin](std::size_t i) { return skin.area[i]; });
+  set_places(L, skin.at);
+  set_numbers(L, "pressure", skin.pressure);
+  set_numbers(L, "area", skin.area);
   lua_newtable(L);
-  push_places(L, skin.place);
-  lua_createtable(L, static_cast<int>(skin.node.size()), 0);
-  for (std::size_t i = 0; i < skin.node.size(); ++i) {
-    lua_pushinteger(L, skin.node[i] + 1);
-    lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
-  }
+  set_places(L, skin.place);
+  push_ids(L, skin.node);
   lua_setfield(L, -2, "node");
   lua_setfield(L, -2, "touch");
   return 1;

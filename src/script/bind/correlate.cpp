@@ -14,8 +14,7 @@ namespace fabricsh::script {
 
 void set_scaled(lua_State* L, const char* name, std::vector<double> values, double scale) {
   for (double& v : values) v *= scale;
-  push_numbers(L, values);
-  lua_setfield(L, -2, name);
+  set_numbers(L, name, values);
 }
 
 std::vector<std::string> file_names(const Call& call) {

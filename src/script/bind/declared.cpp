@@ -174,15 +174,12 @@ int list_text(lua_State* L) {
 int list(Call& call) {
   lua_State* L = call.L();
   const std::vector<Declared> all = declared(*call.self<Model>());
-  lua_createtable(L, static_cast<int>(all.size()), 0);
-  lua_Integer place = 0;
-  for (const Declared& one : all) {
+  push_list(L, all, [&](const Declared& one) {
     lua_newtable(L);
     set_text(L, "kind", one.kind);
     set_text(L, "set", one.set);
     set_text(L, "what", one.what);
-    lua_rawseti(L, -2, ++place);
-  }
+  });
   set_text_of(L, "fabricsh.declared", list_text);
   return 1;
 }

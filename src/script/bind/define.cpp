@@ -362,8 +362,7 @@ int open_define(lua_State* L) {
   lua_newtable(L);
   lua_pushcfunction(L, call_define);
   lua_setfield(L, -2, "__call");
-  lua_pushboolean(L, 0);
-  lua_setfield(L, -2, "__metatable");
+  set_flag(L, "__metatable", false);
   lua_setmetatable(L, -2);
   return 1;
 }

@@ -144,8 +144,7 @@ int parallel(Call& call) {
     }
     if (!answer.error.empty()) set_text(L, "trouble", answer.error);
     if (answer.died) {
-      lua_pushboolean(L, 1);
-      lua_setfield(L, -2, "died");
+      set_flag(L, "died", true);
     }
     lua_rawseti(L, -2, ++place);
   }
@@ -153,11 +152,7 @@ int parallel(Call& call) {
 }
 
 void push_points(lua_State* L, const lab::Points& points) {
-  lua_createtable(L, static_cast<int>(points.size()), 0);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    push_numbers(L, points[i]);
-    lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
-  }
+  push_list(L, points, [&](const auto& one) { push_numbers(L, one); });
 }
 
 // expected: number of residuals at each point; 0: taken from the first one.
@@ -179,11 +174,6 @@ lab::Points evaluated(const Function& evaluate, const lab::Points& points, std::
   return out;
 }
 
-void set_list(lua_State* L, const char* name, const std::vector<double>& values) {
-  push_numbers(L, values);
-  lua_setfield(L, -2, name);
-}
-
 int least_squares(Call& call) {
   lua_State* L = call.L();
   const auto start = call.numbers("start"), low = call.numbers("low"), high = call.numbers("high");
@@ -201,13 +191,12 @@ int least_squares(Call& call) {
                          {call.count("iterations"), call.number("tolerance"), call.number("difference")}),
       bounds, residuals, call.count("settle"));
   lua_newtable(L);
-  set_list(L, "x", found.x);
-  set_list(L, "residuals", found.residuals);
-  set_list(L, "jacobian", found.jacobian);
+  set_numbers(L, "x", found.x);
+  set_numbers(L, "residuals", found.residuals);
+  set_numbers(L, "jacobian", found.jacobian);
   set_number(L, "iterations", found.iterations);
   set_text(L, "reason", found.reason);
-  lua_pushboolean(L, found.converged);
-  lua_setfield(L, -2, "converged");
+  set_flag(L, "converged", found.converged);
   return 1;
 }
 
@@ -219,9 +208,9 @@ int identifiability(Call& call) {
                                 std::to_string(scale.size()));
   const auto found = lab::identifiability(jacobian, scale);
   lua_newtable(L);
-  set_list(L, "deviation", found.deviation);
-  set_list(L, "correlation", found.correlation);
-  set_list(L, "weakest", found.weakest);
+  set_numbers(L, "deviation", found.deviation);
+  set_numbers(L, "correlation", found.correlation);
+  set_numbers(L, "weakest", found.weakest);
   set_number(L, "weakest_deviation", found.weakest_deviation);
   return 1;
 }

@@ -23,11 +23,6 @@ void same_length(const Call& call, const char* a, const char* b) {
                        "), got " + std::to_string(m));
 }
 
-void set_numbers(lua_State* L, const char* name, const std::vector<double>& values) {
-  push_numbers(L, values);
-  lua_setfield(L, -2, name);
-}
-
 int reduce(Call& call) {
   lua_State* L = call.L();
   same_length(call, "displacement", "force");
@@ -123,8 +118,7 @@ void push_candidate(lua_State* L, const lab::DegreeCandidate& c) {
   set_number(L, "criterion", c.criterion);
   set_number(L, "initial", c.initial);
   set_number(L, "least", c.least);
-  lua_pushboolean(L, c.admissible);
-  lua_setfield(L, -2, "admissible");
+  set_flag(L, "admissible", c.admissible);
   lua_newtable(L);
   lua_Integer place = 0;
   for (const lab::SpecimenFit& s : c.specimens) {
@@ -213,12 +207,10 @@ int averaged(Call& call) {
 
 int monotone(Call& call) {
   lua_State* L = call.L();
-  lua_newtable(L);
-  lua_Integer place = 0;
-  for (const auto& [E, S] : lab::monotone_points(tensions(call), call.count("bins"))) {
+  push_list(L, lab::monotone_points(tensions(call), call.count("bins")), [&](const auto& point) {
+    const auto& [E, S] = point;
     push_numbers(L, {E, S});
-    lua_rawseti(L, -2, ++place);
-  }
+  });
   return 1;
 }
 

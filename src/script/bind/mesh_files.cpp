@@ -119,14 +119,12 @@ void set_outlook(lua_State* L, const model::Outlook& o) {
 
 // Pushes { {statement=, line=, count=}, ... }.
 void push_passed_over(lua_State* L, const std::vector<Mesh::PassedOver>& all) {
-  lua_newtable(L);
-  for (std::size_t i = 0; i < all.size(); ++i) {
+  push_list(L, all, [&](const auto& one) {
     lua_newtable(L);
-    set_text(L, "statement", all[i].statement);
-    set_number(L, "line", static_cast<double>(all[i].line));
-    set_number(L, "count", static_cast<double>(all[i].count));
-    lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
-  }
+    set_text(L, "statement", one.statement);
+    set_number(L, "line", static_cast<double>(one.line));
+    set_number(L, "count", static_cast<double>(one.count));
+  });
 }
 
 int check_file(Call& call) {
@@ -141,14 +139,9 @@ int check_file(Call& call) {
   }
   set_text(L, "mesh", report.mesh);
   set_text(L, "text", text);
-  lua_pushboolean(L, report.ok());
-  lua_setfield(L, -2, "ok");
+  set_flag(L, "ok", report.ok());
   set_measures(L, report.measures);
-  lua_newtable(L);
-  for (std::size_t i = 0; i < report.items.size(); ++i) {
-    push_finding(L, report.items[i]);
-    lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
-  }
+  push_list(L, report.items, [&](const auto& one) { push_finding(L, one); });
   lua_setfield(L, -2, "items");
   push_passed_over(L, call.self<Mesh>()->passed_over);
   lua_setfield(L, -2, "passed_over");

@@ -67,13 +67,11 @@ template <class M>
 int push_modes(const Call& call, const run::Modes<M>& found) {
   lua_State* L = call.L();
   say_all(call, found.words);
-  lua_createtable(L, static_cast<int>(found.modes.size()), 0);
-  for (std::size_t i = 0; i < found.modes.size(); ++i) {
-    push_mode(L, found.modes[i]);
-    push_object(L, found.modes[i].shape);
+  push_list(L, found.modes, [&](const auto& one) {
+    push_mode(L, one);
+    push_object(L, one.shape);
     lua_setfield(L, -2, "shape");
-    lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
-  }
+  });
   return 1;
 }
 

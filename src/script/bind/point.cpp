@@ -78,19 +78,11 @@ void push_sample(lua_State* L, const StressPoint& s, bool uniaxial) {
 }
 
 void push_rows(lua_State* L, const std::vector<StressPoint>& samples, bool uniaxial) {
-  lua_createtable(L, static_cast<int>(samples.size()), 0);
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    push_sample(L, samples[i], uniaxial);
-    lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
-  }
+  push_list(L, samples, [&](const auto& one) { push_sample(L, one, uniaxial); });
 }
 
 void set_column(lua_State* L, const std::vector<StressPoint>& samples, const SampleColumn& column) {
-  lua_createtable(L, static_cast<int>(samples.size()), 0);
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    lua_pushnumber(L, column.value(samples[i]));
-    lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
-  }
+  push_list(L, samples, [&](const auto& one) { lua_pushnumber(L, column.value(one)); });
   lua_setfield(L, -2, column.name.c_str());
 }
 

@@ -91,15 +91,12 @@ int who_text(lua_State* L) {
 
 int who(Call& call) {
   lua_State* L = call.L();
-  lua_newtable(L);
-  lua_Integer place = 0;
-  for (const GlobalValue& held : held_by_globals(L)) {
+  push_list(L, held_by_globals(L), [&](const GlobalValue& held) {
     lua_newtable(L);
     set_text(L, "name", held.name);
     set_text(L, "class", held.cls);
     set_text(L, "text", held.words);
-    lua_rawseti(L, -2, ++place);
-  }
+  });
   set_text_of(L, "fabricsh.who", who_text);
   return 1;
 }

@@ -47,8 +47,7 @@ void push_row(lua_State* L, const Argument& row) {
   set_text(L, "sentence", row.sentence);
   set_text(L, "expected", expected(row));
   set_text(L, "of", row.of);
-  lua_pushboolean(L, row.required);
-  lua_setfield(L, -2, "required");
+  set_flag(L, "required", row.required);
   set_number(L, "low", row.range.low);
   set_number(L, "high", row.range.high);
   push_row_default(L, row);
@@ -61,11 +60,7 @@ void push_row(lua_State* L, const Argument& row) {
 }
 
 void push_rows(lua_State* L, const std::vector<Argument>& rows) {
-  lua_newtable(L);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    push_row(L, rows[i]);
-    lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
-  }
+  push_list(L, rows, [&](const auto& one) { push_row(L, one); });
 }
 
 // rows(): a list of {name, style, owner, sentence, example, arguments}, sorted by name.
@@ -73,9 +68,7 @@ int registry_rows(lua_State* L) {
   std::vector<const Entry*> entries;
   for (const Entry& entry : Session::of(L).registry().entries()) entries.push_back(&entry);
   std::sort(entries.begin(), entries.end(), [](const Entry* a, const Entry* b) { return a->name < b->name; });
-  lua_newtable(L);
-  lua_Integer place = 0;
-  for (const Entry* entry : entries) {
+  push_list(L, entries, [&](const Entry* entry) {
     lua_newtable(L);
     set_text(L, "name", entry->name);
     set_text(L, "style", style_word(*entry));
@@ -84,8 +77,7 @@ int registry_rows(lua_State* L) {
     set_text(L, "example", entry->example);
     push_rows(L, entry->arguments);
     lua_setfield(L, -2, "arguments");
-    lua_rawseti(L, -2, ++place);
-  }
+  });
   return 1;
 }
 
@@ -100,8 +92,7 @@ int result_fields(lua_State* L) {
     set_text(L, "shape", run::name(field.shape));
     set_text(L, "place", run::name(field.place));
     set_text(L, "sentence", field.sentence);
-    lua_pushboolean(L, field.usual);
-    lua_setfield(L, -2, "usual");
+    set_flag(L, "usual", field.usual);
     push_texts(L, field.components);
     lua_setfield(L, -2, "components");
     lua_rawseti(L, -2, ++place);

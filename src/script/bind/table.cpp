@@ -40,8 +40,7 @@ void push_column(lua_State* L, const format::TableColumn& column) {
   lua_createtable(L, 0, 5);
   set_text(L, "name", column.name);
   set_text(L, "unit", column.unit);
-  push_numbers(L, column.values);
-  lua_setfield(L, -2, "values");
+  set_numbers(L, "values", column.values);
   if (!column.error.empty()) set_text(L, "trouble", column.error);
   if (!column.doubt.empty()) set_text(L, "doubt", column.doubt);
   if (!column.heads.empty()) {
@@ -55,11 +54,7 @@ void push_column(lua_State* L, const format::TableColumn& column) {
 }
 
 void push_lines(lua_State* L, const format::Table& table) {
-  lua_createtable(L, static_cast<int>(table.lines.size()), 0);
-  for (std::size_t i = 0; i < table.lines.size(); ++i) {
-    lua_pushinteger(L, static_cast<lua_Integer>(table.lines[i]));
-    lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
-  }
+  push_list(L, table.lines, [&](const auto& one) { lua_pushinteger(L, static_cast<lua_Integer>(one)); });
   lua_setfield(L, -2, "lines");
 }
 
@@ -70,8 +65,7 @@ void push_left_out(lua_State* L, const format::Table& table) {
     lua_createtable(L, 0, 3);
     set_text(L, "text", one.text);
     set_integer(L, "line", static_cast<lua_Integer>(one.line));
-    lua_pushboolean(L, one.numbers);
-    lua_setfield(L, -2, "numbers");
+    set_flag(L, "numbers", one.numbers);
     lua_rawseti(L, -2, ++place);
   }
   lua_setfield(L, -2, "left_out");
@@ -82,8 +76,7 @@ void push_table(lua_State* L, const std::string& file, const format::Table& tabl
   set_text(L, "file", file);
   set_text(L, "name", table.name);
   if (!table.sheet.empty()) set_text(L, "sheet", table.sheet);
-  lua_pushboolean(L, table.header);
-  lua_setfield(L, -2, "header");
+  set_flag(L, "header", table.header);
   lua_Integer place = 0;
   for (const format::TableColumn& column : table.columns) {
     push_column(L, column);
@@ -135,13 +128,11 @@ int table_of(Call& call) {
     return 1;
   }
   const auto tables = format::read_tables(file, form_of(call));
-  lua_createtable(L, static_cast<int>(tables.size()), 0);
-  for (std::size_t i = 0; i < tables.size(); ++i) {
-    warn_left_out(call, tables[i]);
-    warn_doubts(call, tables[i]);
-    push_table(L, file, tables[i]);
-    lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
-  }
+  push_list(L, tables, [&](const auto& one) {
+    warn_left_out(call, one);
+    warn_doubts(call, one);
+    push_table(L, file, one);
+  });
   return 1;
 }
 

@@ -49,8 +49,7 @@ void push_doubts(lua_State* L, const std::vector<lab::DoubtfulMarker>& doubts) {
     lua_createtable(L, 0, 3);
     set_integer(L, "frame", static_cast<lua_Integer>(doubt.frame + 1));
     set_integer(L, "marker", static_cast<lua_Integer>(doubt.marker + 1));
-    lua_pushboolean(L, doubt.lost);
-    lua_setfield(L, -2, "lost");
+    set_flag(L, "lost", doubt.lost);
     lua_rawseti(L, -2, ++place);
   }
 }

@@ -71,8 +71,7 @@ void push_failure(lua_State* L, const std::string& call, const NumericalFailure&
     lua_pushcfunction(L, failure_text);
     lua_setfield(L, -2, "__tostring");
     set_text(L, "__name", "numerical failure");
-    lua_pushboolean(L, 0);
-    lua_setfield(L, -2, "__metatable");
+    set_flag(L, "__metatable", false);
   }
   lua_setmetatable(L, -2);
 }
@@ -198,8 +197,7 @@ void watch_module(lua_State* L, const std::string& name) {
   lua_pushstring(L, name.c_str());
   lua_pushcclosure(L, call_module, 1);
   lua_setfield(L, -2, "__call");
-  lua_pushboolean(L, 0);
-  lua_setfield(L, -2, "__metatable");
+  set_flag(L, "__metatable", false);
   lua_setmetatable(L, -2);
 }
 

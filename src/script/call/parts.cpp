@@ -165,8 +165,7 @@ void make_metatable(lua_State* L, const std::string& name) {
   lua_setfield(L, -2, "__newindex");
   lua_pushcfunction(L, part_pairs);
   lua_setfield(L, -2, "__pairs");
-  lua_pushboolean(L, false);
-  lua_setfield(L, -2, "__metatable");
+  set_flag(L, "__metatable", false);
   lua_pushvalue(L, shown);
   lua_rawsetp(L, -2, &shown_key);
   lua_pushvalue(L, 1);

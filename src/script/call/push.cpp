@@ -30,6 +30,11 @@ void push_ids(lua_State* L, const std::vector<mesh::Index>& ids) {
   }
 }
 
+void set_numbers(lua_State* L, const char* name, const std::vector<double>& values) {
+  push_numbers(L, values);
+  lua_setfield(L, -2, name);
+}
+
 void set_integer(lua_State* L, const char* name, lua_Integer value) {
   lua_pushinteger(L, value);
   lua_setfield(L, -2, name);

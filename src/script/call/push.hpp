@@ -14,6 +14,17 @@ class Session;
 void push_numbers(lua_State* L, const std::vector<double>& values);
 void push_texts(lua_State* L, const std::vector<std::string>& texts);
 void push_ids(lua_State* L, const std::vector<mesh::Index>& ids);
+// A list of what `push` leaves on the stack for each.
+template <class All, class Push>
+void push_list(lua_State* L, const All& all, Push push) {
+  lua_newtable(L);
+  lua_Integer place = 0;
+  for (const auto& one : all) {
+    push(one);
+    lua_rawseti(L, -2, ++place);
+  }
+}
+void set_numbers(lua_State* L, const char* name, const std::vector<double>& values);
 void set_number(lua_State* L, const char* name, double value);
 void set_integer(lua_State* L, const char* name, lua_Integer value);
 void set_flag(lua_State* L, const char* name, bool value);

@@ -304,8 +304,7 @@ void name_result(lua_State* L, const std::string& name) {
     set_text(L, result_name, name);
     lua_pushcfunction(L, result_text);
     lua_setfield(L, -2, "__tostring");
-    lua_pushboolean(L, 0);
-    lua_setfield(L, -2, "__metatable");
+    set_flag(L, "__metatable", false);
     lua_pushvalue(L, -1);
     lua_setfield(L, -3, name.c_str());
   }
