@@ -16,6 +16,7 @@ constexpr double rounding = 1e-9;  // share of a skin: rounding never decides wh
 constexpr double of_apart = 0.9;   // the gap of crack faces, as a share of how far they have been apart
 constexpr double grown_from =
     0.02;  // of the whole gap: crack faces that were less far apart do not touch yet
+constexpr double eased_approach = 0.05;  // of the range of contact, in a step
 constexpr double nearly = 1 - rounding;  // of the motion that a list allows for
 
 double mean_edge(const Scene& scene) {
@@ -319,9 +320,10 @@ Totals Contact::add_forces(std::span<const Vec3> x, std::span<Vec3> force, const
   prepare(x);
   Totals totals;
   double least = narrowest_, hard = std::numeric_limits<double>::infinity();
+  bool struck = false;
   const double change = change_ + rounding * skins_.inner;
   const auto n = std::ptrdiff_t(inner_.size());
-#pragma omp parallel for schedule(static) reduction(min : least, hard) if (n > 256)
+#pragma omp parallel for schedule(static) reduction(min : least, hard) reduction(|| : struck) if (n > 256)
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     active_[std::size_t(i)] = 0;
     if (margin_[std::size_t(i)] > change) continue;  // still out of reach
@@ -333,10 +335,15 @@ Totals Contact::add_forces(std::span<const Vec3> x, std::span<Vec3> force, const
     if (!find_force(it.law, c.pair, corners_of(c, x), rubs ? &slips : nullptr, slot)) continue;
     active_[std::size_t(i)] = rubs ? rubbing : pressing;
     least = std::min(least, slot.gap);
-    if (slot.guard != 0 && !it.eased) hard = std::min(hard, slot.gap);
+    if (slot.guard == 0) continue;
+    if (eases(it))
+      struck = struck || approaches_fast(c, slot, x, way);
+    else
+      hard = std::min(hard, slot.gap);
   }
   totals.gap = least;
   totals.hard_gap = hard;
+  totals.struck = struck;
   gather(force, way.start.empty() ? std::span<Vec3>() : torque, totals);
   if (!way.start.empty()) note_slips(x, way);
   return totals;
@@ -402,6 +409,16 @@ void Contact::gather(std::span<Vec3> force, std::span<Vec3> torque, Totals& tota
   }
 }
 
+// What comes in by a good part of the range within a step is an impact: inertia would err with its energy.
+bool Contact::approaches_fast(const Candidate& c, const Force& force, std::span<const Vec3> x,
+                              const Way& way) const {
+  if (way.start.empty()) return false;
+  const Corners now = corners_of(c, x), before = corners_of(c, way.start);
+  Vec3 nearer = Vec3::Zero();
+  for (std::size_t k = 0; k < 4; ++k) nearer -= force.barrier.weight[k] * (now[k] - before[k]);
+  return nearer.dot(force.barrier.normal) > eased_approach * (law(c).gap() - law(c).floor()) * c.pair.scale;
+}
+
 // A body's corners do not give way, so that a pair's stiffness for one node, while all nodes of the pair move
 // alike or against each other, is at most that times the node's weight: the weights on one side have the
 // sum 1.
@@ -409,7 +426,7 @@ void Contact::barriers(const std::function<void(std::int32_t, double, const Vec3
   for (const std::uint32_t i : in_use_) {
     const Candidate& c = inner_[i];
     const Force::Barrier& barrier = slots_[i].barrier;
-    if (!(barrier.stiffness > 0) || !scene_->interactions()[std::size_t(c.interaction)].eased) continue;
+    if (!(barrier.stiffness > 0) || !eases(scene_->interactions()[std::size_t(c.interaction)])) continue;
     if (c.spot.any())
       for (std::size_t k = 0; k < 3; ++k)
         visit(c.spot.node[k], barrier.stiffness * c.spot.weight(k), barrier.normal);

@@ -37,6 +37,7 @@ struct Totals {
   // distance from gap to floor of any pair, which is then a lower bound.
   double gap = 0;
   double hard_gap = 0;       // m: the smallest of all pairs with a guard that is not eased; infinite: none
+  bool struck = false;       // whether a pair comes into a guard that is eased as in an impact
   std::size_t touching = 0;  // pairs
 };
 
@@ -57,6 +58,9 @@ class Contact {
   Totals add_forces(std::span<const Vec3> x, std::span<Vec3> force, const Way& way = {},
                     std::span<Vec3> torque = {});
 
+  // Whether guards that may be eased are, see Interaction::eased.
+  void ease(bool on) { eases_ = on; }
+  bool eases(const Interaction& it) const { return eases_ && it.eased; }
   // Of the forces that were last added: how stiff the guards that are eased are for each node of the cloth,
   // N/m, and along which normal; in the pairs' order. The sum is a bound for all that the nodes do at once.
   void barriers(const std::function<void(std::int32_t, double, const Vec3&)>& visit) const;
@@ -147,6 +151,7 @@ class Contact {
   const Held* held_by(std::size_t slot);
   void note_slips(std::span<const Vec3> x, const Way& way);
   bool passes_on(const Candidate& c) const;
+  bool approaches_fast(const Candidate& c, const Force& force, std::span<const Vec3> x, const Way& way) const;
   bool holds_torque(std::uint32_t slot_and_corner) const;
   unsigned planes_of(const Candidate& c, std::span<const unsigned char> planes) const;
   std::array<double, 4> resists(const Candidate& c, const Force& force, const Way& way) const;
@@ -234,6 +239,7 @@ class Contact {
   std::optional<Tried> tried_;
   std::vector<std::int32_t> known_;  // by slot: which of held_ its slip is, or one of the following
   static constexpr std::int32_t unknown = -2, none = -1;
+  bool eases_ = true;
   std::size_t searches_ = 0;
   std::uint64_t version_ = 0;
 };

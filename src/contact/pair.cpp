@@ -81,7 +81,7 @@ void damp(const ContactLaw& law, const Pair& pair, const PressedPlace& at, const
   const double whole = slip.step == 0 ? law.scaled(gap, pair.scale).stiffness : at.answer.stiffness,
                stiffness = std::min(whole, law.stiffest());
   out.damping_slope = -slip.loss * std::sqrt(stiffness) / slip.dt;
-  if (slip.step != 0 && at.answer.guard > 0 && is_on_fixed(at.place.touch, slip))
+  if (slip.eased && at.answer.guard > 0 && is_on_fixed(at.place.touch, slip))
     out.damping_slope -= of_approach * std::max(0.0, whole - law.stiffest());
   out.damping = out.damping_slope * opened;
 }

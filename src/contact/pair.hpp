@@ -75,6 +75,7 @@ struct Slip {
   // sticks. It cannot reverse the sliding.
   double step = 0;                       // s; 0: an implicit or static step
   double portion = 1;                    // of that resistance
+  bool eased = false;                    // whether the guard is met by inertia, see Interaction
   std::array<double, 4> inverse_mass{};  // 1/kg; 0: the corner is held or driven
   // Factors in these of what else resists at the corners, see Force::resists.
   std::array<double, 4> crowd{1, 1, 1, 1};

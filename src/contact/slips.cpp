@@ -121,6 +121,7 @@ Slip Contact::slip_of(std::size_t i, std::span<const Vec3> x, const Way& way) {
   slip.dt = way.dt;
   if (way.inverse_mass.empty()) return slip;
   slip.step = way.dt;
+  slip.eased = eases(it);
   const double images = 1u << std::popcount(planes_of(c, way.planes));
   if (c.spot.any()) {
     // Many resist at its nodes: each as its part of a facet has it.

@@ -246,6 +246,7 @@ void Explicit::open_block() {
     --block_.halved;
     block_.barrier_free_blocks = 0;
   }
+  block_.struck = block_.struck && block_.halved > 0;
   block_.start.clear();
   block_.steps = 0;
   block_.guarded = hooked_ = false;
@@ -255,12 +256,13 @@ void Explicit::open_block() {
 // Whether the step just tried is acceptable: its motion cannot have passed through a surface, and it is
 // stable for the stiffness of contact at its end.
 bool Explicit::step_acceptable(double dt) {
-  if (contact_->may_have_passed() || contact_->turns_too_far()) return false;
+  if (contact_->struck() || contact_->may_have_passed() || contact_->turns_too_far()) return false;
   return !contact_->needs_short_steps() || (block_.halved > 0 && dt <= contact_->largest_contact_step());
 }
 
 void Explicit::redo(const StepReport& report) {
   if (block_.halved >= kHalvings) give_up(report);
+  block_.struck = block_.struck || contact_->struck();
   RepeatableBlock block;
   std::swap(block, block_);
   const DynamicState reported = now_;
@@ -339,6 +341,7 @@ bool Explicit::attempt(double size, StepReport& report) {
   if (assembly_->limit(motion_.increments(), problem_.targets()) < 1) return ends(End::limited);
   problem_.advance_explicit(motion_.along(), motion_.reach());
   trial_time_ = size;
+  if (contact_ != nullptr) contact_->ease(!block_.struck);
   assembly_->terms().expect_energies(looks_after(now_.steps + 1, size));
   if (problem_.residual(motion_.residual()) != Answer::ok) return ends(End::forces);
   if (contact_ != nullptr) contact_->hold_back(motion_.residual());

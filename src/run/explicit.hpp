@@ -81,8 +81,10 @@ class Explicit final : public Dynamic {
     std::int64_t steps = 0;
     int halved = 0,
         barrier_free_blocks = 0;  // number of halvings; number of blocks since the guard was last needed
-    bool guarded = false, reported = false;
-    void keep(Archive& archive) { archive(start, steps, halved, barrier_free_blocks, guarded, reported); }
+    bool guarded = false, reported = false, struck = false;  // struck: guards are met by shorter steps alone
+    void keep(Archive& archive) {
+      archive(start, steps, halved, barrier_free_blocks, guarded, reported, struck);
+    }
   } block_;
   double nominal_ = 0, bound_ = 0;  // s: the step of the waves in the cloth; one that no frequency forbids
   std::vector<double> added_;       // see mechanics::added_rates()

@@ -344,7 +344,7 @@ std::string Implicit::shorten(double turn, double part) {
 
 // Rigid sets keep energy and momentum at any step.
 void Implicit::watch_turning() {
-  if (!assembly_->dofs().freedoms().bodies.empty()) return;
+  if (options_.error || !assembly_->dofs().freedoms().bodies.empty()) return;
   const double turn = damps() ? 0 : turn_per_step();
   if (!(turn > 1.01 * kWideTurn)) return;
   const std::string words = shorten(turn, kWideTurn / turn);

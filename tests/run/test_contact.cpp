@@ -301,7 +301,7 @@ TEST_CASE("contact: an overlap is refused, and what settle opens is told") {
   says(message_of([&] { run_of(0.5, 1e-5 * t, nullptr); }),
        "contact: field 'settle': plane on the cloth: expected at least");
   says(message_of([&] { run_of(-1.0, 0.1 * t, nullptr); }),
-       "contact: field 'settle': expected a positive time in s, got -1");
+       "contact: field 'settle': expected a positive number in s, got -1");
   std::string told;
   run_of(0.5, 0.1 * t, &told);
   says(told, "; 9 points are nearer than that at the start, the nearest by 0.000152 m: opened over 0.5 s");

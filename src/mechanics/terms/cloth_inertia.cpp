@@ -47,10 +47,12 @@ Speeds speeds(const section::Section& section) {
 }  // namespace
 
 // 1/s^2: the square of the highest frequency of an element in its plane. Its smallest height tells of
-// squares; where sides are oblique or three, or the stiff yarns do not run across the height, it is lower.
+// squares and, with their transverse shear, of triangles; where four sides are oblique, or the stiff yarns do
+// not run across the height, it is lower.
 double Cloth::plane_rate_of(Index e, const Stiffest& stiffest, double speed) const {
   const double of_height = std::pow(2 * speed / rest_.size(e), 2);
   const Corners corners = corners_of(e);
+  if (corners.count == 3) return of_height;
   std::array<Eigen::Vector2d, 4> plane;
   for (int a = 0; a < corners.count; ++a) {
     const Vec3 r = corners.at[a] - corners.at[0];
@@ -62,7 +64,7 @@ double Cloth::plane_rate_of(Index e, const Stiffest& stiffest, double speed) con
 
 // s: the stable step for waves in the plane of the cloth. No frequency squared is above the largest mean of
 // those of the elements around a node, weighted by their masses: K_e <= r_e M_e, of which the sum is
-// diagonal.
+// diagonal. Where cloth may tear, elements part from those that they share nodes with.
 double Cloth::membrane_step() const {
   std::vector<double> speed;  // m/s, per region
   std::vector<Stiffest> stiffest;
@@ -79,6 +81,7 @@ double Cloth::membrane_step() const {
     shortest = std::min(shortest, rest_.size(e) / speed[region]);
     rates[i] = plane_rate_of(e, stiffest[region], speed[region]);
   }
+  if (!model_.all<model::Zone>().empty()) return shortest;
   const std::vector<double> means = means_at_nodes(rates, corner_masses());
   const double longer = 2 / std::sqrt(*std::max_element(means.begin(), means.end()));
   constexpr double rounding = 1e-6;
@@ -145,7 +148,8 @@ Cloth::ElementBound Cloth::bound_of(const ElementMatrix& stiffness, Index i, boo
   const ElementBound bound{highest_rate(stiffness, n, mass, mass * own), own};
   double wanted = 4 / (permitted * permitted);
   if (!scaled || bound.rate <= wanted) return bound;
-  wanted = std::max(wanted, rate_of_displacements(stiffness, n, mass) / (kKept * kKept));
+  if (const double rate = rate_of_displacements(stiffness, n, mass); rate > wanted)
+    wanted = rate / (kKept * kKept);
   if (bound.rate <= wanted) return bound;
   double longest = 0;
   for (int a = 0; a < n; ++a)

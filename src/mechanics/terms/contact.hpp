@@ -134,6 +134,10 @@ class Contacts final : public Term, public StepLimiter, public OwnUnknowns, publ
   bool guarded() const { return trial_.guard > 0; }
   // Whether a guard acts that needs shorter steps: others are met by inertia, see hold_back().
   bool needs_short_steps() const { return std::isfinite(trial_.hard_gap); }
+  // Whether something has come into one of these as in an impact, whose energy inertia would err with; and
+  // whether they are met by it in the next steps.
+  bool struck() const { return trial_.struck; }
+  void ease(bool on) { contact_->ease(on); }
   // To be called with the residual of each evaluation of forces: takes from it what the inertia that meets
   // the guards holds back, N by unknowns.
   void hold_back(std::span<double> residual);

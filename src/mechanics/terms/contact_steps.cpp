@@ -179,7 +179,7 @@ std::vector<Contacts::DrawnThrough> Contacts::drawn_through() const {
 double Contacts::largest_contact_step() const {
   double stiffest = 0;
   for (std::size_t i = 0; i < meetings_.size(); ++i)
-    if (const auto& it = scene_.interactions()[i]; !it.rigid && !it.eased)
+    if (const auto& it = scene_.interactions()[i]; !it.rigid && !contact_->eases(it))
       stiffest = std::max(stiffest, it.law(it.law.floor() + trial_.hard_gap).stiffness /
                                         (meetings_[i].given ? 1 : eased(scene_, it)));
   return std::min({std::sqrt(kInGuard * least_areal_ / stiffest), carried_by_bodies(kInGuard, true),
