@@ -254,7 +254,7 @@ std::vector<Entry> model_entries() {
       {"model:gravity",
        Style::positional,
        {Argument{"acceleration", table, "m/s^2", everything, "{gx, gy, gz}, each a history"}},
-       "Lets gravity act on the whole sheet.",
+       "Lets gravity act on the whole cloth, and on rigid bodies that have a mass and forces place.",
        sample + "m:gravity{0, 0, -9.81}",
        gravity},
       without_arguments("model:check",
