@@ -7,6 +7,7 @@
 
 #include "law/law.hpp"
 #include "mechanics/assembly.hpp"
+#include "mechanics/terms/contact.hpp"
 #include "model/model.hpp"
 #include "run/values.hpp"
 #include "solver/newton.hpp"
@@ -30,6 +31,8 @@ struct Jumps {
 Jumps find_jumps(const model::Model& model, double duration);
 // The rigid bodies that their motion has moved at time 0 already; or empty.
 std::string moved_bodies_text(const model::Model& model);
+// Two held or driven bodies that press the cloth between them from the start, and what to do.
+std::string nip_text(const std::string& run, const mechanics::Contacts::Nip& nip);
 // The loads among them, and how to ramp each over the run; or empty.
 std::string warning_text(const Jumps& jumps, double duration);
 // All of them, "gravity (z = -9.81 m/s^2) and the motion of 'top' (z = 0.01 m) are".

@@ -119,6 +119,23 @@ std::string moved_bodies_text(const model::Model& model) {
          (moved.size() > 1 ? "bodies" : "body") + " there";
 }
 
+std::string nip_text(const std::string& run, const mechanics::Contacts::Nip& nip) {
+  const std::string plies = nip.plies == 1 ? "the cloth" : std::to_string(nip.plies) + " plies";
+  const bool fits = std::isfinite(nip.pressure), barrier = nip.pressure > nip.carried;
+  return "warning: " + run + ": at node " + std::to_string(nip.node + 1) + " the " + nip.first + " and the " +
+         nip.second + ", whose places are given, are " + number(nip.gap, 3) + " m apart, and " + plies +
+         " between them " + (nip.plies == 1 ? "needs " : "need ") + number(nip.thickness, 3) +
+         " m in contact: " +
+         (!fits ? "less than the " + number(nip.floor, 3) +
+                      " m that contact allows at least, so that no pressure "
+                      "holds it there"
+                : "by the law of contact the pressure is " + number(nip.pressure, 2) + " Pa from the start" +
+                      (barrier ? ", of which " + number(nip.carried, 2) + " Pa are carried before its barrier"
+                               : std::string())) +
+         "; a gap of at least " + number(nip.thickness, 3) +
+         " m, or m:force on one of them in place of a gap, does not do that";
+}
+
 std::string warning_text(const Jumps& jumps, double duration) {
   if (jumps.loads.empty()) return {};
   const std::string value = number(jumps.loads.front().value);

@@ -80,6 +80,12 @@ void Run::report_contacts() {
   if (contact == nullptr) return;
   for (const std::string& words : contact->describe()) notices_->remark("contact: " + words);
   for (const std::string& words : contact->dependent()) note("nodes", words);
+  for (const auto& nip : contact->nips()) {
+    const bool fits = std::isfinite(nip.pressure);
+    note("nip", nip_text(kind(), nip));
+    warnings_->back().serious = !fits;
+    notices_->say(nip_text(kind(), nip));
+  }
 }
 
 void Run::add(std::unique_ptr<mechanics::Term> term) {

@@ -26,6 +26,8 @@ constexpr WarningKind kinds[] = {
      "implicit one is shortened, since the cloth turns far in it"},
     {"inertia", "much of the kinetic energy is in rotary inertia that is scaled up for the step"},
     {"guard", "contact is pressed so far that a barrier keeps the surfaces apart"},
+    {"nip",
+     "held or driven bodies press cloth between them from the start; serious if it cannot fit between them"},
     {"pressed", "contact of an assumed stiffness has a noticeable part of the stored energy"},
     {"rim", "the rim of a volume of gas has left the rigid body that closes it", serious},
     {"nodes", "the force of a ball or a rod on flat cloth depends on where the nodes lie"},

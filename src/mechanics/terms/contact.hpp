@@ -201,6 +201,16 @@ class Contacts final : public Term, public StepLimiter, public OwnUnknowns, publ
   std::string words(const std::array<std::int32_t, 4>& points) const;  // "node 3 and sphere"
   // The parameters used for each contact, in lines of text.
   std::vector<std::string> describe() const;
+  // Two held or driven bodies that face each other across cloth, nearer than it needs in contact, where that
+  // is worst. They cannot give way.
+  struct Nip {
+    std::string first, second;
+    std::size_t plies;
+    double gap, thickness, floor;  // m: between their surfaces; of contact; the least that it allows
+    double pressure, carried;      // Pa: by the law, infinite if the floors do not fit; before its guard
+    Index node;
+  };
+  std::vector<Nip> nips() const;
   // Of each ball and rod whose force on flat cloth depends much on where the nodes lie: how far, and why.
   std::vector<std::string> dependent() const;
 
