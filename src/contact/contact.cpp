@@ -306,7 +306,7 @@ class Contact::OfSlot final : public SlipSource {
  public:
   OfSlot(Contact& contact, std::size_t slot, std::span<const Vec3> x, const Way& way)
       : contact_(contact), slot_(slot), x_(x), way_(way) {}
-  Slip find() const override { return contact_.slip_of(slot_, x_, way_); }
+  void find(Slip& slip) const override { contact_.find_slip(slot_, x_, way_, slip); }
 
  private:
   Contact& contact_;
@@ -315,37 +315,64 @@ class Contact::OfSlot final : public SlipSource {
   const Way& way_;
 };
 
+bool Contact::press(std::size_t i, std::span<const Vec3> x, const Way& way) {
+  active_[i] = 0;
+  const Candidate& c = inner_[i];
+  const Interaction& it = scene_->interactions()[std::size_t(c.interaction)];
+  const OfSlot slips(*this, i, x, way);
+  const bool rubs = !way.start.empty() && it.rubs();
+  const Corners corners = corners_of(c, x);
+  if (!find_force(it.law, c.pair, corners, rubs ? &slips : nullptr, slots_[i])) return false;
+  active_[i] = rubs ? rubbing : pressing;
+  if (rubs) keep_slip(i, corners, way);
+  Force& force = slots_[i];
+  force.barrier.struck = force.guard != 0 && eases(it) && approaches_fast(c, force, corners, way);
+  return true;
+}
+
+// One thread sums the forces of a pair while they are at hand; several share the points afterwards.
+void Contact::press_all(std::span<const Vec3> x, const Way& way, bool torques) {
+  const double change = change_ + rounding * skins_.inner;  // pairs beyond it are still out of reach
+  const auto n = std::ptrdiff_t(inner_.size());
+  const auto rows = std::uint32_t(touched_.size());
+  const int parts = n > 256 ? omp_get_max_threads() : 1;
+  in_use_.clear();
+  if (parts == 1) {
+    std::fill(at_point_.begin(), at_point_.end(), AtPoint());
+    for (std::uint32_t i = 0; i < std::uint32_t(n); ++i) {
+      active_[i] = 0;
+      if (margin_[i] > change || !press(i, x, way)) continue;
+      in_use_.push_back(i);
+      gather_slot(i, 0, rows, torques);
+    }
+    return;
+  }
+#pragma omp parallel for schedule(static)
+  for (std::ptrdiff_t i = 0; i < n; ++i) {
+    active_[std::size_t(i)] = 0;
+    if (margin_[std::size_t(i)] <= change) press(std::size_t(i), x, way);
+  }
+  for (std::size_t i = 0; i < active_.size(); ++i)
+    if (active_[i] != 0) in_use_.push_back(std::uint32_t(i));
+#pragma omp parallel for schedule(static, 1)
+  for (int part = 0; part < parts; ++part) {
+    const auto share = [&](int p) {
+      return std::uint32_t(std::uint64_t(rows) * std::uint64_t(p) / std::uint64_t(parts));
+    };
+    gather(share(part), share(part + 1), torques);
+  }
+}
+
 Totals Contact::add_forces(std::span<const Vec3> x, std::span<Vec3> force, const Way& way,
                            std::span<Vec3> torque) {
   prepare(x);
+  if (way.start.empty()) torque = {};
+  press_all(x, way, !torque.empty());
   Totals totals;
-  double least = narrowest_, hard = std::numeric_limits<double>::infinity();
-  bool struck = false;
-  const double change = change_ + rounding * skins_.inner;
-  const auto n = std::ptrdiff_t(inner_.size());
-#pragma omp parallel for schedule(static) reduction(min : least, hard) reduction(|| : struck) if (n > 256)
-  for (std::ptrdiff_t i = 0; i < n; ++i) {
-    active_[std::size_t(i)] = 0;
-    if (margin_[std::size_t(i)] > change) continue;  // still out of reach
-    const Candidate& c = inner_[std::size_t(i)];
-    const Interaction& it = scene_->interactions()[std::size_t(c.interaction)];
-    Force& slot = slots_[std::size_t(i)];
-    const OfSlot slips(*this, std::size_t(i), x, way);
-    const bool rubs = !way.start.empty() && it.rubs();
-    if (!find_force(it.law, c.pair, corners_of(c, x), rubs ? &slips : nullptr, slot)) continue;
-    active_[std::size_t(i)] = rubs ? rubbing : pressing;
-    least = std::min(least, slot.gap);
-    if (slot.guard == 0) continue;
-    if (eases(it))
-      struck = struck || approaches_fast(c, slot, x, way);
-    else
-      hard = std::min(hard, slot.gap);
-  }
-  totals.gap = least;
-  totals.hard_gap = hard;
-  totals.struck = struck;
-  gather(force, way.start.empty() ? std::span<Vec3>() : torque, totals);
-  if (!way.start.empty()) note_slips(x, way);
+  totals.gap = narrowest_;
+  totals.hard_gap = std::numeric_limits<double>::infinity();
+  add_points(force, torque, totals);
+  if (!way.start.empty()) note_slips();
   return totals;
 }
 
@@ -353,48 +380,42 @@ Totals Contact::add_forces(std::span<const Vec3> x, std::span<Vec3> force, const
 // slots, however many threads share the points.
 void Contact::gather(std::uint32_t from, std::uint32_t to, bool torques) {
   std::fill(at_point_.begin() + from, at_point_.begin() + to, AtPoint());
-  for (const std::uint32_t i : in_use_) {
-    const Force& slot = slots_[i];
-    const auto& point = inner_[i].point;
-    const Spot& spot = inner_[i].spot;
-    if (spot.any())
-      for (std::size_t k = 0; k < 3; ++k)
-        if (const std::uint32_t row = row_of_[std::size_t(spot.node[k])]; row >= from && row < to)
-          at_point_[row].force += spot.weight(k) * slot.on[0];
-    for (std::uint32_t k = 0; k < 4; ++k) {
-      if (point[k] < 0) continue;
-      const std::uint32_t row = k == 0 ? first_row_of(i) : row_of_[std::size_t(point[k])];
-      if (row < from || row >= to) continue;
-      AtPoint& sum = at_point_[row];
-      sum.force += slot.on[k];
-      if (torques && holds_torque(4 * i + k)) sum.torque += slot.torque;
-      if (k != 0) continue;
-      sum.contact += slot.contact;
-      sum.guard += slot.guard;
-      sum.stick += slot.stick;
-      sum.work += slot.work;
-      sum.impact += slot.impact;
-      ++sum.pairs;
-      sum.slips += active_[i] == rubbing ? 1 : 0;
-    }
+  for (const std::uint32_t i : in_use_) gather_slot(i, from, to, torques);
+}
+
+void Contact::gather_slot(std::uint32_t i, std::uint32_t from, std::uint32_t to, bool torques) {
+  const Force& slot = slots_[i];
+  const auto& point = inner_[i].point;
+  const Spot& spot = inner_[i].spot;
+  if (spot.any())
+    for (std::size_t k = 0; k < 3; ++k)
+      if (const std::uint32_t row = row_of_[std::size_t(spot.node[k])]; row >= from && row < to)
+        at_point_[row].force += spot.weight(k) * slot.on[0];
+  for (std::uint32_t k = 0; k < 4; ++k) {
+    if (point[k] < 0) continue;
+    const std::uint32_t row = k == 0 ? first_row_of(i) : row_of_[std::size_t(point[k])];
+    if (row < from || row >= to) continue;
+    AtPoint& sum = at_point_[row];
+    sum.force += slot.on[k];
+    if (torques && holds_torque(4 * i + k)) sum.torque += slot.torque;
+    if (k != 0) continue;
+    sum.contact += slot.contact;
+    sum.guard += slot.guard;
+    sum.stick += slot.stick;
+    sum.work += slot.work;
+    sum.impact += slot.impact;
+    sum.gap = std::min(sum.gap, slot.gap);
+    sum.struck = sum.struck || slot.barrier.struck;
+    if (slot.guard != 0 && !eases(scene_->interactions()[std::size_t(inner_[i].interaction)]))
+      sum.hard_gap = std::min(sum.hard_gap, slot.gap);
+    ++sum.pairs;
+    sum.slips += active_[i] == rubbing ? 1 : 0;
   }
 }
 
-void Contact::gather(std::span<Vec3> force, std::span<Vec3> torque, Totals& totals) {
-  in_use_.clear();
-  for (std::size_t i = 0; i < active_.size(); ++i)
-    if (active_[i] != 0) in_use_.push_back(std::uint32_t(i));
-  const auto rows = std::uint32_t(touched_.size());
-  const int parts = in_use_.size() > 256 ? omp_get_max_threads() : 1;
-#pragma omp parallel for schedule(static, 1) if (parts > 1)
-  for (int part = 0; part < parts; ++part) {
-    const auto share = [&](int p) {
-      return std::uint32_t(std::uint64_t(rows) * std::uint64_t(p) / std::uint64_t(parts));
-    };
-    gather(share(part), share(part + 1), !torque.empty());
-  }
-  // Over all points and not only those in the lists, which depend on the skin.
-  for (std::uint32_t row = 0; row < rows; ++row) {
+// Over all points and not only those in the lists, which depend on the skin.
+void Contact::add_points(std::span<Vec3> force, std::span<Vec3> torque, Totals& totals) const {
+  for (std::size_t row = 0; row < touched_.size(); ++row) {
     const AtPoint& sum = at_point_[row];
     if (const auto p = std::size_t(touched_[row]); p < force.size()) {
       force[p] += sum.force;
@@ -405,15 +426,18 @@ void Contact::gather(std::span<Vec3> force, std::span<Vec3> torque, Totals& tota
     totals.stick += sum.stick;
     totals.work += sum.work;
     totals.impact += sum.impact;
+    totals.gap = std::min(totals.gap, sum.gap);
+    totals.hard_gap = std::min(totals.hard_gap, sum.hard_gap);
+    totals.struck = totals.struck || sum.struck;
     totals.touching += sum.pairs;
   }
 }
 
 // What comes in by a good part of the range within a step is an impact: inertia would err with its energy.
-bool Contact::approaches_fast(const Candidate& c, const Force& force, std::span<const Vec3> x,
+bool Contact::approaches_fast(const Candidate& c, const Force& force, const Corners& now,
                               const Way& way) const {
   if (way.start.empty()) return false;
-  const Corners now = corners_of(c, x), before = corners_of(c, way.start);
+  const Corners before = corners_of(c, way.start);
   Vec3 nearer = Vec3::Zero();
   for (std::size_t k = 0; k < 4; ++k) nearer -= force.barrier.weight[k] * (now[k] - before[k]);
   return nearer.dot(force.barrier.normal) > eased_approach * (law(c).gap() - law(c).floor()) * c.pair.scale;
@@ -448,7 +472,9 @@ void Contact::stiffness(std::span<const Vec3> x, const VisitStiffness& visit, co
       visit_in_nodes(c, k, nullptr, visit);
       continue;
     }
-    const FrictionTangent friction = friction_tangent(it.law, c.pair, corners, slip_of(i, x, way));
+    Slip slip;
+    find_slip(i, x, way, slip);
+    const FrictionTangent friction = friction_tangent(it.law, c.pair, corners, slip);
     k -= friction.jacobian;
     visit_in_nodes(c, k, &friction, visit);
   }

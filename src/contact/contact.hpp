@@ -7,6 +7,7 @@
 // node by node in that order. The bits are therefore the same for any number of threads and any skin.
 #pragma once
 #include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -147,11 +148,13 @@ class Contact {
   Vec3 of_body(const Candidate& c, std::span<const Vec3> by_point) const;
   struct Held;
   class OfSlot;
-  Slip slip_of(std::size_t slot, std::span<const Vec3> x, const Way& way);
+  void find_slip(std::size_t slot, std::span<const Vec3> x, const Way& way, Slip& slip);
   const Held* held_by(std::size_t slot);
-  void note_slips(std::span<const Vec3> x, const Way& way);
-  bool passes_on(const Candidate& c) const;
-  bool approaches_fast(const Candidate& c, const Force& force, std::span<const Vec3> x, const Way& way) const;
+  // What is kept of the slip in a slot: turned with the pair, and with what resists at its mirror images.
+  void keep_slip(std::size_t slot, const Corners& x, const Way& way);
+  void note_slips();
+  bool passes_on(PairKind kind, std::int32_t first, std::int32_t interaction) const;
+  bool approaches_fast(const Candidate& c, const Force& force, const Corners& now, const Way& way) const;
   bool holds_torque(std::uint32_t slot_and_corner) const;
   unsigned planes_of(const Candidate& c, std::span<const unsigned char> planes) const;
   std::array<double, 4> resists(const Candidate& c, const Force& force, const Way& way) const;
@@ -166,8 +169,12 @@ class Contact {
                              const VisitStiffness& visit);
   double share_of(const std::vector<Candidate>& pairs, std::span<const Vec3> x,
                   std::span<const Vec3> by) const;
-  void gather(std::span<Vec3> force, std::span<Vec3> torque, Totals& totals);
+  // Whether the pair in a slot touches; its forces are then there.
+  bool press(std::size_t slot, std::span<const Vec3> x, const Way& way);
+  void press_all(std::span<const Vec3> x, const Way& way, bool torques);
   void gather(std::uint32_t from, std::uint32_t to, bool torques);
+  void gather_slot(std::uint32_t slot, std::uint32_t from, std::uint32_t to, bool torques);
+  void add_points(std::span<Vec3> force, std::span<Vec3> torque, Totals& totals) const;
   const ContactLaw& law(const Candidate& c) const {
     return scene_->interactions()[std::size_t(c.interaction)].law;
   }
@@ -203,7 +210,10 @@ class Contact {
   struct AtPoint {
     Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
     double contact = 0, guard = 0, stick = 0, work = 0, impact = 0;
+    // m, the smallest of its pairs; of those with a guard that is not eased.
+    double gap = std::numeric_limits<double>::infinity(), hard_gap = gap;
     std::uint32_t pairs = 0, slips = 0;
+    bool struck = false;
   };
   std::vector<AtPoint> at_point_;
   // By touched point: where the slips of the pairs that have it as their first corner begin, and of each slot
@@ -211,15 +221,14 @@ class Contact {
   std::vector<std::uint32_t> first_slip_, slip_at_;
   // The elastic slips of the pairs that touch. The first corner of a pair is what slides over the rest of it;
   // the slips are in the order of the first corners, for each in the order of the pairs.
-  struct Held {
+  struct alignas(64) Held {  // two lines of a cache: all are read and written in each step
     std::array<std::int32_t, 4> point{};
     std::int32_t interaction = 0;
+    std::uint32_t slot = 0;  // of the list at that time
     PairKind kind = PairKind::facet;
-    std::size_t slot = 0;  // of the list at that time
-    double gap = 0;        // m
-    Vec3 slip = Vec3::Zero(), pull = Vec3::Zero();
-    double damped = 0;
     bool slides = false;
+    double gap = 0, damped = 0;  // m, N
+    Vec3 slip = Vec3::Zero(), pull = Vec3::Zero();
     std::array<double, 4> resists{};
     bool is(const Candidate& c) const {
       return point == c.point && interaction == c.interaction && kind == c.pair.kind;
@@ -234,7 +243,7 @@ class Contact {
   static void join(std::span<Held> of_one_point);
   // The resistances of all committed slips at each point, mirror images included, over 0.2 m / dt.
   std::vector<double> rubbing_at_;
-  void count_rubbing(bool come);
+  void count_rubbing();
   std::vector<Held> held_;
   std::optional<Tried> tried_;
   std::vector<std::int32_t> known_;  // by slot: which of held_ its slip is, or one of the following

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "contact/grid.hpp"
@@ -35,30 +36,38 @@ std::vector<std::pair<std::size_t, std::size_t>> intersections(std::span<const V
                                                                std::span<const Triangle> triangles) {
   std::vector<std::pair<std::size_t, std::size_t>> found;
   const auto at = [&](std::int32_t node) -> const Vec3& { return x[std::size_t(node)]; };
-  // Edges are sorted by their middles, and a triangle looks for those within half of the longest one.
-  Box room;
-  double longest = 0, sum = 0;
-  for (const auto& [p, q] : edges) {
-    room.add((at(p) + at(q)) / 2);
-    longest = std::max(longest, (at(p) - at(q)).norm());
-    sum += (at(p) - at(q)).norm();
-  }
-  if (edges.empty() || !(sum > 0)) return found;
-  const Grid middles(room, sum / double(edges.size()), edges.size(),
-                     [&](std::size_t e) { return Vec3((at(edges[e][0]) + at(edges[e][1])) / 2); });
-  for (std::size_t k = 0; k < triangles.size(); ++k) {
-    const std::int32_t a = triangles[k][0], b = triangles[k][1], c = triangles[k][2];
-    Box box;
-    for (const std::int32_t corner : triangles[k]) box.add(at(corner));
-    middles.in(box.grown(longest / 2), [&](std::int32_t number) {
-      const auto e = std::size_t(number);
-      const auto [p, q] = edges[e];
-      if (p == a || p == b || p == c || q == a || q == b || q == c) return;
-      Box along;
-      along.add(at(p));
-      along.add(at(q));
-      if (box.meets(along) && cuts(at(p), at(q), at(a), at(b), at(c))) found.emplace_back(e, k);
-    });
+  // Edges of nearly one length, within a factor of two, are sorted by their middles, and a triangle looks for
+  // those within half of the longest one.
+  const auto length = [&](std::size_t e) { return (at(edges[e][0]) - at(edges[e][1])).norm(); };
+  std::map<int, std::vector<std::size_t>> of_length;
+  for (std::size_t e = 0; e < edges.size(); ++e)
+    if (const double l = length(e); l > 0) of_length[std::ilogb(l)].push_back(e);
+  for (const auto& [exponent, own] : of_length) {
+    Box room;
+    double longest = 0, sum = 0;
+    const auto middle = [&](std::size_t i) {
+      return Vec3((at(edges[own[i]][0]) + at(edges[own[i]][1])) / 2);
+    };
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      room.add(middle(i));
+      longest = std::max(longest, length(own[i]));
+      sum += length(own[i]);
+    }
+    const Grid middles(room, sum / double(own.size()), own.size(), middle);
+    for (std::size_t k = 0; k < triangles.size(); ++k) {
+      const std::int32_t a = triangles[k][0], b = triangles[k][1], c = triangles[k][2];
+      Box box;
+      for (const std::int32_t corner : triangles[k]) box.add(at(corner));
+      middles.in(box.grown(longest / 2), [&](std::int32_t number) {
+        const auto e = own[std::size_t(number)];
+        const auto [p, q] = edges[e];
+        if (p == a || p == b || p == c || q == a || q == b || q == c) return;
+        Box along;
+        along.add(at(p));
+        along.add(at(q));
+        if (box.meets(along) && cuts(at(p), at(q), at(a), at(b), at(c))) found.emplace_back(e, k);
+      });
+    }
   }
   std::sort(found.begin(), found.end());
   return found;

@@ -277,7 +277,9 @@ bool find_force(const ContactLaw& law, const Pair& pair, const Corners& x, const
   bool touches = false;
   const auto find = [&]() -> const Slip* {
     touches = true;
-    return slips == nullptr ? nullptr : &slip.emplace(slips->find());
+    if (slips == nullptr) return nullptr;
+    slips->find(slip.emplace());
+    return &*slip;
   };
   set_force(law, pair, x, find, force);
   return touches;

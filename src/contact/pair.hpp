@@ -103,6 +103,7 @@ struct Force {
     double stiffness = 0;
     Vec3 normal = Vec3::Zero();
     std::array<double, 4> weight{};
+    bool struck = false;  // whether the pair comes in as in an impact
   } barrier = {};
 };
 
@@ -112,7 +113,7 @@ Force pair_force(const ContactLaw& law, const Pair& pair, const Corners& x, cons
 // Finds the slip of a pair, for those that touch alone: of the near pairs most do not.
 class SlipSource {
  public:
-  virtual Slip find() const = 0;
+  virtual void find(Slip& slip) const = 0;  // `slip` is as it begins
 
  protected:
   ~SlipSource() = default;

@@ -69,10 +69,10 @@ void Contact::Held::keep(Archive& archive) {
 }
 
 // Balls and rods lie on many facets at once, each with a slip of its own.
-bool Contact::passes_on(const Candidate& c) const {
-  if (c.pair.kind != PairKind::facet) return false;
-  const Interaction& it = scene_->interactions()[std::size_t(c.interaction)];
-  return !rigid(c.point[0]) || scene_->surfaces()[std::size_t(it.second)].shape == Shape::solid;
+bool Contact::passes_on(PairKind kind, std::int32_t first, std::int32_t interaction) const {
+  if (kind != PairKind::facet) return false;
+  const Interaction& it = scene_->interactions()[std::size_t(interaction)];
+  return !rigid(first) || scene_->surfaces()[std::size_t(it.second)].shape == Shape::solid;
 }
 
 // The committed slip of a pair, or that of the nearest facet beside it; null: there is none.
@@ -83,8 +83,8 @@ const Contact::Held* Contact::held_by(std::size_t slot) {
   const Candidate& c = inner_[slot];
   const auto first = std::partition_point(held_.begin(), held_.end(),
                                           [&](const Held& h) { return h.point[0] < c.point[0]; });
-  const Held sought{c.point, c.interaction, c.pair.kind, 0, 0};
-  const bool passes = passes_on(c);
+  const Held sought{c.point, c.interaction, 0, c.pair.kind};
+  const bool passes = passes_on(c.pair.kind, c.point[0], c.interaction);
   auto found = held_.end();
   for (auto h = first; h != held_.end() && h->point[0] == c.point[0]; ++h) {
     if (h->is(c)) {
@@ -97,32 +97,35 @@ const Contact::Held* Contact::held_by(std::size_t slot) {
   return known == none ? nullptr : &*found;
 }
 
-Slip Contact::slip_of(std::size_t i, std::span<const Vec3> x, const Way& way) {
+void Contact::find_slip(std::size_t i, std::span<const Vec3> x, const Way& way, Slip& slip) {
   const Candidate& c = inner_[i];
   const Interaction& it = scene_->interactions()[std::size_t(c.interaction)];
-  Slip slip{it.friction, tangential * it.law.stiffest()};
+  slip.friction = it.friction;
+  slip.stiffness = tangential * it.law.stiffest();
   slip.sticking = it.sticking;
   slip.film = it.film;
   if (it.across >= 0) {
     slip.across = it.across;
     slip.along = scene_->warp_at(it, c.point, x);
   }
-  slip.turn = of_body(c, way.turn);
+  if (!way.turn.empty()) slip.turn = of_body(c, way.turn);
   if (c.spot.any()) slip.moved[0] = c.spot.of(x) - c.spot.of(way.start);
   for (std::size_t k = c.spot.any() ? 1 : 0; k < 4; ++k)
     if (const auto p = c.point[k]; p >= 0) slip.moved[k] = x[std::size_t(p)] - way.start[std::size_t(p)];
   if (const Held* held = held_by(i)) {
     slip.held = held->slip;
     slip.slides = held->slides;
-    if (held->is(c)) slip.pull = held->pull;
-    if (held->is(c)) slip.damped = held->damped;
+    if (held->is(c)) {
+      slip.pull = held->pull;
+      slip.damped = held->damped;
+    }
   }
   slip.loss = it.loss;
   slip.dt = way.dt;
-  if (way.inverse_mass.empty()) return slip;
+  if (way.inverse_mass.empty()) return;
   slip.step = way.dt;
   slip.eased = eases(it);
-  const double images = 1u << std::popcount(planes_of(c, way.planes));
+  const double images = way.planes.empty() ? 1 : 1u << std::popcount(planes_of(c, way.planes));
   if (c.spot.any()) {
     // Many resist at its nodes: each as its part of a facet has it.
     slip.portion = c.pair.area / scene_->triangles()[std::size_t(scene_->triangle_of_spot(c.point[0]))].area;
@@ -142,7 +145,6 @@ Slip Contact::slip_of(std::size_t i, std::span<const Vec3> x, const Way& way) {
       if (!rubbing_at_.empty()) slip.crowd[k] = std::max(1.0, rubbing_at_[std::size_t(p)] / most_resistance);
       slip.inverse_mass[k] = images * way.inverse_mass[std::size_t(p)] * slip.crowd[k];
     }
-  return slip;
 }
 
 // With those of the pair's mirror images, which the part of the model beyond a plane of symmetry would have.
@@ -156,23 +158,42 @@ std::array<double, 4> Contact::resists(const Candidate& c, const Force& force, c
   return out;
 }
 
-// Facets beside each other hold a point with the slip at the nearest of them.
+// Facets beside each other hold a point with the slip at the nearest of them: those are looked at in the
+// order of their gaps, equal ones in their own.
 void Contact::join(std::span<Held> of_one_point) {
-  if (of_one_point.size() < 2) return;
-  thread_local std::vector<Held> own;
-  own.assign(of_one_point.begin(), of_one_point.end());
+  struct Place {
+    double gap;
+    Held* of;
+    Vec3 slip;
+    bool slides;
+  };
+  thread_local std::vector<Place> nearest;
+  nearest.clear();
   for (Held& h : of_one_point) {
-    double least = h.gap;
-    for (const Held& other : own)
-      if (other.gap < least && h.beside(other)) {
-        least = other.gap;
-        h.slip = other.slip;
-        h.slides = other.slides;
-      }
+    if (h.kind != PairKind::facet) continue;
+    auto at = nearest.size();
+    nearest.push_back({h.gap, &h, h.slip, h.slides});
+    for (; at > 0 && h.gap < nearest[at - 1].gap; --at) std::swap(nearest[at - 1], nearest[at]);
   }
+  for (const Place& own : nearest)
+    for (const Place& other : nearest) {
+      if (!(other.gap < own.gap)) break;
+      if (!own.of->beside(*other.of)) continue;
+      own.of->slip = other.slip;
+      own.of->slides = other.slides;
+      break;
+    }
 }
 
-void Contact::note_slips(std::span<const Vec3> x, const Way& way) {
+void Contact::keep_slip(std::size_t slot, const Corners& x, const Way& way) {
+  const Candidate& c = inner_[slot];
+  Force& force = slots_[slot];
+  if (!force.slip.isZero(0))
+    force.slip = turned(c, force.slip, corners_of(c, way.start), x, of_body(c, way.turn));
+  if (!way.planes.empty()) force.resists = resists(c, force, way);
+}
+
+void Contact::note_slips() {
   if (!tried_) tried_.emplace();
   tried_->version = version_;
   std::vector<Held>& held = tried_->held;
@@ -187,32 +208,26 @@ void Contact::note_slips(std::span<const Vec3> x, const Way& way) {
   const bool many = held.size() > 256;
 #pragma omp parallel for schedule(static) if (many)
   for (std::size_t k = 0; k < in_use_.size(); ++k) {
-    const std::size_t slot = in_use_[k];
+    const std::uint32_t slot = in_use_[k];
     if (active_[slot] != rubbing) continue;
     const Candidate& c = inner_[slot];
     const Force& force = slots_[slot];
-    Vec3 slip = force.slip;
-    if (!slip.isZero(0))
-      slip = turned(c, slip, corners_of(c, way.start), corners_of(c, x), of_body(c, way.turn));
-    held[slip_at_[k]] = {c.point, c.interaction, c.pair.kind,  slot,         force.gap,
-                         slip,    force.pull,    force.damped, force.slides, resists(c, force, way)};
+    held[slip_at_[k]] = {c.point,   c.interaction, slot,       c.pair.kind, force.slides,
+                         force.gap, force.damped,  force.slip, force.pull,  force.resists};
   }
 #pragma omp parallel for schedule(static) if (many)
   for (std::size_t row = 0; row < touched_.size(); ++row) {
     const std::span<Held> own(held.data() + first_slip_[row], first_slip_[row + 1] - first_slip_[row]);
     const auto may_pass = [this](const Held& h) {
-      return h.kind != PairKind::facet || passes_on(inner_[h.slot]);
+      return h.kind != PairKind::facet || passes_on(h.kind, h.point[0], h.interaction);
     };
     if (own.size() > 1 && std::all_of(own.begin(), own.end(), may_pass)) join(own);
   }
 }
 
-void Contact::count_rubbing(bool come) {
-  rubbing_at_.resize(scene_->reference().size());
-  const auto count = [&](std::int32_t p, double resists) {
-    double& all = rubbing_at_[std::size_t(p)];
-    all = come ? all + resists : 0;
-  };
+void Contact::count_rubbing() {
+  rubbing_at_.assign(scene_->reference().size(), 0);
+  const auto count = [&](std::int32_t p, double resists) { rubbing_at_[std::size_t(p)] += resists; };
   for (const Held& h : held_)
     for (std::size_t k = 0; k < 4; ++k)
       if (h.point[k] < 0)
@@ -245,9 +260,8 @@ Contact::Rubbing Contact::held_friction() const {
 
 void Contact::commit() {
   if (!tried_) return;
-  count_rubbing(false);
   std::swap(held_, tried_->held);
-  count_rubbing(true);
+  count_rubbing();
   std::fill(known_.begin(), known_.end(), unknown);
   if (tried_->version == version_)
     for (std::size_t i = 0; i < held_.size(); ++i) known_[held_[i].slot] = std::int32_t(i);
@@ -257,8 +271,7 @@ void Contact::commit() {
 void Contact::keep(Archive& archive) {
   archive(held_);
   if (!archive.reading()) return;
-  rubbing_at_.clear();
-  count_rubbing(true);
+  count_rubbing();
   tried_.reset();
   std::fill(known_.begin(), known_.end(), unknown);
 }
