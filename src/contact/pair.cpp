@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <new>
+#include <type_traits>
 #include <utility>
 
 #include "contact/places.hpp"
@@ -10,6 +11,28 @@
 
 namespace fabricsh::contact {
 namespace {
+
+// Room for what few of the near pairs need. That of an empty std::optional is cleared each time.
+template <class T>
+class Late {
+ public:
+  Late() {}
+  ~Late() { static_assert(std::is_trivially_destructible_v<T>); }
+  template <class... Values>
+  T& emplace(Values&&... values) {
+    any_ = true;
+    return *::new (static_cast<void*>(&value_)) T(std::forward<Values>(values)...);
+  }
+  explicit operator bool() const { return any_; }
+  T& operator*() { return value_; }
+  T* operator->() { return &value_; }
+
+ private:
+  union {
+    T value_;
+  };
+  bool any_ = false;
+};
 
 // One place of contact, the law's answer there, and the derivatives of its weight.
 struct PressedPlace {
@@ -23,11 +46,11 @@ struct PressedPlace {
 template <class Visit>
 double visit_pressed(const ContactLaw& law, const Pair& pair, const Corners& x, Matrix12* hessian,
                      Visit visit) {
-  std::optional<Modulation> m;
+  Late<Modulation> m;
   return visit_places(pair, x, law.gap() * pair.scale, [&](const Place& place) {
     double count = place.plain;
     if (place.modulated != 0) {
-      if (!m) m = modulation(x, pair.fading, hessian);
+      if (!m) m.emplace(modulation(x, pair.fading, hessian));
       count += place.modulated * m->value;
       if (count == 0 && m->constant) return;
     }
@@ -219,7 +242,7 @@ void add_barrier(const ContactLaw& law, const PressedPlace& at, Force::Barrier& 
 // smallest distance above the floor, of any pair.
 template <class FindSlip>
 double set_force(const ContactLaw& law, const Pair& pair, const Corners& x, FindSlip slip, Force& force) {
-  std::optional<Friction> friction;
+  Late<Friction> friction;
   bool touches = false;
   const double nearest =
       visit_pressed(law, pair, x, nullptr, [&](const PressedPlace& at, const Modulation* m) {
@@ -273,7 +296,7 @@ Force pair_force(const ContactLaw& law, const Pair& pair, const Corners& x, cons
 bool find_force(const ContactLaw& law, const Pair& pair, const Corners& x, const SlipSource* slips,
                 Force& force) {
   if (is_far(pair, x, law.gap() * pair.scale)) return false;
-  std::optional<Slip> slip;
+  Late<Slip> slip;
   bool touches = false;
   const auto find = [&]() -> const Slip* {
     touches = true;
