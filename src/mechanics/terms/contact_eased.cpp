@@ -5,7 +5,7 @@
 // positions as r. That is a linearly implicit step of the guard alone. Where r is zero, nothing changes: what
 // is pressed between tools has the balance that it has in short steps. The rest of r, which the inertia holds
 // back, does a work that comes back as the nodes leave the guard; the account of the guard has it.
-#include <algorithm>
+#include <unordered_map>
 #include <utility>
 
 #include "mechanics/terms/contact.hpp"
@@ -33,12 +33,12 @@ void Contacts::hold_back(std::span<double> residual) {
   held_.clear();
   const double dt = trial_time_ - configuration_.time();
   if (!(trial_.guard > 0) || !(dt > 0)) return;
-  std::vector<std::pair<Index, Mat3>> inertia;  // by node
+  std::vector<std::pair<Index, Mat3>> inertia;    // by node, in the order of the pairs
+  std::unordered_map<Index, std::size_t> places;  // in it
   contact_->barriers([&](std::int32_t node, double stiffness, const Vec3& n) {
-    const auto at_node = [node](const auto& entry) { return entry.first == node; };
-    auto found = std::find_if(inertia.begin(), inertia.end(), at_node);
-    if (found == inertia.end()) found = inertia.insert(found, {node, Mat3::Zero()});
-    found->second += kEased * dt * dt * stiffness * n * n.transpose();
+    const auto [place, added] = places.try_emplace(node, inertia.size());
+    if (added) inertia.push_back({node, Mat3::Zero()});
+    inertia[place->second].second += kEased * dt * dt * stiffness * n * n.transpose();
   });
   for (const auto& [node, added] : inertia) {
     const NodeFreedoms& freedoms = freedoms_.nodes[static_cast<std::size_t>(node)];
