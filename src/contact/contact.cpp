@@ -326,7 +326,7 @@ bool Contact::press(std::size_t i, std::span<const Vec3> x, const Way& way) {
   active_[i] = rubs ? rubbing : pressing;
   if (rubs) keep_slip(i, corners, way);
   Force& force = slots_[i];
-  force.barrier.struck = force.guard != 0 && eases(it) && approaches_fast(c, force, corners, way);
+  force.barrier.struck = force.guard != 0 && it.eased && approaches_fast(c, force, corners, way);
   return true;
 }
 
@@ -433,14 +433,17 @@ void Contact::add_points(std::span<Vec3> force, std::span<Vec3> torque, Totals& 
   }
 }
 
-// What comes in by a good part of the range within a step is an impact: inertia would err with its energy.
+// What would come in by a good part of the range within a planned step is an impact: inertia would err with
+// its energy.
 bool Contact::approaches_fast(const Candidate& c, const Force& force, const Corners& now,
                               const Way& way) const {
   if (way.start.empty()) return false;
   const Corners before = corners_of(c, way.start);
   Vec3 nearer = Vec3::Zero();
   for (std::size_t k = 0; k < 4; ++k) nearer -= force.barrier.weight[k] * (now[k] - before[k]);
-  return nearer.dot(force.barrier.normal) > eased_approach * (law(c).gap() - law(c).floor()) * c.pair.scale;
+  const double steps = way.dt > 0 ? std::max(1.0, planned_ / way.dt) : 1;
+  return nearer.dot(force.barrier.normal) * steps >
+         eased_approach * (law(c).gap() - law(c).floor()) * c.pair.scale;
 }
 
 // A body's corners do not give way, so that a pair's stiffness for one node, while all nodes of the pair move

@@ -38,7 +38,7 @@ struct Totals {
   // distance from gap to floor of any pair, which is then a lower bound.
   double gap = 0;
   double hard_gap = 0;       // m: the smallest of all pairs with a guard that is not eased; infinite: none
-  bool struck = false;       // whether a pair comes into a guard that is eased as in an impact
+  bool struck = false;       // whether a pair comes into a guard that may be eased as in an impact
   std::size_t touching = 0;  // pairs
 };
 
@@ -59,8 +59,12 @@ class Contact {
   Totals add_forces(std::span<const Vec3> x, std::span<Vec3> force, const Way& way = {},
                     std::span<Vec3> torque = {});
 
-  // Whether guards that may be eased are, see Interaction::eased.
-  void ease(bool on) { eases_ = on; }
+  // Whether guards that may be eased are, see Interaction::eased. step: s, the planned one, of which a part
+  // is perhaps taken.
+  void ease(bool on, double step) {
+    eases_ = on;
+    planned_ = step;
+  }
   bool eases(const Interaction& it) const { return eases_ && it.eased; }
   // Of the forces that were last added: how stiff the guards that are eased are for each node of the cloth,
   // N/m, and along which normal; in the pairs' order. The sum is a bound for all that the nodes do at once.
@@ -249,6 +253,7 @@ class Contact {
   std::vector<std::int32_t> known_;  // by slot: which of held_ its slip is, or one of the following
   static constexpr std::int32_t unknown = -2, none = -1;
   bool eases_ = true;
+  double planned_ = 0;  // s
   std::size_t searches_ = 0;
   std::uint64_t version_ = 0;
 };

@@ -246,7 +246,8 @@ void Explicit::open_block() {
     --block_.halved;
     block_.barrier_free_blocks = 0;
   }
-  block_.struck = block_.struck && block_.halved > 0;
+  block_.uneased = block_.uneased && block_.struck;
+  block_.struck = false;
   block_.start.clear();
   block_.steps = 0;
   block_.guarded = hooked_ = false;
@@ -256,20 +257,23 @@ void Explicit::open_block() {
 // Whether the step just tried is acceptable: its motion cannot have passed through a surface, and it is
 // stable for the stiffness of contact at its end.
 bool Explicit::step_acceptable(double dt) {
-  if (contact_->struck() || contact_->may_have_passed() || contact_->turns_too_far()) return false;
+  if ((contact_->struck() && !block_.uneased) || contact_->may_have_passed() || contact_->turns_too_far())
+    return false;
   return !contact_->needs_short_steps() || (block_.halved > 0 && dt <= contact_->largest_contact_step());
 }
 
 void Explicit::redo(const StepReport& report) {
   if (block_.halved >= kHalvings) give_up(report);
-  block_.struck = block_.struck || contact_->struck();
+  const bool same_steps =
+      contact_->struck() && !block_.uneased;  // of which the guards alone are met otherwise
+  block_.uneased = block_.uneased || same_steps;
   RepeatableBlock block;
   std::swap(block, block_);
   const DynamicState reported = now_;
   go_back(block.start);
   now_.keep_reported(reported);  // notices are not repeated
   block_ = std::move(block);
-  ++block_.halved;
+  block_.halved += same_steps ? 0 : 1;
   block_.barrier_free_blocks = 0;
   block_.steps = 0;
   block_.guarded = true;
@@ -278,6 +282,7 @@ void Explicit::redo(const StepReport& report) {
 void Explicit::report_guard() {
   ++block_.steps;
   block_.guarded = block_.guarded || contact_->needs_short_steps();
+  block_.struck = block_.struck || contact_->struck();
   if (!contact_->guarded() || block_.reported) return;
   block_.reported = true;
   const auto nearest = contact_->nearest();
@@ -341,7 +346,7 @@ bool Explicit::attempt(double size, StepReport& report) {
   if (assembly_->limit(motion_.increments(), problem_.targets()) < 1) return ends(End::limited);
   problem_.advance_explicit(motion_.along(), motion_.reach());
   trial_time_ = size;
-  if (contact_ != nullptr) contact_->ease(!block_.struck);
+  if (contact_ != nullptr) contact_->ease(!block_.uneased, std::ldexp(report.step, block_.halved));
   assembly_->terms().expect_energies(looks_after(now_.steps + 1, size));
   if (problem_.residual(motion_.residual()) != Answer::ok) return ends(End::forces);
   if (contact_ != nullptr) contact_->hold_back(motion_.residual());

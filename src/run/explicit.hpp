@@ -81,9 +81,11 @@ class Explicit final : public Dynamic {
     std::int64_t steps = 0;
     int halved = 0,
         barrier_free_blocks = 0;  // number of halvings; number of blocks since the guard was last needed
-    bool guarded = false, reported = false, struck = false;  // struck: guards are met by shorter steps alone
+    bool guarded = false, reported = false;
+    // Whether guards are met by shorter steps alone, and whether something has struck them since its start.
+    bool uneased = false, struck = false;
     void keep(Archive& archive) {
-      archive(start, steps, halved, barrier_free_blocks, guarded, reported, struck);
+      archive(start, steps, halved, barrier_free_blocks, guarded, reported, uneased, struck);
     }
   } block_;
   double nominal_ = 0, bound_ = 0;  // s: the step of the waves in the cloth; one that no frequency forbids

@@ -137,7 +137,7 @@ class Contacts final : public Term, public StepLimiter, public OwnUnknowns, publ
   // Whether something has come into one of these as in an impact, whose energy inertia would err with; and
   // whether they are met by it in the next steps.
   bool struck() const { return trial_.struck; }
-  void ease(bool on) { contact_->ease(on); }
+  void ease(bool on, double planned) { contact_->ease(on, planned); }
   // To be called with the residual of each evaluation of forces: takes from it what the inertia that meets
   // the guards holds back, N by unknowns.
   void hold_back(std::span<double> residual);
