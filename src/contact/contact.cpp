@@ -316,7 +316,6 @@ class Contact::OfSlot final : public SlipSource {
 };
 
 bool Contact::press(std::size_t i, std::span<const Vec3> x, const Way& way) {
-  active_[i] = 0;
   const Candidate& c = inner_[i];
   const Interaction& it = scene_->interactions()[std::size_t(c.interaction)];
   const OfSlot slips(*this, i, x, way);
@@ -376,6 +375,20 @@ Totals Contact::add_forces(std::span<const Vec3> x, std::span<Vec3> force, const
   return totals;
 }
 
+namespace {
+
+// The energies of a pair to those of a point, or of a point to those of all.
+template <class Part, class Sum>
+void add_energies(const Part& part, Sum& sum) {
+  sum.contact += part.contact;
+  sum.guard += part.guard;
+  sum.stick += part.stick;
+  sum.work += part.work;
+  sum.impact += part.impact;
+}
+
+}  // namespace
+
 // Sums the slots in use to the touched points from `from` to before `to`: for each point in the order of the
 // slots, however many threads share the points.
 void Contact::gather(std::uint32_t from, std::uint32_t to, bool torques) {
@@ -399,11 +412,7 @@ void Contact::gather_slot(std::uint32_t i, std::uint32_t from, std::uint32_t to,
     sum.force += slot.on[k];
     if (torques && holds_torque(4 * i + k)) sum.torque += slot.torque;
     if (k != 0) continue;
-    sum.contact += slot.contact;
-    sum.guard += slot.guard;
-    sum.stick += slot.stick;
-    sum.work += slot.work;
-    sum.impact += slot.impact;
+    add_energies(slot, sum);
     sum.gap = std::min(sum.gap, slot.gap);
     sum.struck = sum.struck || slot.barrier.struck;
     if (slot.guard != 0 && !eases(scene_->interactions()[std::size_t(inner_[i].interaction)]))
@@ -421,11 +430,7 @@ void Contact::add_points(std::span<Vec3> force, std::span<Vec3> torque, Totals& 
       force[p] += sum.force;
       if (!torque.empty()) torque[p] += sum.torque;
     }
-    totals.contact += sum.contact;
-    totals.guard += sum.guard;
-    totals.stick += sum.stick;
-    totals.work += sum.work;
-    totals.impact += sum.impact;
+    add_energies(sum, totals);
     totals.gap = std::min(totals.gap, sum.gap);
     totals.hard_gap = std::min(totals.hard_gap, sum.hard_gap);
     totals.struck = totals.struck || sum.struck;

@@ -53,6 +53,10 @@ class Cloth final : public Term, public ElementTerm {
   bool is_rate_dependent() const;  // whether the law of any card depends on time
   void add_energies(const Trial&, std::vector<Energy>& out) const override;
   double stable_step(bool scaled) const override;
+  // s: the time in which waves in the plane cross the smallest height of an element. The default stiffness of
+  // contact follows it also where the stable step is longer, so that a rim of small elements is pressed no
+  // deeper.
+  double step_across_heights() const;
   void expect_energies(bool expected) override { sums_expected_ = expected; }
   void commit() override;
   void rollback() override { states_.rollback(); }

@@ -62,10 +62,21 @@ double Cloth::plane_rate_of(Index e, const Stiffest& stiffest, double speed) con
   return std::min(of_height, stiffest.axial * plane_rate(used, stiffest.shear / stiffest.axial));
 }
 
+double Cloth::step_across_heights() const {
+  std::vector<double> speed;  // m/s, per region
+  for (const auto& section : model_.sections()) speed.push_back(std::sqrt(speeds(section).membrane));
+  double shortest = std::numeric_limits<double>::infinity();
+  for (Index e = 0; e < elements(); ++e)
+    shortest = std::min(shortest, rest_.size(e) / speed[static_cast<std::size_t>(model_.region_of(e))]);
+  return shortest;
+}
+
 // s: the stable step for waves in the plane of the cloth. No frequency squared is above the largest mean of
 // those of the elements around a node, weighted by their masses: K_e <= r_e M_e, of which the sum is
 // diagonal. Where cloth may tear, elements part from those that they share nodes with.
 double Cloth::membrane_step() const {
+  const double shortest = step_across_heights();
+  if (!model_.all<model::Zone>().empty()) return shortest;
   std::vector<double> speed;  // m/s, per region
   std::vector<Stiffest> stiffest;
   for (const auto& section : model_.sections()) {
@@ -73,15 +84,12 @@ double Cloth::membrane_step() const {
     stiffest.emplace_back(section);
   }
   std::vector<double> rates(static_cast<std::size_t>(elements()));
-  double shortest = std::numeric_limits<double>::infinity();
-#pragma omp parallel for schedule(static) reduction(min : shortest) if (rates.size() >= 4096)
+#pragma omp parallel for schedule(static) if (rates.size() >= 4096)
   for (std::size_t i = 0; i < rates.size(); ++i) {
     const auto e = static_cast<Index>(i);
     const auto region = static_cast<std::size_t>(model_.region_of(e));
-    shortest = std::min(shortest, rest_.size(e) / speed[region]);
     rates[i] = plane_rate_of(e, stiffest[region], speed[region]);
   }
-  if (!model_.all<model::Zone>().empty()) return shortest;
   const std::vector<double> means = means_at_nodes(rates, corner_masses());
   const double longer = 2 / std::sqrt(*std::max_element(means.begin(), means.end()));
   constexpr double rounding = 1e-6;

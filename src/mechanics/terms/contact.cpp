@@ -10,7 +10,6 @@
 #include "geometry/box.hpp"
 #include "geometry/node_view.hpp"
 #include "law/compression.hpp"
-#include "mechanics/height_step.hpp"
 #include "mechanics/terms/contact_points.hpp"
 
 namespace fabricsh::mechanics {
@@ -184,7 +183,7 @@ Contacts::Contacts(const model::Model& model, const Configuration& configuration
       scene_(scene_of(model, surfaces_, joints_)),
       bodies_(model, scene_),
       least_areal_(std::numeric_limits<double>::infinity()),
-      step_(contact_step_of_cloth * std::min(cloth.stable_step(true), step_across_heights(model))),
+      step_(contact_step_of_cloth * std::min(cloth.stable_step(true), cloth.step_across_heights())),
       nodes_(model.mesh().nodes.size()) {
   for (const auto& elements : surfaces_.elements) {
     sheets_.push_back(sheet(elements));
