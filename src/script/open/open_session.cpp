@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include "script/bind/rooms.hpp"
+#include "script/call/unset.hpp"
 #include "script/runs/checkpoint.hpp"
 #include "script/runs/replay.hpp"
 #include "script/sandbox/sandbox.hpp"
@@ -67,6 +68,7 @@ void open_libraries(Session& session) {
   lua_setfield(L, -2, "fabric");
   lua_pushcfunction(L, open_define);
   lua_setfield(L, -2, "fabric.define");
+  watch_globals(L);
   lua_settop(L, 0);
 }
 
