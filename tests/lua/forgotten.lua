@@ -48,3 +48,8 @@ for _, pressure in ipairs { 2, 300 } do
     end
   end
 end
+
+m = sheet()
+local ok, e = pcall(m.remove, m, 1)
+assert(not ok)
+has(e, "remove: expected something declared, the model has nothing in m:list()")
