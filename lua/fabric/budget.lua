@@ -9,8 +9,8 @@ local fail = define.fail
 local assumed = require "fabric.assumed"
 local random = require "fabric.lab.random"
 local sorted = require "fabric.sorted"
-local convergence = require "fabric.lab.convergence"
-local tests_for = require "fabric.lab.tests_for"
+local convergence = require "fabric.lab.common.convergence"
+local tests_for = require "fabric.lab.card.tests_for"
 
 local level, boots = 0.95, 400
 

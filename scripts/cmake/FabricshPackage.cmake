@@ -8,7 +8,7 @@ foreach(folder lua share/cards share/data share/doc share/lua-ls share/python sc
   get_filename_component(parent ${folder} DIRECTORY)
   install(DIRECTORY ${folder} DESTINATION ${FABRICSH_DATA_DIR}/${parent} COMPONENT program OPTIONAL
     PATTERN "scripts/cmake" EXCLUDE PATTERN "scripts/demo" EXCLUDE PATTERN "scripts/test" EXCLUDE PATTERN "scripts/sanitize" EXCLUDE PATTERN "scripts/site" EXCLUDE PATTERN "draw.sh" EXCLUDE
-    PATTERN "scripts/lib.sh" EXCLUDE PATTERN "__pycache__" EXCLUDE PATTERN "*.egg-info" EXCLUDE PATTERN "share/python/build" EXCLUDE)
+    PATTERN "scripts/lib.sh" EXCLUDE PATTERN "lua/LAYERS" EXCLUDE PATTERN "__pycache__" EXCLUDE PATTERN "*.egg-info" EXCLUDE PATTERN "share/python/build" EXCLUDE)
 endforeach()
 # Where Debian's Python looks, once the prefix is /usr.
 install(FILES share/python/fabricsh.py DESTINATION lib/python3/dist-packages COMPONENT program)

@@ -8,7 +8,7 @@
 -- warns: carries without folding within it
 -- warns: the guard of the directors has
 local fabric = require "fabric"
-local brute = require "fabric.lab.brute"
+local brute = dofile((arg[0]:gsub("[^/]*$", "brute.lua")))
 local cells, out = tonumber(arg[1] or 8), arg[2]
 local side, speed, duration = 0.06, 20, 6e-3
 local card = fabric.svk { young = 5e6, poisson = 0.2, density = 600, thickness = 0.4e-3, name = "sheet", bending = { warp = 5e-6, weft = 5e-6, twist = 5e-6 } }

@@ -12,7 +12,7 @@
 -- warns: turned inside out
 -- warns: the guard of the directors has
 local fabric = require "fabric"
-local brute = require "fabric.lab.brute"
+local brute = dofile((arg[0]:gsub("[^/]*$", "brute.lua")))
 local count, first = tonumber(arg[1] or 30), tonumber(arg[2] or 1)
 local tears = arg[3] == "tears"
 local scheme = not tears and arg[3] or "explicit"

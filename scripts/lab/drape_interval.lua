@@ -10,7 +10,7 @@
 -- warns: carries without folding within it
 -- warns: the steps are long: in two halves they end
 local fabric = require "fabric"
-local assumed, tests_for = require "fabric.assumed", require "fabric.lab.tests_for"
+local assumed, tests_for = require "fabric.assumed", require "fabric.lab.card.tests_for"
 local which, samples, cells, write = arg[1] or "worsted", tonumber(arg[2] or 8), tonumber(arg[3] or 3), arg[4] == "write"
 local root = arg[0]:gsub("[^/]*$", "") .. "../../"
 local measured = { broad = 82.9, tropical = 50.7 }

@@ -6,7 +6,7 @@
 -- A record is a line through zero times 1 + c1 + c2 s + c3 (3 s^2 - 1)/2, s from -1 to 1 over its length, and noise. c of a laboratory has a deviation of 8 % times
 -- (1, tilt, bend), c of a record beside that one of 2 or 8 % times the same.
 local fabric = require "fabric"
-local effects = require "fabric.lab.effects"
+local effects = require "fabric.lab.card.effects"
 local draw = require "fabric.lab.random" (3)
 local sets = tonumber(arg[1] or 150)
 if not sets or sets < 10 then error("usage: fabricsh lab_next_size.lua [sets, 10 or more]", 0) end

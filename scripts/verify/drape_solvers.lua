@@ -6,7 +6,7 @@
 --   fabricsh scripts/verify/drape_solvers.lua                          28 x 3 elements, statics and relaxation
 --   fabricsh scripts/verify/drape_solvers.lua "28x3 36x4 54x6" slow    three meshes, also slow motion; "all": fast motion as well (an hour)
 local fabric = require "fabric"
-local shadow = require "fabric.lab.shadow"
+local shadow = require "fabric.lab.virtual.shadow"
 local g = 9.80665
 local meshes, all = arg[1] or "28x3", arg[2] == "all"
 local slow = all or arg[2] == "slow"

@@ -8,6 +8,10 @@ status=0
 sources=$(find src -type f \( -name '*.hpp' -o -name '*.cpp' -o -name '*.h' -o -name '*.in' \) | sort)
 # shellcheck disable=SC2086  # names of sources have no spaces
 awk -f "$here/includes.awk" src/LAYERS $sources || status=1
+if [ -d lua ]; then
+  # shellcheck disable=SC2046  # names of modules have no spaces
+  awk -f "$here/requires.awk" lua/LAYERS $(find lua/fabric -name '*.lua' | sort) || status=1
+fi
 
 if [ -d scripts ]; then
   for deck in $(find scripts -name '*.lua' | sort); do

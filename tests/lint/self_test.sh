@@ -19,6 +19,12 @@ good_tree() {
   mkdir -p "$work/tree/src/format"
   printf '#include "base/a.hpp"\n' >src/format/f.cpp
   printf 'fabric.expect{ {"x", 1, 1} }\n' >scripts/deck.lua
+  mkdir -p lua/fabric/low lua/fabric/high
+  printf '# rooms\n.:\nlow:\nlow/apart:\nhigh: . low/apart\nlibrary: high\n' >lua/LAYERS
+  printf 'local define, b = require "fabric.define", require "fabric.low.b"\n' >lua/fabric/low/a.lua
+  printf 'require "fabric.sorted"\nlocal n = require("fabric.low.apart")(2)\n' >lua/fabric/high/init.lua
+  printf 'require "fabric.high"\n' >lua/fabric/library.lua
+  : >lua/fabric/sorted.lua
 }
 
 # refuses <words>: the tree as it stands must fail, and say the words.
@@ -83,6 +89,15 @@ bad src/linear/s.cpp '  const int n = ::open(path, O_RDONLY);' "past the gate"
 bad src/linear/s.cpp '  if (std::filesystem::exists(path, trouble)) return;' "asks for a file past the gate"
 bad src/linear/s.cpp '  if (fs::is_regular_file(path)) return;' "asks for a file past the gate"
 bad src/linear/s.cpp '  if (::stat(path, &about) == 0) return;' "asks for a file past the gate"
+bad lua/fabric/low/a.lua 'local c = require "fabric.high.c"' "room 'low' requires 'high/c', and lua/LAYERS does not name 'high' for it"
+bad lua/fabric/high/c.lua 'local a, b = require "fabric.low.apart", require "fabric.low.a"' "does not name 'low' for it"
+bad lua/fabric/sorted.lua 'require "fabric.library"' "does not name 'library' for it"
+bad lua/fabric/more/a.lua '' "room 'more' is not in lua/LAYERS"
+bad lua/fabric/low/a.lua 'require "fabric.more.a"' "which is in no room of lua/LAYERS"
+bad lua/LAYERS 'top: low more' "needs 'more', which does not stand above it"
+bad lua/LAYERS 'top: low' "room 'top' requires nothing of room 'low'"
+bad lua/LAYERS 'low:' "stands there twice"
+bad lua/LAYERS 'low = high' "expected 'room: rooms it needs'"
 bad src/base/long.hpp "$(yes '//' | head -n 801)" "is 801 lines long"
 bad scripts/other.lua 'print(1)' "scripts/other.lua: has no expect{...} block"
 

@@ -60,7 +60,7 @@ for _, mesh in ipairs { { 3, 7, 9 }, { 6, 15, 18 }, { 5, 6, 20 }, { 2, 5, 11, 13
   end
 end
 -- orders that act together: the true limit lies in the band, nine times in ten at least and of what has an order as of what has none
-local convergence, uniform = require "fabric.lab.convergence", require "fabric.lab.random"(11).uniform
+local convergence, uniform = require "fabric.lab.common.convergence", require "fabric.lab.random"(11).uniform
 for _, mesh in ipairs { { 4, 12, 16 }, { 5, 16, 20 }, { 8, 20, 24 }, { 7, 13, 29 } } do
   local seen, inside = { [true] = 0, [false] = 0 }, { [true] = 0, [false] = 0 }
   for _ = 1, 400 do

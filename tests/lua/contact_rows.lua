@@ -1,7 +1,7 @@
 -- Closed forms of contact through the program's own runs: what share/doc/contact.md has in its table, in the forms that take seconds.
 -- What refines further is in scripts/contact and scripts/long/contact.
 local fabric = require "fabric"
-local brute = require "fabric.lab.brute"
+local brute = dofile((arg[0]:gsub("[^/]*$", "../../scripts/contact/brute.lua")))
 local thickness, density, g = 0.4e-3, 600, 9.81
 local sigma = density * thickness
 local function sheet_card(young, bending)

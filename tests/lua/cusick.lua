@@ -1,6 +1,6 @@
 -- The drape tester: shadows and folds of shapes that are known, a disc that hardly bends against a plate's closed form, a limp one, seeds.
 local fabric = require "fabric"
-local shadow = require "fabric.lab.shadow"
+local shadow = require "fabric.lab.virtual.shadow"
 local checks = {}
 local function check(name, got, want, more) checks[#checks + 1] = { name, got, want, relative = more == nil and 1e-12 or more.relative, absolute = more and more.absolute } end
 

@@ -2,7 +2,7 @@
 -- forms, bands that hold as often as they say, cards with the bands of every route.
 local fabric = require "fabric"
 local lab = fabric.lab
-local effects = require "fabric.lab.effects"
+local effects = require "fabric.lab.card.effects"
 local draw = require "fabric.lab.random" (17)
 
 local function close(got, want, relative, what)

@@ -289,7 +289,7 @@ do
   end
   table.sort(pulls)
   table.sort(shears)
-  local worsted, filled = fabric.card "worsted", require "fabric.lab.filled"
+  local worsted, filled = fabric.card "worsted", require "fabric.lab.card.filled"
   local mean = (pulled(worsted, "warp", 0.01) + pulled(worsted, "weft", 0.01)) / 2
   check("lowest pull of the library over worsted's", pulls[1] / mean, filled.pull[1], 0.05) -- the ranges have one digit or two
   check("highest but one", pulls[11] / mean, filled.pull[2], 0.05)

@@ -88,7 +88,7 @@ local ok, why = pcall(trouser, { h = 2 * mm, coarse = "refuse" })
 assert(not ok and tostring(why):find("elements of 0.002 m are coarse for weft yarns of 1.5e+04 N/m and 20 J/m: expected at most 0.000333 m", 1, true), why)
 
 -- Peaks as the standards take them, from a record whose values are known.
-local peaks = require "fabric.lab.peaks"
+local peaks = require "fabric.lab.common.peaks"
 local record = {}
 for i, f in ipairs { 0, 5, 3, 9, 6, 6.3, 6, 8, 2, 7, 4, 11, 5, 6, 1 } do record[i] = { displacement = i - 1, force = f } end
 local found = peaks.of(record, 0.1)

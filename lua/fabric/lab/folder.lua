@@ -20,11 +20,11 @@
 local fabric = require "fabric"
 local define = require "fabric.define"
 local lab, registry = fabric.lab, define.registry
-local check = require "fabric.lab.check"
-local doubts = require "fabric.lab.doubts"
-local check_pull = require("fabric.lab.frames").check_pull
-local tests_for = require "fabric.lab.tests_for"
-local told_of_loops = require("fabric.lab.loops").ready
+local check = require "fabric.lab.common.check"
+local doubts = require "fabric.lab.record.doubts"
+local check_pull = require("fabric.lab.card.frames").check_pull
+local tests_for = require "fabric.lab.card.tests_for"
+local told_of_loops = require("fabric.lab.card.loops").ready
 
 -- Raises an error at the line of the deck's call.
 local function stop(words) define.fail("laboratory: " .. words) end

@@ -1,7 +1,7 @@
 -- A card for a cloth with measured bending and mass only. Its in-plane part is that of the card 'worsted' in force per width, the only
 -- apparel cloth of the library that was tested under the small loads of hanging cloth. The card states that.
 local fabric = require "fabric"
-local filled = require "fabric.lab.filled"
+local filled = require "fabric.lab.card.filled"
 
 local density = 400 -- kg/m^3, if the thickness was not measured; the four cloths of the thesis have 350 to 590
 local words = "assumed: force per width as of the card 'worsted', since nothing was pulled or sheared"

@@ -1,6 +1,6 @@
 -- The report of a characterisation: measured curves with those simulated from the card, residuals, table, HTML.
 local fabric = require "fabric"
-local curve = require "fabric.lab.curve"
+local curve = require "fabric.lab.common.curve"
 local lab, u = fabric.lab, fabric.units
 local interpolate, envelope, scaled = curve.interpolate, curve.envelope, curve.scaled
 

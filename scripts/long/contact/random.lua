@@ -2,4 +2,5 @@
 --
 --   fabricsh scripts/long/contact/random.lua [scenes [first seed]]
 arg = { [0] = arg[0], arg[1] or "10000", arg[2] }
-dofile((arg[0]:gsub("[^/]*$", "") .. "../../contact/random.lua"))
+arg[0] = arg[0]:gsub("[^/]*$", "../../contact/random.lua")
+dofile(arg[0])

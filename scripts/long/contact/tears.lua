@@ -5,4 +5,5 @@
 -- warns: where a support holds it
 -- warns: is dropped
 arg = { [0] = arg[0], arg[1] or "200", arg[2] or "1", "tears" }
-dofile((arg[0]:gsub("[^/]*$", "") .. "../../contact/random.lua"))
+arg[0] = arg[0]:gsub("[^/]*$", "../../contact/random.lua")
+dofile(arg[0])
