@@ -76,16 +76,16 @@ local function add(name, disc, support, elements, words)
 end
 for _, name in ipairs(names) do
   local elements = fine[name] and math.max(cells, cells == 5 and 8 or cells) or cells
-  add(name, 0.3, 0.18, elements, "300 on 180 mm")
+  add(name, 0.3, 0.18, elements, "300")
   if measured[name] then
-    add(name, 0.254, 0.127, cells == 5 and 8 or cells, "254 on 127 mm")
+    add(name, 0.254, 0.127, cells == 5 and 8 or cells, "254")
     if not fabric.checking() then alone(name, 0.254, 0.127, cells) end
   end
 end
 if fabric.checking() then return end
 
 table.sort(rows, function(a, b) return a.low + a.high < b.low + b.high end)
-local lines = { "| card | disc | 95 % interval, % | the card as it is, % | elements | measured, % |", "|---|---|---|---|---|---|" }
+local lines = { "| card | disc mm | 95 % interval, % | as it is, % | elements | measured, % |", "|---|---|---|---|---|---|" }
 for _, row in ipairs(rows) do lines[#lines + 1] = row.text end
 local text = table.concat(lines, "\n")
 if write then
