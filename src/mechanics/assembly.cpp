@@ -91,7 +91,7 @@ double Assembly::limit(std::span<const double> delta, std::span<const double> ta
   Forces sums = this->sums();
   Outcome worst;
   for (const auto& term : terms_) {
-    if (dynamic_cast<StepLimiter*>(term.get()) == nullptr) continue;
+    if (TermList::facet_of<StepLimiter>(*term) == nullptr) continue;
     Outcome one = term->add_forces({}, trial(), sums);
     if (one.answer > worst.answer) worst = std::move(one);
   }

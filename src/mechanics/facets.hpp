@@ -1,5 +1,5 @@
 // What some terms have beyond forces, tangent and energies. A term has a facet by deriving from it beside
-// Term; the assembly finds the facets when the term is added.
+// Term, or by a part that does; the assembly finds the facets when the term is added.
 #pragma once
 #include <Eigen/Core>
 #include <limits>
@@ -13,9 +13,8 @@ namespace fabricsh::mechanics {
 
 // Made of the elements of the mesh: carries its mass, and writes its tangent into the matrix itself, element
 // by element in parallel. Its forces are assigned, not added, so that it is the first term.
-class ElementTerm {
+class ElementTerm : public Facet {
  public:
-  virtual ~ElementTerm() = default;
   virtual std::span<const Batch> batches() const = 0;
   virtual std::span<const BatchLane> places() const = 0;  // per element
   // Lumped mass per node, kg; and rotary inertia per node, kg m^2, true or scaled.
@@ -31,9 +30,8 @@ class ElementTerm {
 
 // Loads that follow the configuration. They are contained in the internal forces, with the opposite sign;
 // add_follower() gives them at a given time for computing their work.
-class FollowerLoad {
+class FollowerLoad : public Facet {
  public:
-  virtual ~FollowerLoad() = default;
   virtual bool follows_positions() const { return false; }
   virtual bool follows_directors() const { return false; }
   virtual void add_follower(double time, const Trial&, std::span<double> on_x,
@@ -45,9 +43,8 @@ class FollowerLoad {
 
 // Forces that depend on the motion of a step. They are not part of the internal forces: support forces and
 // the work of loads and supports do not include them.
-class OnMotion {
+class OnMotion : public Facet {
  public:
-  virtual ~OnMotion() = default;
   virtual MassFactors on_mass() const { return {}; }
   // Called at the beginning of a step, when the trial configuration is the committed one.
   virtual Outcome begin_step(const Motion&) { return {}; }
@@ -61,9 +58,8 @@ class OnMotion {
 
 // Forces that an implicit step takes at its end alone, `weight` times, whatever rule the scheme has for
 // others [kane1999]: forces that come and go within a step then make no energy.
-class AtStepEnd {
+class AtStepEnd : public Facet {
  public:
-  virtual ~AtStepEnd() = default;
   virtual void set_weight(double weight) = 0;      // of the steps from the next one on, which are implicit
   virtual bool acts() const = 0;                   // in the trial state
   virtual std::span<const Vec3> push() const = 0;  // N, on the nodes
@@ -71,9 +67,8 @@ class AtStepEnd {
 };
 
 // Says how far a step may go. The way from the marked positions to the trial ones is straight for the nodes.
-class StepLimiter {
+class StepLimiter : public Facet {
  public:
-  virtual ~StepLimiter() = default;
   virtual bool limits() const { return true; }  // whether it can ask for less than a whole step
   virtual void mark(const Trial&) = 0;          // the trial configuration, where a step begins
   // The fraction of the way that can be judged at once; of a longer one only the beginning is looked at.
@@ -96,17 +91,15 @@ struct NodalRanks {
 };
 
 // Has such a part, which add_tangent() leaves out.
-class FewRankTerm {
+class FewRankTerm : public Facet {
  public:
-  virtual ~FewRankTerm() = default;
   virtual void add_ranks(const Trial&, NodalRanks& out) const = 0;  // out is empty
 };
 
 // Moves something of its own in a step that iterates: by fractions of prescribed ways, measured from the
 // iterate; and by unknowns w beside those of the matrix. All numbers about unknowns are of the last tangent.
-class OwnUnknowns {
+class OwnUnknowns : public Facet {
  public:
-  virtual ~OwnUnknowns() = default;
   virtual void begin_iterate() {}
   virtual void move(double scale) = 0;             // by a fraction of the solver's step
   virtual bool at_target() const { return true; }  // whether prescribed ways are at their ends

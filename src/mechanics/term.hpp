@@ -96,10 +96,18 @@ struct TermField {
 // Two nodes whose degrees of freedom are coupled in a tangent.
 using NodePair = std::pair<Index, Index>;
 
+// What a term or a part of it has beyond forces, tangent and energies: see mechanics/facets.hpp.
+class Facet {
+ public:
+  virtual ~Facet() = default;
+};
+
 class Term {
  public:
   virtual ~Term() = default;
   virtual const char* name() const = 0;  // of its section in a checkpoint, and in messages
+  // The parts of a term that have a facet each in its place.
+  virtual std::vector<Facet*> parts() { return {}; }
 
   // --- forces
   virtual Outcome add_forces(const law::Step&, const Trial&, Forces&) { return {}; }  // the internal ones

@@ -16,7 +16,7 @@ void keep_worse(Outcome& worst, Outcome one) {
 // The term is entered in the list of each facet that it has. The first term is the cloth: masses are its.
 void TermList::append(std::unique_ptr<Term> term) {
   const auto list = [&](auto& facets) {
-    if (auto* const facet = dynamic_cast<std::remove_reference_t<decltype(*facets.front())>*>(term.get()))
+    if (auto* const facet = facet_of<std::remove_reference_t<decltype(*facets.front())>>(*term))
       facets.push_back(facet);
   };
   if (terms_.empty()) elements_ = dynamic_cast<ElementTerm*>(term.get());

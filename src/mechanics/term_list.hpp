@@ -20,7 +20,7 @@ class TermList {
   }
   auto begin() const { return terms_.begin(); }
   auto end() const { return terms_.end(); }
-  // The first term of a type, or with a facet; null: there is none.
+  // The first term of a type; null: there is none.
   template <class T>
   T* find() {
     for (const auto& term : terms_)
@@ -31,12 +31,20 @@ class TermList {
   const T* find() const {
     return const_cast<TermList*>(this)->find<T>();
   }
-  // All terms with a facet.
-  template <class Facet>
-  std::vector<Facet*> all() const {
-    std::vector<Facet*> found;
+  // A facet of a term or of one of its parts; null: it has none.
+  template <class F>
+  static F* facet_of(Term& term) {
+    if (auto* const own = dynamic_cast<F*>(&term)) return own;
+    for (Facet* const part : term.parts())
+      if (auto* const found = dynamic_cast<F*>(part)) return found;
+    return nullptr;
+  }
+  // This facet of all terms that have it.
+  template <class F>
+  std::vector<F*> all() const {
+    std::vector<F*> found;
     for (const auto& term : terms_)
-      if (auto* const one = dynamic_cast<Facet*>(term.get())) found.push_back(one);
+      if (auto* const one = facet_of<F>(*term)) found.push_back(one);
     return found;
   }
   // The facets that every step needs, in the order of their terms. elements: of the first term.
