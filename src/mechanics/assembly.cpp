@@ -42,7 +42,7 @@ Assembly::Assembly(const model::Model& model)
   Gas* const gas = model.all<model::GasPointer>().empty() ? nullptr : &make<Gas>(model);
   if (model.interactions().any()) {
     auto& contacts = make<Contacts>(model, std::as_const(configuration_), cloth, dofs_);
-    if (gas != nullptr) gas->press_on(contacts, trial());
+    if (gas != nullptr) gas->press_on(contacts.gas(), trial());
   }
   force_x_.assign(3 * configuration_.nodes(), 0);
   force_d_.assign(3 * configuration_.nodes(), 0);

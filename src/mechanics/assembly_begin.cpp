@@ -39,7 +39,7 @@ void Assembly::begin_from(const Assembly& other, bool same_contact) {
   const double now = configuration_.time();
   set_time(now);
   if (auto* const contacts = terms_.find<Contacts>();
-      contacts != nullptr && (!same_contact || contacts->jumps()))
+      contacts != nullptr && (!same_contact || contacts->bodies().jumps()))
     contacts->begin_here();
   if (!forces({now, 0})) throw Error("the law fails in the state from which it begins");
   commit(now);

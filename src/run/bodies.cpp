@@ -12,18 +12,18 @@ BodyState body_state(const Run& run, const model::Rigid& body) {
   return {state.place, state.velocity, state.spin, -bodies.force(i), bodies.held(i)};
 }
 
-mechanics::Contacts::OnSkin on_skin(const Run& run, const model::Rigid& body) {
+mechanics::OnSkin on_skin(const Run& run, const model::Rigid& body) {
   const std::size_t i = run.body_number(body);
   if (body.facets() == nullptr)
     throw Error("the " + run.model().interactions().name_of(body) +
                 " has no facets: expected a body of fabric.rigid.surface, motion, limb or torso");
-  return run.contact().on_skin(i);
+  return run.contact().readings().on_skin(i);
 }
 
 Touching nearest_pair(const Run& run) {
   const auto& contact = run.contact();
-  const auto nearest = contact.nearest();
-  return {nearest.gap, nearest.point[0] < 0 ? std::string() : contact.words(nearest.point)};
+  const auto nearest = contact.readings().nearest();
+  return {nearest.gap, nearest.point[0] < 0 ? std::string() : contact.surfaces().words(nearest.point)};
 }
 
 // Planes are drawn a little wider than the cloth.
@@ -35,10 +35,10 @@ std::vector<BodyShown> shown_bodies(const Run& run) {
   const auto& bodies = contact->bodies();
   for (std::size_t i = 0; i < bodies.count(); ++i) {
     const model::Facets facets = model::shown(bodies.body(i), 1.2 * across);
-    all.push_back(
-        {run.model().interactions().name_of(bodies.body(i)), bodies.moved(i, facets.vertices),
-         facets.triangles,
-         bodies.body(i).facets() == nullptr ? std::vector<double>() : contact->on_skin(i).pressure});
+    all.push_back({run.model().interactions().name_of(bodies.body(i)), bodies.moved(i, facets.vertices),
+                   facets.triangles,
+                   bodies.body(i).facets() == nullptr ? std::vector<double>()
+                                                      : contact->readings().on_skin(i).pressure});
   }
   return all;
 }

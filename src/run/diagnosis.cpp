@@ -219,11 +219,11 @@ void Diagnosis::complete(const model::Model& model, const mechanics::Assembly& a
   if (site.sheared >= 0 && !std::holds_alternative<card::Woven>(model.card_of(site.sheared).law))
     site.shear_angle = 0;  // it has no yarns
   if (const auto* contact = assembly.terms().find<mechanics::Contacts>()) {
-    const auto rubs = contact->held_friction();
+    const auto rubs = contact->readings().held_friction();
     constexpr double most = 0.8;  // of all friction
     if (rubs.sliding > 0 && rubs.of_sliding >= most * rubs.force) {
       sliding = rubs.of_sliding;
-      slides = contact->words(rubs.most);
+      slides = contact->surfaces().words(rubs.most);
     }
   }
   if (site.element >= 0) aspect = aspect_of(model.mesh().elements[site.element], assembly.dofs().reference());

@@ -32,7 +32,7 @@ Jumps find_jumps(const model::Model& model, double duration);
 // The rigid bodies that their motion has moved at time 0 already; or empty.
 std::string moved_bodies_text(const model::Model& model);
 // Two held or driven bodies that press the cloth between them from the start, and what to do.
-std::string nip_text(const std::string& run, const mechanics::Contacts::Nip& nip);
+std::string nip_text(const std::string& run, const mechanics::Nip& nip);
 // The loads among them, and how to ramp each over the run; or empty.
 std::string warning_text(const Jumps& jumps, double duration);
 // All of them, "gravity (z = -9.81 m/s^2) and the motion of 'top' (z = 0.01 m) are".

@@ -328,12 +328,12 @@ std::string Diagnosis::report() const {
 std::string touching_text(const mechanics::Assembly& assembly) {
   const mechanics::Contacts* contact = assembly.terms().find<mechanics::Contacts>();
   if (contact == nullptr) return {};
-  const auto nearest = contact->nearest();
-  const std::size_t pairs = contact->touching();
+  const auto nearest = contact->readings().nearest();
+  const std::size_t pairs = contact->readings().touching();
   std::string text =
       "\ncontact    " + std::to_string(pairs) + (pairs == 1 ? " pair touches" : " pairs touch");
   if (pairs > 0)
-    text += "; the nearest, " + contact->words(nearest.point) + ", is " + number(nearest.gap) +
+    text += "; the nearest, " + contact->surfaces().words(nearest.point) + ", is " + number(nearest.gap) +
             " m above the smallest distance that contact allows";
   return text;
 }

@@ -488,7 +488,8 @@ void Dynamic::check() {
   watch_accounts(e, scale, swings ? options_.ledger_limit : 0);
   const double made = imbalance(e, scale) + e.created;
   const mechanics::Contacts* contact = assembly_->terms().find<mechanics::Contacts>();
-  if (now_.touched < 0 && contact != nullptr && contact->bodies().any_driven() && contact->touching() > 0)
+  if (now_.touched < 0 && contact != nullptr && contact->bodies().any_driven() &&
+      contact->readings().touching() > 0)
     now_.touched = now_.steps;
   // A run of a few explicit steps is over before it is of age: what it ends with counts all the same.
   const bool is_short = !is_implicit && end && !is_driven();

@@ -37,12 +37,12 @@ Explicit::Explicit(std::shared_ptr<model::Model> model, const DynamicOptions& op
                    std::shared_ptr<Notices> notices, const Beginning& beginning)
     : Dynamic(std::move(model), options, std::move(notices), beginning),
       motion_(assembly_->lumped_mass(scaled_), options_.gamma, [this] { return driven_rates(); }),
-      problem_(*assembly_, motion_, unpolled_),
-      contact_(assembly_->terms().find<mechanics::Contacts>()) {
+      problem_(*assembly_, motion_, unpolled_) {
   const double undamped = stable_;
   bound_step();
   assembly_->terms().find<mechanics::Cloth>()->update_in_place();
-  if (contact_ != nullptr) contact_->go_explicit();
+  if (auto* const contacts = assembly_->terms().find<mechanics::Contacts>())
+    contact_ = &contacts->go_explicit();
   if (tears_ != nullptr) tears_->go_explicit();
   if (const auto* const before = dynamic_cast<const Explicit*>(beginning.from))
     left_velocities_ = before->motion_.velocities();
@@ -121,7 +121,7 @@ void Explicit::lead_drawn_seams() {
   if (contact_ == nullptr || seams_ == nullptr) return;
   for (const auto& through : contact_->drawn_through()) {
     const double speed = seams_->closing_speed(through.stitch) / 2;
-    seams_->lead_around(through.stitch, *contact_, 2 * std::min(speed, through.stopped));
+    seams_->lead_around(through.stitch, contact_->nodal_forces(), 2 * std::min(speed, through.stopped));
     if (speed <= through.stopped) continue;
     const model::Seam& seam = assembly_->dofs().seams()[assembly_->dofs().stitches()[through.stitch].seam];
     warn("seam", "warning: dynamic: the straight way of the seam " + seam.name() + " passes through the " +
@@ -285,8 +285,8 @@ void Explicit::report_guard() {
   block_.struck = block_.struck || contact_->struck();
   if (!contact_->guarded() || block_.reported) return;
   block_.reported = true;
-  const auto nearest = contact_->nearest();
-  warn("guard", "dynamic: at time " + number(time()) + " s " + contact_->words(nearest.point) +
+  const auto nearest = contact().readings().nearest();
+  warn("guard", "dynamic: at time " + number(time()) + " s " + contact().surfaces().words(nearest.point) +
                     " are pressed into the last quarter above the smallest distance that contact allows (" +
                     number(nearest.gap) +
                     " m above it): a barrier keeps them apart (its energy: a.energy.guard) and " +
@@ -296,12 +296,12 @@ void Explicit::report_guard() {
 
 void Explicit::report_cost() {
   const double step = std::ldexp(now_.step, -block_.halved), left = duration_ - committed_time();
-  const auto nearest = contact_->nearest();
+  const auto nearest = contact().readings().nearest();
   const std::string caught = caught_text();
   warn("guard", "dynamic: contact has kept the step at " + number(step) + " s, " +
                     number(std::ldexp(1.0, block_.halved)) + " times as short as planned, for " +
                     std::to_string(kCostlySteps) + " steps by time " + number(committed_time()) + " s (" +
-                    contact_->words(nearest.point) + ", " + number(nearest.gap) +
+                    contact().surfaces().words(nearest.point) + ", " + number(nearest.gap) +
                     " m above the smallest distance): if that lasts, the " + number(left) +
                     " s that are left take " + number(left / step, 2) + " more, in place of " +
                     number(left / now_.step, 2) + (caught.empty() ? "" : "; " + caught) +
@@ -346,10 +346,10 @@ bool Explicit::attempt(double size, StepReport& report) {
   if (assembly_->limit(motion_.increments(), problem_.targets()) < 1) return ends(End::limited);
   problem_.advance_explicit(motion_.along(), motion_.reach());
   trial_time_ = size;
-  if (contact_ != nullptr) contact_->ease(!block_.uneased, std::ldexp(report.step, block_.halved));
+  if (contact_ != nullptr) contact_->barriers().ease(!block_.uneased, std::ldexp(report.step, block_.halved));
   assembly_->terms().expect_energies(looks_after(now_.steps + 1, size));
   if (problem_.residual(motion_.residual()) != Answer::ok) return ends(End::forces);
-  if (contact_ != nullptr) contact_->hold_back(motion_.residual());
+  if (contact_ != nullptr) contact_->barriers().hold_back(motion_.residual());
   motion_.accelerate(assembly_->terms().on_mass().velocity);
   motion_.show_trial(true);
   report.time = size;
@@ -443,7 +443,7 @@ std::string Explicit::finer_elements() const {
   if (contact_ == nullptr) return {};
   const auto stopped = contact_->speed_stopped();
   const mesh::Index node = fastest_node();
-  const double speed = std::max(contact_->fastest_body(), node >= 0 ? velocity(node).norm() : 0);
+  const double speed = std::max(contact().bodies().fastest_free(), node >= 0 ? velocity(node).norm() : 0);
   if (stopped.given || !(speed > stopped.flat)) return {};
   const double finer = std::ceil(speed / stopped.flat);
   return "elements that are " + number(finer) + " times as short, " +
@@ -463,7 +463,8 @@ std::string Explicit::against_passing() const {
 // Cloth that tools pinch is pressed for as long as they do, so that the speed that contact stops says nothing
 // about it. A stiffer law makes all steps shorter, but by the root of its stiffness: far less than the guard.
 std::string Explicit::against_pressing() const {
-  const auto found = contact_->pressed(contact_->nearest());
+  const auto nearest = contact().readings().nearest();
+  const auto found = contact_->pressed(nearest.point, nearest.gap);
   if (!found) return against_passing();
   const double step = std::min(now_.step, found->step);
   if (!contact_->needs_short_steps())

@@ -9,6 +9,10 @@
 #include "run/dynamic.hpp"
 #include "run/problem.hpp"
 
+namespace fabricsh::mechanics {
+class ExplicitContact;
+}
+
 namespace fabricsh::run {
 
 class Explicit final : public Dynamic {
@@ -105,7 +109,7 @@ class Explicit final : public Dynamic {
   std::vector<CentralDifferences::Weight> added_inertia_;
   const std::function<void()> unpolled_;  // no poll, since a step is short
   EquilibriumProblem problem_;
-  mechanics::Contacts* const contact_;        // null: the model has none
+  mechanics::ExplicitContact* contact_ = nullptr;  // null: the model has none
   std::vector<double> left_velocities_ = {};  // of the unknowns of the run that it begins from; empty: none
   bool dirty_ = false;                        // whether the trial state differs from the committed one
   // The reason for which the last attempt ended early.

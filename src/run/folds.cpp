@@ -37,7 +37,7 @@ Folds::Folds(const mesh::Mesh& mesh) : mesh_(mesh) {
 }
 
 std::optional<Folds::Fold> Folds::sharpest(std::span<const double> x,
-                                           const mechanics::Contacts& contacts) const {
+                                           const mechanics::ContactReadings& contacts) const {
   std::optional<Fold> found;
   for (const Hinge& h : hinges_) {
     const Vec3 one = area_vector(mesh_.elements[static_cast<std::size_t>(h.element)], x),

@@ -24,7 +24,7 @@ class Folds {
   };
   // The sharpest fold with contact pressure at both ends of its edge; empty: none is sharper than 40 degrees.
   // x: positions of the nodes, m.
-  std::optional<Fold> sharpest(std::span<const double> x, const mechanics::Contacts& contacts) const;
+  std::optional<Fold> sharpest(std::span<const double> x, const mechanics::ContactReadings& contacts) const;
 
  private:
   struct Hinge {

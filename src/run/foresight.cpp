@@ -119,7 +119,7 @@ std::string moved_bodies_text(const model::Model& model) {
          (moved.size() > 1 ? "bodies" : "body") + " there";
 }
 
-std::string nip_text(const std::string& run, const mechanics::Contacts::Nip& nip) {
+std::string nip_text(const std::string& run, const mechanics::Nip& nip) {
   const std::string plies = nip.plies == 1 ? "the cloth" : std::to_string(nip.plies) + " plies";
   const bool fits = std::isfinite(nip.pressure), barrier = nip.pressure > nip.carried;
   return "warning: " + run + ": at node " + std::to_string(nip.node + 1) + " the " + nip.first + " and the " +

@@ -153,9 +153,10 @@ class Linearised {
                     "free edges: these are modes of its symmetric part");
     const auto* const contact = assembly_.terms().find<mechanics::Contacts>();
     if (contact != nullptr)
-      all.push_back(call + ": contact stays as it is in this state: " + std::to_string(contact->touching()) +
-                    (contact->touching() == 1 ? " place touches" : " places touch") +
-                    " and remain closed, all others remain open");
+      all.push_back(
+          call + ": contact stays as it is in this state: " + std::to_string(contact->readings().touching()) +
+          (contact->readings().touching() == 1 ? " place touches" : " places touch") +
+          " and remain closed, all others remain open");
     return all;
   }
 
@@ -181,7 +182,7 @@ class Linearised {
       throw Error("the " + body + " moves freely and has no mass: expected one, mass=");
     contact->go_static(0);
     bodies_ = contact;
-    for (std::size_t f = 0; 6 * f < contact->own_unknowns(); ++f)
+    for (std::size_t f = 0; 6 * f < contact->unknowns().own_unknowns(); ++f)
       for (int c = 0; c < 6; ++c)
         if (contact->bodies().freedom(f)[c] != 0) of_bodies_.push_back(static_cast<int>(6 * f) + c);
   }
@@ -202,7 +203,7 @@ class Linearised {
     return out;
   }
   linear::Matrix with_bodies(const linear::Matrix& of_cloth) {
-    const auto rest = bodies_->at_rest();
+    const auto rest = bodies_->unknowns().at_rest();
     const mechanics::Index n = of_cloth.size(), m = static_cast<mechanics::Index>(of_bodies_.size());
     const std::vector<double> none(3 * assembly_.cloth().mass().size(), 0);
     std::vector<linear::Vector> coupled;

@@ -92,7 +92,7 @@ const mechanics::Contacts& Run::contact() const {
 }
 
 std::size_t Run::body_number(const model::Rigid& body) const {
-  const int number = contact().find_body(body);
+  const int number = contact().surfaces().find_body(body);
   if (number < 0) throw Error("the " + body.kind() + " touches nothing in the model of this run");
   return static_cast<std::size_t>(number);
 }

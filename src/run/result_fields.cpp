@@ -74,11 +74,11 @@ struct ResultFieldTable {
     vectors(name, std::move(unit), std::move(sentence), {name + "_x", name + "_y", name + "_z"}, "R", read);
   }
   void touched(const std::string& name, std::string unit, std::string sentence,
-               double (mechanics::Contacts::*what)(mechanics::Index) const) {
+               double (mechanics::ContactReadings::*what)(mechanics::Index) const) {
     const auto values = [name, what](const Run& run, mesh::Index i, const std::string&, double* out) {
       if (run.assembly().terms().find<mechanics::Contacts>() == nullptr)
         throw Error("field '" + name + "': nothing touches in this model (see model:contact)");
-      *out = (run.contact().*what)(i);
+      *out = (run.contact().readings().*what)(i);
     };
     ResultField& row = number(name, std::move(unit), FieldPlace::node, std::move(sentence), values);
     row.usual = true;
@@ -209,11 +209,11 @@ ResultFieldTable make_table() {
   t.touched("gap", "m",
             "distance to the nearest surface that it may touch, less the smallest distance that contact "
             "allows; at most the reach of contact",
-            &mechanics::Contacts::gap);
+            &mechanics::ContactReadings::gap);
   t.touched(
       "contact_pressure", "Pa",
       "normal pressure of contact, without friction; that on the front and that on the back of a sheet added",
-      &mechanics::Contacts::pressure);
+      &mechanics::ContactReadings::pressure);
   t.creased();
   t.joined();
   t.torn("rupture_warp", 0);

@@ -78,9 +78,9 @@ Run::~Run() = default;
 void Run::report_contacts() {
   const auto* contact = assembly_->terms().find<mechanics::Contacts>();
   if (contact == nullptr) return;
-  for (const std::string& words : contact->describe()) notices_->remark("contact: " + words);
-  for (const std::string& words : contact->dependent()) note("nodes", words);
-  for (const auto& nip : contact->nips()) {
+  for (const std::string& words : contact->surfaces().describe()) notices_->remark("contact: " + words);
+  for (const std::string& words : contact->surfaces().dependent()) note("nodes", words);
+  for (const auto& nip : contact->readings().nips()) {
     const bool fits = std::isfinite(nip.pressure);
     note("nip", nip_text(kind(), nip));
     warnings_->back().serious = !fits;
@@ -353,7 +353,7 @@ void Run::watch_guard(const EnergyAccount& e) {
 void Run::watch_pressed(const EnergyAccount& e) {
   constexpr double shows = 0.01;
   const auto* const contact = std::as_const(*assembly_).terms().find<mechanics::Contacts>();
-  if (contact == nullptr || !contact->assumes_stiffness() || !(e.contact > shows * e.stored) ||
+  if (contact == nullptr || !contact->surfaces().assumes_stiffness() || !(e.contact > shows * e.stored) ||
       warned("pressed"))
     return;
   warn(
@@ -442,9 +442,9 @@ void Run::watch_accounts(const EnergyAccount& energies, double scale, double of_
 void Run::watch_folds() {
   constexpr double degree = std::numbers::pi / 180, fine = 20;
   const auto* const contact = assembly_->terms().find<mechanics::Contacts>();
-  if (contact == nullptr || contact->touching_now() == 0 || warned("fold")) return;
+  if (contact == nullptr || !contact->readings().any_touched() || warned("fold")) return;
   if (folds_ == nullptr) folds_ = std::make_unique<const Folds>(model_->mesh());
-  const auto fold = folds_->sharpest(std::as_const(*assembly_).state().x(), *contact);
+  const auto fold = folds_->sharpest(std::as_const(*assembly_).state().x(), contact->readings());
   if (!fold) return;
   const double angle = fold->angle / degree;
   const std::string text =

@@ -85,7 +85,7 @@ TEST_CASE("contact: the term's tangent is the derivative of its forces, with fri
       return internal_at(a, step, 1);
     };
     at(0);
-    REQUIRE(a.terms().find<mechanics::Contacts>()->touching() > 20);
+    REQUIRE(a.terms().find<mechanics::Contacts>()->readings().touching() > 20);
     linear::Matrix K;
     REQUIRE(a.tangent({0, 1}, K, {}, {}));
     std::vector<double> product(n, 0);

@@ -1,29 +1,45 @@
-// Free bodies in implicit steps: how their forces and those on the cloth change with each other.
+#include "mechanics/terms/contact_bodies.hpp"
+
 #include <algorithm>
 #include <limits>
 
+#include "contact/search.hpp"
 #include "geometry/node_view.hpp"
 #include "geometry/turning.hpp"
-#include "mechanics/terms/contact.hpp"
 
 namespace fabricsh::mechanics {
 
 using Columns = Eigen::Matrix<double, 12, 6>;
 
-// Adds the coupling of the last block with the free bodies that it has: one, or two that meet each other.
-void Contacts::add_on_body(const contact::FrictionTangent* friction) {
-  const Block& block = blocks_.back();
+void BodyUnknowns::begin_iterate() {
+  state_.iterate = state_.share;
+  bodies().begin_iterate();
+}
+
+void BodyUnknowns::move(double scale) {
+  state_.share = state_.iterate + scale * (1 - state_.iterate);
+  bodies().move(scale);
+}
+
+void BodyUnknowns::clear() {
+  blocks_.clear();
+  on_bodies_.clear();
+}
+
+void BodyUnknowns::add(const PairBlock& block, const contact::FrictionTangent* friction) {
+  blocks_.push_back(block);
+  if (own_unknowns() == 0) return;
   const auto begin = on_bodies_.size();
   for (int q = 0; q < 4; ++q) {
-    const auto v = static_cast<std::size_t>(block.point[q]) - nodes_;
-    if (block.point[q] < static_cast<std::int32_t>(nodes_) || bodies_.free_of(v) < 0) continue;
-    const int body = bodies_.free_of(v);
+    const auto v = static_cast<std::size_t>(block.point[q]) - nodes();
+    if (block.point[q] < static_cast<std::int32_t>(nodes()) || bodies().free_of(v) < 0) continue;
+    const int body = bodies().free_of(v);
     if (on_bodies_.size() == begin || on_bodies_.back().body != body)
       on_bodies_.push_back({blocks_.size() - 1, body, Columns::Zero(), Columns::Zero(),
                             Eigen::Matrix<double, 6, 12>::Zero(), Bodies::Matrix6::Zero()});
     auto& by = on_bodies_.back().by;
     by.block<3, 3>(3 * q, 0).setIdentity();
-    by.block<3, 3>(3 * q, 3) = -cross_matrix(bodies_.lever(v));
+    by.block<3, 3>(3 * q, 3) = -cross_matrix(bodies().lever(v));
   }
   for (std::size_t i = begin; i < on_bodies_.size(); ++i) {
     OnBody& out = on_bodies_[i];
@@ -37,67 +53,89 @@ void Contacts::add_on_body(const contact::FrictionTangent* friction) {
   }
 }
 
-// Two bodies may meet where no cloth has any force.
-double Contacts::largest_own_force() const {
-  if (static_) return bodies_.largest_force();
-  const auto& all = scene_.interactions();
-  const bool meet = std::any_of(all.begin(), all.end(), [](const auto& it) { return it.rigid; });
-  return meet ? bodies_.largest_force() : 0;
+void BodyUnknowns::add_ties() {
+  for (const BodyTies::Tie& tie : state_.ties.all()) {
+    const double stiffness = state_.ties.stiffness(tie);
+    PairBlock block{{static_cast<std::int32_t>(tie.node), static_cast<std::int32_t>(tie.point), -1, -1},
+                    contact::Matrix12::Zero()};
+    for (int a = 0; a < 2; ++a)
+      for (int b = 0; b < 2; ++b)
+        block.k.block<3, 3>(3 * a, 3 * b) = (a == b ? stiffness : -stiffness) * Mat3::Identity();
+    add(block, nullptr);
+    const std::size_t vertex = tie.point - nodes();
+    if (own_unknowns() == 0 || bodies().free_of(vertex) < 0) continue;
+    const Vec3 force = stiffness * (state_.x[tie.node] - state_.x[tie.point]);
+    on_bodies_.back().rubbed.bottomRightCorner<3, 3>() +=
+        cross_matrix(force) * cross_matrix(bodies().lever(vertex));
+  }
 }
 
-void Contacts::go_static(double rise) {
-  if (!bodies_.any_free()) return;
+void BodyUnknowns::add_to_nodes(const OnBody& part, const Bodies::Vector6& moved, double weight,
+                                std::span<double> on_x) const {
+  const contact::Vector12 f = part.force * moved;
+  for (int a = 0; a < 4; ++a)
+    if (const std::int32_t p = blocks_[part.block].point[a]; p >= 0 && p < static_cast<std::int32_t>(nodes()))
+      at(on_x, p) += weight * f.segment<3>(3 * a);
+}
+
+// Two bodies may meet where no cloth has any force.
+double BodyUnknowns::largest_own_force() const {
+  if (static_) return bodies().largest_force();
+  const auto& all = state_.surfaces.scene().interactions();
+  const bool meet = std::any_of(all.begin(), all.end(), [](const auto& it) { return it.rigid; });
+  return meet ? bodies().largest_force() : 0;
+}
+
+void BodyUnknowns::go_static(double rise) {
+  if (!bodies().any_free()) return;
   static_ = true;
   double reach = std::numeric_limits<double>::infinity();
-  for (const auto& it : scene_.interactions()) reach = std::min(reach, it.law.gap() - it.law.floor());
-  bodies_.go_static(reach, rise);
-  begin_pressed();
+  for (const auto& it : state_.surfaces.scene().interactions())
+    reach = std::min(reach, it.law.gap() - it.law.floor());
+  bodies().go_static(reach, rise);
+  state_.begin();
 }
 
-bool Contacts::own_push(std::size_t j, std::span<double> on_x) const {
+bool BodyUnknowns::own_push(std::size_t j, std::span<double> on_x) const {
   const auto body = static_cast<int>(j / 6);
-  const Bodies::Vector6 moved = bodies_.compliance(j / 6).col(static_cast<Eigen::Index>(j % 6));
+  const Bodies::Vector6 moved = bodies().compliance(j / 6).col(static_cast<Eigen::Index>(j % 6));
   std::fill(on_x.begin(), on_x.end(), 0.0);
   bool any = false;
   for (const OnBody& part : on_bodies_) {
     if (part.body != body) continue;
     any = true;
-    const contact::Vector12 f = part.force * moved;
-    for (int a = 0; a < 4; ++a)
-      if (const std::int32_t p = blocks_[part.block].point[a];
-          p >= 0 && p < static_cast<std::int32_t>(nodes_))
-        at(on_x, p) += weight_ * f.segment<3>(3 * a);
+    add_to_nodes(part, moved, state_.weight, on_x);
   }
-  if (gas_.ranks.on_x.empty()) return any;
-  const auto change = gas_change({}, way_of(body, moved), true);
+  if (!gas_.any()) return any;
+  const auto change = gas_.change({}, gas_.way_of(body, moved), true);
   for (std::size_t i = 0; i < on_x.size(); ++i) on_x[i] += change[i];
   return true;
 }
 
-Eigen::VectorXd Contacts::own_answer(std::span<const double> move) const {
-  Eigen::VectorXd out = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(bodies_.unknowns()));
+Eigen::VectorXd BodyUnknowns::own_answer(std::span<const double> move) const {
+  Eigen::VectorXd out = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(bodies().unknowns()));
   for (const OnBody& part : on_bodies_) {
     contact::Vector12 x = contact::Vector12::Zero();
     for (int a = 0; a < 4; ++a)
       if (const std::int32_t p = blocks_[part.block].point[a];
-          p >= 0 && p < static_cast<std::int32_t>(nodes_))
+          p >= 0 && p < static_cast<std::int32_t>(nodes()))
         x.segment<3>(3 * a) = at(move, p);
     out.segment<6>(6 * part.body) += part.answer * x;
   }
-  if (!gas_.ranks.on_x.empty()) out += gas_on_bodies(gas_change(move, {}, true));
+  if (gas_.any()) out += gas_.on_bodies(gas_.change(move, {}, true));
   return out;
 }
 
-Eigen::MatrixXd Contacts::own_response() const {
+Eigen::MatrixXd BodyUnknowns::own_response() const {
   Eigen::MatrixXd out = responses();
-  bodies_.hold(out);
+  bodies().hold(out);
   return out;
 }
 
-Eigen::MatrixXd Contacts::own_stiffness() const {
+Eigen::MatrixXd BodyUnknowns::own_stiffness() const {
   if (!static_) return {};
   Eigen::MatrixXd out = -responses();
-  const std::vector<bool> held = bodies_.held();
+  const std::vector<bool> held = bodies().held();
   for (Eigen::Index i = 0; i < out.rows(); ++i)
     if (held[static_cast<std::size_t>(i)]) out(i, i) += 1;
   return out;
@@ -105,8 +143,8 @@ Eigen::MatrixXd Contacts::own_stiffness() const {
 
 // N and N m on the bodies, by their places and turns. Bodies that meet answer each other; the parts of one
 // pair stand beside each other.
-Eigen::MatrixXd Contacts::answers(bool with_volumes) const {
-  const auto m = static_cast<Eigen::Index>(bodies_.unknowns());
+Eigen::MatrixXd BodyUnknowns::answers(bool with_volumes) const {
+  const auto m = static_cast<Eigen::Index>(bodies().unknowns());
   Eigen::MatrixXd out = Eigen::MatrixXd::Zero(m, m);
   const auto add = [&](const OnBody& part, const OnBody& other) {
     Bodies::Matrix6 answer = part.answer * other.by;
@@ -119,55 +157,48 @@ Eigen::MatrixXd Contacts::answers(bool with_volumes) const {
     add(on_bodies_[i], on_bodies_[i + 1]);
     add(on_bodies_[i + 1], on_bodies_[i]);
   }
-  if (!gas_.ranks.on_x.empty()) add_gas_answers(with_volumes, out);
+  if (gas_.any()) gas_.add_answers(with_volumes, out);
   return out;
 }
 
-Eigen::MatrixXd Contacts::responses() const {
+Eigen::MatrixXd BodyUnknowns::responses() const {
   Eigen::MatrixXd out = answers(true);
   for (Eigen::Index j = 0; j < out.cols(); j += 6) {
     const Eigen::MatrixXd of_body =
-        out.middleCols<6>(j) * bodies_.compliance(static_cast<std::size_t>(j / 6));
+        out.middleCols<6>(j) * bodies().compliance(static_cast<std::size_t>(j / 6));
     out.middleCols<6>(j) = of_body;
   }
-  bodies_.add_response(out);
+  bodies().add_response(out);
   return out;
 }
 
-// The derivatives at rest, of the last tangent.
-Contacts::AtRest Contacts::at_rest() const {
-  const auto m = static_cast<Eigen::Index>(bodies_.unknowns());
+BodyUnknowns::AtRest BodyUnknowns::at_rest() const {
+  const auto m = static_cast<Eigen::Index>(bodies().unknowns());
   AtRest out;
-  out.stiffness = bodies_.spring_stiffness() - answers(false);
-  std::vector<char> follows(x_.size(), 0);  // what ties push has been counted
-  for (const TiedTo& tied : tied_) follows[tied.point] = 1;
-  for (std::size_t v = 0; nodes_ + v < x_.size(); ++v)
-    if (const int body = bodies_.free_of(v); body >= 0 && follows[nodes_ + v] == 0)
+  out.stiffness = bodies().spring_stiffness() - answers(false);
+  std::vector<char> follows(state_.x.size(), 0);  // what ties push has been counted
+  for (const BodyTies::Tie& tie : state_.ties.all()) follows[tie.point] = 1;
+  for (std::size_t v = 0; nodes() + v < follows.size(); ++v)
+    if (const int body = bodies().free_of(v); body >= 0 && follows[nodes() + v] == 0)
       out.stiffness.block<3, 3>(6 * body + 3, 6 * body + 3) -=
-          cross_matrix(force_[nodes_ + v]) * cross_matrix(bodies_.lever(v));
+          cross_matrix(state_.force[nodes() + v]) * cross_matrix(bodies().lever(v));
   out.stiffness = ((out.stiffness + out.stiffness.transpose()) / 2).eval();
   for (Eigen::Index j = 0; j < m; ++j) {
     const Bodies::Vector6 unit = Bodies::Vector6::Unit(j % 6);
-    const auto way = way_of(static_cast<int>(j / 6), unit);
-    std::vector<double> on_x(3 * nodes_, 0);
-    for (const OnBody& part : on_bodies_) {
-      if (part.body != static_cast<int>(j / 6)) continue;
-      const contact::Vector12 f = part.force * unit;
-      for (int a = 0; a < 4; ++a)
-        if (const std::int32_t p = blocks_[part.block].point[a];
-            p >= 0 && p < static_cast<std::int32_t>(nodes_))
-          at(on_x, p) += f.segment<3>(3 * a);
-    }
-    if (!gas_.ranks.on_x.empty()) {
-      const auto change = gas_change({}, way, false);
+    const auto way = gas_.way_of(static_cast<int>(j / 6), unit);
+    std::vector<double> on_x(3 * nodes(), 0);
+    for (const OnBody& part : on_bodies_)
+      if (part.body == static_cast<int>(j / 6)) add_to_nodes(part, unit, 1, on_x);
+    if (gas_.any()) {
+      const auto change = gas_.change({}, way, false);
       for (std::size_t i = 0; i < on_x.size(); ++i) on_x[i] += change[i];
     }
     out.on_nodes.push_back(std::move(on_x));
     std::vector<double> along;  // of the volumes
-    for (const auto& column : gas_.ranks.on_x) {
+    for (const auto& column : gas_.of_volumes()) {
       along.push_back(0);
       for (std::size_t v = 0; v < way.size(); ++v)
-        along.back() += way[v].dot(at(column, static_cast<Index>(nodes_ + v)));
+        along.back() += way[v].dot(at(column, static_cast<Index>(nodes() + v)));
     }
     out.of_volumes.push_back(std::move(along));
   }
@@ -175,20 +206,97 @@ Contacts::AtRest Contacts::at_rest() const {
 }
 
 // Includes the part of the bodies' motion that the iterate has not made yet.
-Eigen::VectorXd Contacts::own_residual() const {
-  Eigen::VectorXd out = bodies_.residual();
-  if (share_ >= 1) return out;
-  const auto from = bodies_.committed(), to = bodies_.target();
+Eigen::VectorXd BodyUnknowns::own_residual() const {
+  Eigen::VectorXd out = bodies().residual();
+  if (state_.share >= 1) return out;
+  const auto from = bodies().committed(), to = bodies().target();
   for (const OnBody& part : on_bodies_) {
-    const Block& block = blocks_[part.block];
+    const PairBlock& block = blocks_[part.block];
     contact::Vector12 x = contact::Vector12::Zero();
     for (int a = 0; a < 4; ++a)
-      if (const std::int32_t p = block.point[a]; p >= static_cast<std::int32_t>(nodes_))
-        x.segment<3>(3 * a) = (1 - share_) * (to[p - nodes_] - from[p - nodes_]);
+      if (const std::int32_t p = block.point[a]; p >= static_cast<std::int32_t>(nodes()))
+        x.segment<3>(3 * a) = (1 - state_.share) * (to[p - nodes()] - from[p - nodes()]);
     out.segment<6>(6 * part.body) += part.answer * x;
   }
-  if (!gas_.ranks.on_x.empty()) out += gas_on_bodies(gas_change({}, way_left(), true));
+  if (gas_.any()) out += gas_.on_bodies(gas_.change({}, gas_.way_left(), true));
   return out;
+}
+
+// --- the tangent
+
+// If the stiffness couples nodes not coupled so far, all pairs that are near are added, so that the pattern
+// grows seldom. The coupled pairs depend only on the states visited.
+void ContactTangent::couple(const contact::Way& way, std::vector<NodePair>& pairs) {
+  const auto nodes = static_cast<std::int64_t>(state_.surfaces.nodes());
+  bodies_.clear();
+  bool known = true;
+  const auto add = [&](const std::array<std::int32_t, 4>& points, auto&& visit) {
+    for (std::size_t a = 0; a < 4; ++a)
+      for (std::size_t b = a + 1; b < 4; ++b) {
+        const std::int64_t p = points[a], q = points[b];
+        if (p < 0 || q < 0) continue;
+        const auto [low, high] = std::minmax(p, q);
+        if (high < nodes) visit(low * nodes + high);
+      }
+  };
+  if (state_.surfaces.any())
+    state_.pairs.stiffness(
+        state_.x,
+        [&](const std::array<std::int32_t, 4>& points, const contact::Matrix12& k,
+            const contact::FrictionTangent* friction) {
+          bodies_.add({points, k}, friction);
+          add(points, [&](std::int64_t pair) {
+            known = known && std::binary_search(pairs_.begin(), pairs_.end(), pair);
+          });
+        },
+        way);
+  bodies_.add_ties();
+  if (!known) {
+    const contact::Scene& scene = state_.surfaces.scene();
+    for (const auto& candidate : contact::find_pairs(scene, state_.x, state_.surfaces.edge() / 3))
+      add(scene.with_nodes(candidate.point), [&](std::int64_t pair) { pairs_.push_back(pair); });
+    std::sort(pairs_.begin(), pairs_.end());
+    pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
+  }
+  for (const std::int64_t pair : pairs_) pairs.emplace_back(pair / nodes, pair % nodes);
+}
+
+void ContactTangent::add(TangentSink& sink) const {
+  const Bodies& bodies = state_.surfaces.bodies();
+  const auto from = bodies.committed(), to = bodies.target();
+  const auto nodes = static_cast<std::int32_t>(state_.surfaces.nodes());
+  const double left = 1 - state_.share;
+  const bool moves = state_.surfaces.moves();
+  for (const PairBlock& block : bodies_.blocks())
+    for (int a = 0; a < 4; ++a) {
+      const std::int32_t p = block.point[a];
+      if (p < 0 || p >= nodes) continue;
+      for (int b = 0; b < 4; ++b) {
+        const std::int32_t q = block.point[b];
+        if (q < 0) continue;
+        const Mat3 k = state_.weight * block.k.block<3, 3>(3 * a, 3 * b);
+        if (q < nodes)
+          sink.on_positions(p, q, k);
+        else if (moves)
+          sink.on_lead(p, k * left * (to[q - nodes] - from[q - nodes]));
+      }
+    }
+  if (!gas_.any() || !moves || state_.share >= 1) return;
+  const auto change = gas_.change({}, gas_.way_left(), true);
+  for (Index n = 0; n < nodes; ++n) sink.on_lead(n, at(std::span<const double>(change), n));
+}
+
+void ContactTangent::commit() {
+  if (committed_pairs_.size() != pairs_.size()) committed_pairs_ = pairs_;
+}
+
+void ContactTangent::rollback() {
+  if (committed_pairs_.size() != pairs_.size()) pairs_ = committed_pairs_;
+}
+
+void ContactTangent::keep(Archive& archive) {
+  archive(pairs_);
+  if (archive.reading()) committed_pairs_ = pairs_;
 }
 
 }  // namespace fabricsh::mechanics

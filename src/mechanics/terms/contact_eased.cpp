@@ -1,14 +1,14 @@
-// Explicit steps through the guard of contact with bodies whose motion is given.
+// Explicit steps through the barrier of contact with bodies whose motion is given.
 //
-// Central differences are stable where dt^2 K <= 4 M. The guard's stiffness S, which rises without bound, is
-// met by inertia along its normal: M + dt^2 S / 2 takes the place of M in M a = r, with the S of the same
-// positions as r. That is a linearly implicit step of the guard alone. Where r is zero, nothing changes: what
-// is pressed between tools has the balance that it has in short steps. The rest of r, which the inertia holds
-// back, does a work that comes back as the nodes leave the guard; the account of the guard has it.
+// Central differences are stable where dt^2 K <= 4 M. The barrier's stiffness S, which rises without bound,
+// is met by inertia along its normal: M + dt^2 S / 2 takes the place of M in M a = r, with the S of the same
+// positions as r. That is a linearly implicit step of the barrier alone. Where r is zero, nothing changes:
+// what is pressed between tools has the balance that it has in short steps. The rest of r, which the inertia
+// holds back, does a work that comes back as the nodes leave the barrier; the account of the barrier has it.
 #include <unordered_map>
 #include <utility>
 
-#include "mechanics/terms/contact.hpp"
+#include "mechanics/terms/contact_schemes.hpp"
 
 namespace fabricsh::mechanics {
 
@@ -18,30 +18,31 @@ constexpr double kEased = 0.5;  // dt^2 S over the inertia that meets it
 
 // The inertia acts on single nodes: none may follow others. A body that forces or its mass move would have a
 // share of the inertia, too.
-void Contacts::ease_guards() {
-  if (dofs_.has_ties() || joints_.any() || !dofs_.stitches().empty()) return;
-  for (std::size_t i = 0; i < meetings_.size(); ++i) {
-    const int body = scene_.interactions()[i].second - static_cast<int>(sheets_.size());
-    if (meetings_[i].bodies || body < 0 || bodies_.inverse_mass_pressed(static_cast<std::size_t>(body)) > 0)
+void BarrierInertia::allow() {
+  ContactSurfaces& surfaces = state_.surfaces;
+  if (dofs_.has_ties() || dofs_.joints().any() || !dofs_.stitches().empty()) return;
+  for (std::size_t i = 0; i < surfaces.meetings().size(); ++i) {
+    const int body = surfaces.body_of(surfaces.scene().interactions()[i].second);
+    if (surfaces.meetings()[i].bodies || body < 0 ||
+        surfaces.bodies().inverse_mass_pressed(static_cast<std::size_t>(body)) > 0)
       continue;
-    scene_.ease(i);
+    surfaces.scene().ease(i);
   }
 }
 
-// Takes from the residual of the unknowns (N) what the inertia of the guards holds back.
-void Contacts::hold_back(std::span<double> residual) {
+void BarrierInertia::hold_back(std::span<double> residual) {
   held_.clear();
-  const double dt = trial_time_ - configuration_.time();
-  if (!(trial_.guard > 0) || !(dt > 0)) return;
+  const double dt = state_.dt();
+  if (!(state_.trial.guard > 0) || !(dt > 0)) return;
   std::vector<std::pair<Index, Mat3>> inertia;    // by node, in the order of the pairs
   std::unordered_map<Index, std::size_t> places;  // in it
-  contact_->barriers([&](std::int32_t node, double stiffness, const Vec3& n) {
+  state_.pairs.barriers([&](std::int32_t node, double stiffness, const Vec3& n) {
     const auto [place, added] = places.try_emplace(node, inertia.size());
     if (added) inertia.push_back({node, Mat3::Zero()});
     inertia[place->second].second += kEased * dt * dt * stiffness * n * n.transpose();
   });
   for (const auto& [node, added] : inertia) {
-    const NodeFreedoms& freedoms = freedoms_.nodes[static_cast<std::size_t>(node)];
+    const NodeFreedoms& freedoms = dofs_.freedoms().nodes[static_cast<std::size_t>(node)];
     Mat3 in_frame = freedoms.frame * added * freedoms.frame.transpose();
     Vec3 force = Vec3::Zero();
     for (int c = 0; c < 3; ++c) {
@@ -63,16 +64,20 @@ void Contacts::hold_back(std::span<double> residual) {
 }
 
 // J, in the trial step, by the trapezoidal rule as that of the kinetic energy.
-double Contacts::held_work() const {
+double BarrierInertia::work() const {
   double work = 0;
-  for (const auto* all : {&held_, &held_before_})
-    for (const HeldBack& held : *all)
-      work += held.force.dot(x_[static_cast<std::size_t>(held.node)] -
-                             start_[static_cast<std::size_t>(held.node)]) /
-              2;
+  for (const auto* all : {&held_, &before_})
+    for (const HeldBack& held : *all) {
+      const auto n = static_cast<std::size_t>(held.node);
+      work += held.force.dot(state_.x[n] - state_.start[n]) / 2;
+    }
   return work;
 }
 
-void Contacts::HeldBack::keep(Archive& archive) { archive(node, force[0], force[1], force[2]); }
+void BarrierInertia::commit() {
+  energy_ += work();
+  std::swap(before_, held_);
+  held_.clear();
+}
 
 }  // namespace fabricsh::mechanics

@@ -8,7 +8,7 @@
 #include <map>
 #include <utility>
 
-#include "mechanics/terms/contact.hpp"
+#include "mechanics/terms/contact_readings.hpp"
 
 namespace fabricsh::mechanics {
 
@@ -118,31 +118,33 @@ std::map<std::pair<std::int32_t, std::int32_t>, Tightest> tightest(const Reaches
 
 }  // namespace
 
-std::vector<Contacts::Nip> Contacts::nips() const {
-  const auto sheets = static_cast<std::int32_t>(sheets_.size());
+std::vector<Nip> ContactReadings::nips() const {
+  const ContactSurfaces& surfaces = state_.surfaces;
+  const contact::Scene& scene = surfaces.scene();
   const auto is_given = [&](std::int32_t surface) {
-    return surface >= sheets && bodies_.inverse_mass_pressed(static_cast<std::size_t>(surface - sheets)) <= 0;
+    const int body = surfaces.body_of(surface);
+    return body >= 0 && surfaces.bodies().inverse_mass_pressed(static_cast<std::size_t>(body)) <= 0;
   };
   std::vector<std::int32_t> given;
   double skin = 0;
-  for (const auto& it : scene_.interactions()) {
+  for (const auto& it : scene.interactions()) {
     skin = std::max(skin, it.law.gap());
     if (!it.rigid && is_given(it.second)) given.push_back(it.second);
   }
   std::sort(given.begin(), given.end());
-  if (!overlaps_.empty() || std::unique(given.begin(), given.end()) - given.begin() < 2) return {};
+  if (!state_.overlaps.empty() || std::unique(given.begin(), given.end()) - given.begin() < 2) return {};
 
-  std::vector<Vec3> x(x_.size());
-  positions(configuration_.x(), 0, x);
+  std::vector<Vec3> x(state_.x.size());
+  state_.positions(state_.configuration.x(), 0, x);
   std::vector<Over> links;
   Reaches direct;
-  for (const contact::Candidate& c : contact::find_pairs(scene_, x, skin)) {
-    const auto& it = scene_.interactions()[static_cast<std::size_t>(c.interaction)];
+  for (const contact::Candidate& c : contact::find_pairs(scene, x, skin)) {
+    const auto& it = scene.interactions()[static_cast<std::size_t>(c.interaction)];
     const bool facet = c.pair.kind == contact::PairKind::facet,
                plane = c.pair.kind == contact::PairKind::plane,
                ball = c.pair.kind == contact::PairKind::centre;
     if (it.rigid || c.spot.any() || !(facet || plane || ball)) continue;
-    if (static_cast<std::size_t>(c.point[0]) >= nodes_) continue;
+    if (static_cast<std::size_t>(c.point[0]) >= surfaces.nodes()) continue;
     const contact::Corners corners = contact::corners_of(c, x);
     const contact::Touch touch = facet   ? contact::point_triangle(corners).touch
                                  : plane ? contact::point_plane(corners)
@@ -151,25 +153,25 @@ std::vector<Contacts::Nip> Contacts::nips() const {
         touch.distance - c.pair.offset, it.law.gap(), it.law.floor(), touch.normal, {c.interaction}};
     if (is_given(it.second))
       put(direct, {c.point[0], it.second}, part);
-    else if (it.first != it.second && it.second < sheets)
+    else if (it.first != it.second && surfaces.body_of(it.second) < 0)
       for (int k = 1; k < 4; ++k) links.push_back({c.point[k], c.point[0], part});
   }
 
-  const auto worst = tightest(lengthened(direct, links, sheets), direct);
+  const auto worst = tightest(lengthened(direct, links, surfaces.sheets()), direct);
   std::vector<Nip> found;
   for (const auto& [bodies, w] : worst) {
-    Nip nip{name_of(bodies.first),
-            name_of(bodies.second),
+    Nip nip{surfaces.name_of(bodies.first),
+            surfaces.name_of(bodies.second),
             w.way.through.size() - 1,
             w.way.length,
             w.way.need,
             w.way.floor,
-            pressure_on(w.way, scene_.interactions()),
+            pressure_on(w.way, scene.interactions()),
             0,
             w.node};
     nip.carried = std::numeric_limits<double>::infinity();
     for (const std::int32_t i : w.way.through) {
-      const auto& law = scene_.interactions()[static_cast<std::size_t>(i)].law;
+      const auto& law = scene.interactions()[static_cast<std::size_t>(i)].law;
       nip.carried = std::min(nip.carried, law(law.guard_gap()).pressure);
     }
     found.push_back(std::move(nip));

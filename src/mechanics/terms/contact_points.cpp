@@ -1,13 +1,11 @@
 // Contact points inside the elements: how many, and what an explicit step carries there.
-#include "mechanics/terms/contact_points.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include "base/number.hpp"
-#include "mechanics/terms/contact.hpp"
+#include "mechanics/terms/contact_surfaces.hpp"
 
 namespace fabricsh::mechanics {
 
@@ -107,7 +105,7 @@ std::string dependence_words(const contact::Scene& scene, const contact::Interac
          number(softest_constraint(it.law), 2) + " Pa/m)";
 }
 
-std::vector<std::string> Contacts::dependent() const {
+std::vector<std::string> ContactSurfaces::dependent() const {
   constexpr double told = 1.5;
   std::vector<std::string> out;
   for (std::size_t i = 0; i < meetings_.size(); ++i)
@@ -122,7 +120,7 @@ std::vector<std::string> Contacts::dependent() const {
 // a given stiffness, with which cloth is pressed through a good part of the range. A stiffer one is a
 // constraint, and one that is assumed is chosen for the step; with these, only bodies that are small against
 // the elements have points, and larger ones keep nodes, edges and facets.
-void Contacts::spread_points() {
+void ContactSurfaces::spread_points() {
   for (std::size_t i = 0; i < meetings_.size(); ++i) {
     const auto& it = scene_.interactions()[i];
     const auto& body = scene_.surfaces()[static_cast<std::size_t>(it.second)];

@@ -89,7 +89,7 @@ void Gas::add_volume(const model::Model& model, const model::GasGiven& gas, std:
   volumes_.push_back(std::move(volume));
 }
 
-void Gas::press_on(Contacts& bodies, const Trial& start) {
+void Gas::press_on(GasOnBodies& bodies, const Trial& start) {
   if (!on_bodies()) return;
   bodies_ = &bodies;
   const auto nodes = static_cast<Index>(nodes_);
@@ -112,7 +112,7 @@ void Gas::press_on(Contacts& bodies, const Trial& start) {
   for (Rim& rim : rims_) move(rim.seat);
   place(start, x_);
   push(trial_);
-  bodies.begin_gas(push_);
+  bodies.begin(push_);
 }
 
 // N, on all points.
@@ -262,7 +262,7 @@ namespace {
 // Passes on what couples nodes of the cloth, and keeps what has to do with bodies.
 class BodySink final : public TangentSink {
  public:
-  BodySink(TangentSink& cloth, std::size_t nodes, std::vector<Contacts::GasTangent::Part>& parts)
+  BodySink(TangentSink& cloth, std::size_t nodes, std::vector<GasOnBodies::GasTangent::Part>& parts)
       : cloth_(cloth), nodes_(static_cast<Index>(nodes)), parts_(parts) {}
   void on_positions(Index a, Index b, const Mat3& k) override {
     if (a < nodes_ && b < nodes_)
@@ -277,7 +277,7 @@ class BodySink final : public TangentSink {
  private:
   TangentSink& cloth_;
   const Index nodes_;
-  std::vector<Contacts::GasTangent::Part>& parts_;
+  std::vector<GasOnBodies::GasTangent::Part>& parts_;
 };
 
 }  // namespace
@@ -285,7 +285,7 @@ class BodySink final : public TangentSink {
 void Gas::add_tangent(const Trial& trial, TangentSink& sink) const {
   place(trial, x_);
   const auto step = after(volumes(x_), trial.time);
-  Contacts::GasTangent of_bodies;
+  GasOnBodies::GasTangent of_bodies;
   BodySink split(sink, nodes_, of_bodies.parts);
   for (std::size_t i = 0; i < volumes_.size(); ++i) {
     add_pressure_tangent(volumes_[i].faces, gauge(i, step), x_, split);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "mechanics/facets.hpp"
-#include "mechanics/terms/contact.hpp"
+#include "mechanics/terms/contact_gas.hpp"
 #include "mechanics/terms/faces.hpp"
 #include "mechanics/terms/gas_flow.hpp"
 #include "model/model.hpp"
@@ -28,7 +28,7 @@ class Gas final : public Term, public FewRankTerm {
   void keep(Archive& archive) override;
 
   // Rigid bodies that close volumes are those of this term, which comes after this one.
-  void press_on(Contacts& bodies, const Trial& start);
+  void press_on(GasOnBodies& bodies, const Trial& start);
   // Of the rims that lie at bodies, the node that is farthest from its place there.
   struct RimGap {
     double apart = 0;  // m, more than at the start
@@ -77,7 +77,7 @@ class Gas final : public Term, public FewRankTerm {
   std::vector<Volume> volumes_;
   std::size_t nodes_ = 0;
   std::vector<Rim> rims_;
-  Contacts* bodies_ = nullptr;
+  GasOnBodies* bodies_ = nullptr;
   mutable std::vector<double> x_, push_;  // m, N, of all points
   GasFlow flow_;
   std::vector<GasState> states_;  // committed

@@ -461,8 +461,8 @@ double Seams::widest(std::size_t s) const {
   return most;
 }
 
-void Seams::lead_around(std::size_t stitch, const AtStepEnd& pressing, double speed) {
-  pressing_ = &pressing;
+void Seams::lead_around(std::size_t stitch, std::span<const Vec3> pressing, double speed) {
+  pressing_ = pressing;
   for (std::size_t i = 0; i < threads_.size(); ++i) {
     const model::Stitch& at_stitch = dofs_.stitches()[i];
     if (at_stitch.seam != dofs_.stitches()[stitch].seam || seam(i).stiffness) continue;
@@ -502,15 +502,14 @@ void Seams::deflect(std::size_t i, std::span<const double> x) {
 }
 
 void Seams::average_pressing() {
-  if (pressing_ == nullptr) return;
-  const auto push = pressing_->push();
-  if (push.empty()) return;
+  if (pressing_.empty()) return;
   const double part = std::min(1.0, (configuration_.time() - time_before_) / kAverage);
   for (std::size_t i = 0; i < threads_.size(); ++i) {
     if (!threads_[i].is_led() || state(i) != State::drawn) continue;
     auto& ends = threads_[i].ends;
-    ends[0].pressed += part * (push[static_cast<std::size_t>(dofs_.stitches()[i].node)] - ends[0].pressed);
-    ends[1].pressed += part * (on_place(i, push) - ends[1].pressed);
+    ends[0].pressed +=
+        part * (pressing_[static_cast<std::size_t>(dofs_.stitches()[i].node)] - ends[0].pressed);
+    ends[1].pressed += part * (on_place(i, pressing_) - ends[1].pressed);
   }
 }
 

@@ -92,9 +92,10 @@ class Seams final : public Term {
   // m/s, at which the gap of a stitch closes where its thread draws fastest; 0: it is not drawn.
   double closing_speed(std::size_t stitch) const;
   // From now on the threads of the seam of this stitch shorten by no more than `speed`, m/s, and pull with no
-  // more than a hand does and along what presses on the edges, a term like contact, so that it leads them
-  // around what lies between them. The seam closes when they meet, at the end of its time or later.
-  void lead_around(std::size_t stitch, const AtStepEnd& pressing, double speed);
+  // more than a hand does and along what presses on the nodes (N, which stays in its place), so that it
+  // leads them around what lies between them. The seam closes when they meet, at the end of its time or
+  // later.
+  void lead_around(std::size_t stitch, std::span<const Vec3> pressing, double speed);
   bool draws() const;  // threads draw edges together
   // Of the stitches that are drawn, of all seams or of one: that whose gap is most above what is wanted by
   // now.
@@ -143,7 +144,7 @@ class Seams final : public Term {
     bool told = false;
     void keep(Archive& archive) { archive(since, gap, told); }
   };
-  const AtStepEnd* pressing_ = nullptr;          // on the edges of seams that are led
+  std::span<const Vec3> pressing_;               // N, on the edges of seams that are led
   std::vector<Late> late_;                       // per seam
   std::vector<CohesiveSpring> springs_, ready_;  // per stitch; ready: of stitches that are about to open
   std::vector<std::size_t> ready_at_;

@@ -1,0 +1,156 @@
+// What contact does in the steps of each scheme: in statics, in implicit and in explicit motion.
+#pragma once
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mechanics/facets.hpp"
+#include "mechanics/terms/contact_joints.hpp"
+#include "mechanics/terms/contact_passing.hpp"
+
+namespace fabricsh::mechanics {
+
+// Statics, and what other schemes change of it.
+class ContactScheme {
+ public:
+  explicit ContactScheme(ContactState& state) : state_(state) {}
+  virtual ~ContactScheme() = default;
+  // The way of friction in the trial step; dt: its length, s.
+  virtual contact::Way way(double /*dt*/) { return state_.turn_bodies(); }
+  virtual void evaluated() {}                                    // after the forces of the trial state
+  virtual double impact() const { return state_.trial.impact; }  // J, that the trial step takes
+
+ protected:
+  ContactState& state_;
+};
+
+// Implicit steps take the forces of contact at their end, while the cloth keeps its own rule: then contact
+// cannot make energy, and what it takes is the energy "impact". The tangent has their weight, too.
+class ImplicitContact final : public ContactScheme, public AtStepEnd {
+ public:
+  ImplicitContact(ContactState& state, const SettlingOverlaps& settling,
+                  const std::vector<double>& inverse_mass)
+      : ContactScheme(state), settling_(settling), inverse_mass_(inverse_mass) {}
+  bool used() const { return used_; }
+  contact::Way way(double dt) override;
+  void evaluated() override;
+  double impact() const override { return taken_; }
+
+  void set_weight(double weight) override;
+  bool acts() const override { return state_.acts(); }
+  std::span<const Vec3> push() const override { return state_.nodal_forces(); }
+  double work_on_cloth() const override;
+
+ private:
+  const SettlingOverlaps& settling_;
+  const std::vector<double>& inverse_mass_;
+  bool used_ = false;
+  double taken_ = 0;  // J, in the trial step
+};
+
+// Explicit steps through the barrier of contact with bodies whose motion is given (contact_eased.cpp).
+class BarrierInertia {
+ public:
+  BarrierInertia(ContactState& state, const Cloth& cloth, const Dofs& dofs)
+      : state_(state), cloth_(cloth), dofs_(dofs) {}
+  void allow();  // where the inertia may act
+  // Whether the barriers are met by inertia in the next steps. planned: s, see contact::Contact::ease().
+  void ease(bool on, double planned) { state_.pairs.ease(on, planned); }
+  // To be called with the residual of each evaluation of forces: takes from it what the inertia that meets
+  // the barriers holds back, N by unknowns.
+  void hold_back(std::span<double> residual);
+  double energy() const { return energy_ + (state_.evaluated ? work() : 0); }  // J, to be given back
+  void commit();
+  void rollback() { held_.clear(); }
+  void keep(Archive& archive) { archive(before_, energy_); }
+
+ private:
+  // What is held back of the forces on a node.
+  struct HeldBack {
+    Index node = 0;
+    Vec3 force = Vec3::Zero();  // N
+    void keep(Archive& archive) { archive(node, force[0], force[1], force[2]); }
+  };
+  double work() const;
+
+  ContactState& state_;
+  const Cloth& cloth_;
+  const Dofs& dofs_;
+  std::vector<HeldBack> held_, before_;  // in the trial and in the committed state
+  double energy_ = 0;                    // J, up to the committed state
+};
+
+class ExplicitContact final : public ContactScheme {
+ public:
+  ExplicitContact(ContactState& state, const ContactJoints& joints, BarrierInertia& barriers,
+                  const Cloth& cloth, const Dofs& dofs)
+      : ContactScheme(state), joints_(joints), barriers_(barriers), cloth_(cloth), dofs_(dofs) {}
+  void use();  // Error: a film that an explicit step does not carry
+  bool used() const { return used_; }
+  contact::Way way(double dt) override;
+  void evaluated() override;
+
+  // --- of the step just tried
+  bool blocked() const { return state_.blocked; }  // the state of the last forces is impossible
+  // Whether the last state is impossible, or its motion may have passed through a surface. If the largest
+  // motion does not exclude that, each near pair is checked.
+  bool may_have_passed();
+  bool turns_too_far() const;  // a body
+  bool guarded() const { return state_.trial.guard > 0; }
+  // Whether a barrier acts that needs shorter steps: others are met by inertia.
+  bool needs_short_steps() const { return std::isfinite(state_.trial.hard_gap); }
+  // Whether something has come into one of these as in an impact, whose energy inertia would err with.
+  bool struck() const { return state_.trial.struck; }
+  BarrierInertia& barriers() { return barriers_; }
+  std::span<const Vec3> nodal_forces() const { return state_.nodal_forces(); }
+
+  // --- the steps that contact allows, s (contact_steps.cpp)
+  double share_of_cloth() const;  // the largest step with contact, as a share of the cloth's stable step
+  // 0.6 of the cloth's own stable step, limited by the stiffest contact.
+  double largest_step(bool scaled) const;
+  // For the stiffness at the smallest gap, including that of the barrier.
+  double largest_contact_step() const;
+
+  // --- the speeds that it stops
+  // m/s: the least speed, over all contacts, that uses up the range of contact above the barrier when cloth
+  // of the least areal mass meets it. What comes faster is pressed into the barrier. `flat`: where all of it
+  // is pressed at once; `anywhere`: where an element meets no more than one corner or edge of a body.
+  struct Stopped {
+    double flat, anywhere;
+    bool given;  // the stiffness of that contact, which is then not that of smaller elements
+  };
+  Stopped speed_stopped() const;
+  // Of each seam that is to be drawn together: the farthest of its stitches whose straight way passes through
+  // a body of facets that the cloth touches.
+  struct DrawnThrough {
+    std::size_t stitch;
+    std::string body;
+    double stopped;  // m/s: as `anywhere` of what the cloth meets there
+  };
+  std::vector<DrawnThrough> drawn_through() const;
+  // What presses a pair of cloth and a body, and what its law carries before the barrier begins.
+  struct Pressed {
+    double pressure, carried;  // Pa
+    // Pa/m, that would carry this pressure with a margin; s, the largest step with it.
+    double stiffness, step;
+  };
+  // Of the corners of a pair and its gap above the floor, m; empty: no more than is carried.
+  std::optional<Pressed> pressed(const std::array<std::int32_t, 4>& points, double gap) const;
+
+ private:
+  void refuse_films() const;
+  double weakest_share(const contact::Interaction& it) const;
+  Stopped stopped_by(std::size_t meeting) const;
+  double carried_by_bodies(double share, bool guarded) const;
+
+  const ContactJoints& joints_;
+  BarrierInertia& barriers_;
+  const Cloth& cloth_;
+  const Dofs& dofs_;
+  bool used_ = false;
+  double moved_ = 0;  // m, largest motion in the step
+  std::vector<Vec3> by_;
+};
+
+}  // namespace fabricsh::mechanics
