@@ -5,14 +5,14 @@
 
 namespace fabricsh::run {
 
-BodyState body_state(const Run& run, const model::Rigid& body) {
+BodyState body_state(const Readings& run, const model::Rigid& body) {
   const std::size_t i = run.body_number(body);
   const auto& bodies = run.contact().bodies();
   const auto state = bodies.state(i);
   return {state.place, state.velocity, state.spin, -bodies.force(i), bodies.held(i)};
 }
 
-mechanics::OnSkin on_skin(const Run& run, const model::Rigid& body) {
+mechanics::OnSkin on_skin(const Readings& run, const model::Rigid& body) {
   const std::size_t i = run.body_number(body);
   if (body.facets() == nullptr)
     throw Error("the " + run.model().interactions().name_of(body) +
@@ -20,14 +20,14 @@ mechanics::OnSkin on_skin(const Run& run, const model::Rigid& body) {
   return run.contact().readings().on_skin(i);
 }
 
-Touching nearest_pair(const Run& run) {
+Touching nearest_pair(const Readings& run) {
   const auto& contact = run.contact();
   const auto nearest = contact.readings().nearest();
   return {nearest.gap, nearest.point[0] < 0 ? std::string() : contact.surfaces().words(nearest.point)};
 }
 
 // Planes are drawn a little wider than the cloth.
-std::vector<BodyShown> shown_bodies(const Run& run) {
+std::vector<BodyShown> shown_bodies(const Readings& run) {
   std::vector<BodyShown> all;
   const mechanics::Contacts* contact = run.assembly().terms().find<mechanics::Contacts>();
   if (contact == nullptr) return all;

@@ -5,7 +5,7 @@
 
 #include "contact/intersect.hpp"
 #include "mechanics/terms/contact.hpp"
-#include "run/run.hpp"
+#include "run/readings.hpp"
 
 namespace fabricsh::run {
 
@@ -21,16 +21,16 @@ struct BodyState {
   Vec3 support;                // N, of m:fix on the body
 };
 // Error: the model has no contact, or the body is not part of it.
-BodyState body_state(const Run& run, const model::Rigid& body);
+BodyState body_state(const Readings& run, const model::Rigid& body);
 // What the cloth does to the facets of a body. Error: as above; its shape is no surface of facets.
-mechanics::OnSkin on_skin(const Run& run, const model::Rigid& body);
+mechanics::OnSkin on_skin(const Readings& run, const model::Rigid& body);
 struct Touching {
   double gap;         // m, above the floor, for the pair closest to its floor; at most the range of contact
   std::string words;  // "node 3 and the sphere"; empty: no pair within range
 };
-Touching nearest_pair(const Run& run);  // Error: the model has no contact
+Touching nearest_pair(const Readings& run);  // Error: the model has no contact
 
 // All bodies, in the order in which the contacts name them; empty without contact.
-std::vector<BodyShown> shown_bodies(const Run& run);
+std::vector<BodyShown> shown_bodies(const Readings& run);
 
 }  // namespace fabricsh::run

@@ -5,7 +5,7 @@
 
 namespace fabricsh::run {
 
-GasReading gas_state(const Run& run, const model::GasGiven& gas) {
+GasReading gas_state(const Readings& run, const model::GasGiven& gas) {
   const auto* const term = run.assembly().terms().find<mechanics::Gas>();
   if (term == nullptr)
     throw Error("gas: the model of this run has no gas volume: expected one declared with m:gas");

@@ -1,7 +1,7 @@
 // The gas of volumes in the present state of a run.
 #pragma once
 #include "model/gas.hpp"
-#include "run/run.hpp"
+#include "run/readings.hpp"
 
 namespace fabricsh::run {
 
@@ -12,6 +12,6 @@ struct GasReading {
   double temperature;  // K
 };
 // Error: the volume is not one of the run's model.
-GasReading gas_state(const Run& run, const model::GasGiven& gas);
+GasReading gas_state(const Readings& run, const model::GasGiven& gas);
 
 }  // namespace fabricsh::run

@@ -9,7 +9,7 @@
 
 #include "base/error.hpp"
 #include "mechanics/terms/cloth.hpp"
-#include "run/run.hpp"
+#include "run/readings.hpp"
 
 namespace fabricsh::run {
 
@@ -67,9 +67,9 @@ struct Recovery::Patches {
   };
   std::vector<std::vector<Patch>> of_node;  // by leading nodes
   std::vector<Index> leader;
-  const Run& run;
+  const Readings& run;
 
-  explicit Patches(const Run& of) : run(of) {
+  explicit Patches(const Readings& of) : run(of) {
     const auto& mesh = run.model().mesh();
     const auto& joints = run.assembly().dofs().joints();
     const auto& X = run.assembly().dofs().reference();
@@ -200,7 +200,7 @@ void add_shares(const std::vector<PatchShare>& shares, double factor, std::span<
 
 }  // namespace
 
-Recovery::Recovery(const Run& run) : patches_(std::make_unique<Patches>(run)) {}
+Recovery::Recovery(const Readings& run) : patches_(std::make_unique<Patches>(run)) {}
 Recovery::~Recovery() = default;
 
 std::vector<double> Recovery::at_nodes(std::span<const double> of_elements, std::size_t width,
@@ -230,7 +230,7 @@ void Recovery::at_corners(Index element, std::span<const double> of_elements, st
   }
 }
 
-std::vector<double> recovered(const Run& run, const FieldPart& part, int region) {
+std::vector<double> recovered(const Readings& run, const FieldPart& part, int region) {
   const ResultField& field = *part.field;
   if (field.place != FieldPlace::element)
     throw Error("field '" + field.name + "': has its values at the nodes: expected it without 'at'");
@@ -262,7 +262,7 @@ void turn_tensor(double angle, double* v) {
   v[2] = c * s * (a - b) + (c * c - s * s) * d;
 }
 
-std::vector<PointMean> means_of(const Run& run, Index e) {
+std::vector<PointMean> means_of(const Readings& run, Index e) {
   const auto& section = run.model().sections()[static_cast<std::size_t>(run.model().region_of(e))];
   const double common = section.common_angle();
   const std::size_t points = section.points.size();
@@ -308,7 +308,7 @@ std::array<double, 4> weights_at(std::size_t point, bool triangle) {
 
 }  // namespace
 
-std::vector<double> stress_errors(const Run& run) {
+std::vector<double> stress_errors(const Readings& run) {
   const auto& elements = run.model().mesh().elements;
   std::vector<std::vector<PointMean>> points(elements.size());
   std::vector<double> means(elements.size() * kTensor, 0.0), volume(elements.size(), 0.0);

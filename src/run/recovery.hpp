@@ -23,7 +23,7 @@ namespace fabricsh::run {
 class Recovery {
  public:
   // Finds the patches, of the present joints.
-  explicit Recovery(const Run& run);
+  explicit Recovery(const Readings& run);
   ~Recovery();
   // The values of the nodes, `width` numbers each, from those of the elements. region: from 0, of which alone
   // the values are, NaN at other nodes; -1: of all.
@@ -39,11 +39,11 @@ class Recovery {
 
 // A field of elements, or one of its values, at all nodes. Errors: a field whose values are of nodes, or jump
 // from element to element; a region that is not there.
-std::vector<double> recovered(const Run& run, const FieldPart& part, int region = -1);
+std::vector<double> recovered(const Readings& run, const FieldPart& part, int region = -1);
 
 // Of each element: the energy norm of recovered less computed stress, in the plane and averaged over the
 // thickness, over that of the stress of an element with the sheet's mean energy. The root of its squares'
 // mean by volume is the relative error of the whole.
-std::vector<double> stress_errors(const Run& run);
+std::vector<double> stress_errors(const Readings& run);
 
 }  // namespace fabricsh::run

@@ -10,8 +10,8 @@
 #include "mechanics/terms/contact.hpp"
 #include "mechanics/terms/hinges.hpp"
 #include "mechanics/terms/tears.hpp"
+#include "run/readings.hpp"
 #include "run/recovery.hpp"
-#include "run/run.hpp"
 
 namespace fabricsh::run {
 
@@ -49,7 +49,7 @@ struct ResultFieldTable {
   template <class Read>
   void vectors(std::string name, std::string unit, std::string sentence, Names components, std::string letter,
                const Read& read) {
-    const auto values = [read](const Run& run, mesh::Index i, const std::string&, double* out) {
+    const auto values = [read](const Readings& run, mesh::Index i, const std::string&, double* out) {
       const Vec3 v = read(run, i);
       std::copy_n(v.data(), 3, out);
     };
@@ -65,17 +65,17 @@ struct ResultFieldTable {
   }
   void nodal(std::string name, std::string unit, std::string sentence, Names components,
              Vec3 NodeValues::*what, std::string letter = "") {
-    const auto read = [what](const Run& run, mesh::Index i) -> Vec3 { return run.node(i).*what; };
+    const auto read = [what](const Readings& run, mesh::Index i) -> Vec3 { return run.node(i).*what; };
     vectors(std::move(name), std::move(unit), std::move(sentence), std::move(components), std::move(letter),
             read);
   }
   void supports(const std::string& name, std::string unit, std::string sentence) {
-    const auto read = [](const Run& run, mesh::Index i) { return run.reaction_at(i); };
+    const auto read = [](const Readings& run, mesh::Index i) { return run.reaction_at(i); };
     vectors(name, std::move(unit), std::move(sentence), {name + "_x", name + "_y", name + "_z"}, "R", read);
   }
   void touched(const std::string& name, std::string unit, std::string sentence,
                double (mechanics::ContactReadings::*what)(mechanics::Index) const) {
-    const auto values = [name, what](const Run& run, mesh::Index i, const std::string&, double* out) {
+    const auto values = [name, what](const Readings& run, mesh::Index i, const std::string&, double* out) {
       if (run.assembly().terms().find<mechanics::Contacts>() == nullptr)
         throw Error("field '" + name + "': nothing touches in this model (see model:contact)");
       *out = (run.contact().readings().*what)(i);
@@ -85,7 +85,7 @@ struct ResultFieldTable {
     row.touching = true;
   }
   void joined() {
-    const auto values = [](const Run& run, mesh::Index i, const std::string&, double* out) {
+    const auto values = [](const Readings& run, mesh::Index i, const std::string&, double* out) {
       *out = run.assembly().dofs().joints().is_open(i) || run.assembly().dofs().has_parted(i) ? 1 : 0;
     };
     number("joint_open", "", FieldPlace::node,
@@ -93,7 +93,7 @@ struct ResultFieldTable {
            values);
   }
   void creased() {
-    const auto values = [](const Run& run, mesh::Index i, const std::string&, double* out) {
+    const auto values = [](const Readings& run, mesh::Index i, const std::string&, double* out) {
       const auto* const hinges = run.assembly().terms().find<mechanics::Hinges>();
       *out = hinges != nullptr ? hinges->angle_at(i) : 0;
     };
@@ -103,7 +103,7 @@ struct ResultFieldTable {
   void average(std::string name, std::string unit, FieldShape shape, std::string sentence, Names components,
                const Members& what, Names labels) {
     members.insert(members.end(), what.begin(), what.end());
-    const auto values = [what](const Run& run, mesh::Index e, const std::string& ply, double* out) {
+    const auto values = [what](const Readings& run, mesh::Index e, const std::string& ply, double* out) {
       const V& v = run.elements(ply)[e];
       for (const auto member : what) *out++ = v.*member;
     };
@@ -114,7 +114,7 @@ struct ResultFieldTable {
   // What dissipated energy consists of, by the names that springs and elements of the law give.
   void dissipated(std::size_t i) {
     const std::string part(law::dissipation_names.name[i]);
-    const auto values = [i](const Run& run, mesh::Index e, const std::string& ply, double* out) {
+    const auto values = [i](const Readings& run, mesh::Index e, const std::string& ply, double* out) {
       *out = run.elements(ply)[e].lost[i];
     };
     number("dissipated_" + part, "J/m^3", FieldPlace::element,
@@ -128,7 +128,7 @@ struct ResultFieldTable {
     rows.back().of_yarns = true;
   }
   void direction(std::string name, std::string sentence, Vec3 std::pair<Vec3, Vec3>::*which) {
-    const auto values = [which](const Run& run, mesh::Index e, const std::string& ply, double* out) {
+    const auto values = [which](const Readings& run, mesh::Index e, const std::string& ply, double* out) {
       const int number = ply.empty() ? mechanics::Cloth::all_plies : run.model().ply_of(e, ply);
       Vec3 v = Vec3::Constant(std::nan(""));
       if (ply.empty() || number >= 0) v = run.assembly().cloth().yarns(e, number).*which;
@@ -140,14 +140,14 @@ struct ResultFieldTable {
   }
   // A scalar of elements, written to files only on request.
   void scalar(const std::string& name, std::string unit, std::string sentence,
-              std::function<double(const Run&, mesh::Index)> value) {
-    const auto values = [value = std::move(value)](const Run& run, mesh::Index e, const std::string&,
+              std::function<double(const Readings&, mesh::Index)> value) {
+    const auto values = [value = std::move(value)](const Readings& run, mesh::Index e, const std::string&,
                                                    double* out) { *out = value(run, e); };
     number(name, std::move(unit), FieldPlace::element, std::move(sentence), values);
   }
   // Found for all elements together; there is no value of a single one.
   void together(const std::string& name, std::string unit, std::string sentence,
-                std::function<std::vector<double>(const Run&)> all) {
+                std::function<std::vector<double>(const Readings&)> all) {
     rows.push_back(
         {name, std::move(unit), FieldShape::scalar, FieldPlace::element, std::move(sentence), {}, {}});
     rows.back().usual = false;
@@ -158,7 +158,7 @@ struct ResultFieldTable {
     scalar(name, "",
            std::string(family == 0 ? "warp" : "weft") +
                " force over strength at the joints of the element, the largest; 1 where it has broken",
-           [family](const Run& run, mesh::Index e) {
+           [family](const Readings& run, mesh::Index e) {
              const mechanics::Tears* tears = run.assembly().terms().find<mechanics::Tears>();
              return tears == nullptr ? 0.0 : tears->share(e, family);
            });
@@ -166,7 +166,7 @@ struct ResultFieldTable {
   // The same computed from strains and stresses, value(values, thickness in m), of a ply or of all.
   void computed(const std::string& name, std::string unit, std::string sentence,
                 double (*value)(const V&, double)) {
-    const auto values = [value](const Run& run, mesh::Index e, const std::string& ply, double* out) {
+    const auto values = [value](const Readings& run, mesh::Index e, const std::string& ply, double* out) {
       const double t = thickness(run.model(), e, ply);
       *out = std::isnan(t) ? t : value(run.elements(ply)[e], t);
     };
@@ -261,9 +261,9 @@ ResultFieldTable make_table() {
   t.scalar("beyond", "",
            "largest strain so far over the tested strain of the card: 1.2 is 20 % beyond; 0 where the card "
            "states none",
-           [](const Run& run, mesh::Index e) { return run.assembly().cloth().strain_ratio(e); });
+           [](const Readings& run, mesh::Index e) { return run.assembly().cloth().strain_ratio(e); });
   t.scalar("region", "", "number of the body or region that the element belongs to, in their order",
-           [](const Run& run, mesh::Index e) { return run.model().region_of(e) + 1.0; });
+           [](const Readings& run, mesh::Index e) { return run.model().region_of(e) + 1.0; });
   t.rows.back().continuous = false;
   t.together(
       "error", "",
@@ -278,7 +278,7 @@ const ResultFieldTable& table() {
   return t;
 }
 
-std::size_t items(const Run& run, FieldPlace place) {
+std::size_t items(const Readings& run, FieldPlace place) {
   const auto& mesh = run.model().mesh();
   return place == FieldPlace::node ? mesh.nodes.size() : mesh.elements.size();
 }
@@ -302,14 +302,14 @@ std::size_t ResultField::size() const {
 
 namespace {
 
-bool turned_plies(const Run& run) {
+bool turned_plies(const Readings& run) {
   const auto& sections = run.model().sections();
   return std::any_of(sections.begin(), sections.end(), [](const auto& s) { return s.turned_plies(); });
 }
 
 }  // namespace
 
-bool has(const Run& run, const ResultField& field) {
+bool has(const Readings& run, const ResultField& field) {
   return (!field.moving || run.moves()) &&
          (!field.touching || run.assembly().terms().find<mechanics::Contacts>() != nullptr) &&
          (!field.of_yarns || !turned_plies(run));
@@ -319,7 +319,7 @@ const std::vector<ResultField>& result_fields() { return table().rows; }
 
 const std::vector<double V::*>& element_members() { return table().members; }
 
-std::vector<const ResultField*> fields_of(const Run& run) {
+std::vector<const ResultField*> fields_of(const Readings& run) {
   std::vector<const ResultField*> all;
   for (const ResultField& field : result_fields()) all.push_back(&field);
   for (const auto& field : run.shown()) all.push_back(field.get());
@@ -327,7 +327,7 @@ std::vector<const ResultField*> fields_of(const Run& run) {
 }
 
 ResultField field_of(const mechanics::TermField& shown) {
-  const auto value = [value = shown.value](const Run&, mesh::Index i, const std::string&, double* out) {
+  const auto value = [value = shown.value](const Readings&, mesh::Index i, const std::string&, double* out) {
     *out = value(i);
   };
   return {shown.name,
@@ -354,7 +354,7 @@ FieldPart look_up(const std::string& name) {
   return {nullptr, -1};
 }
 
-FieldPart look_up(const Run& run, const std::string& name) {
+FieldPart look_up(const Readings& run, const std::string& name) {
   for (const auto& field : run.shown())
     if (field->name == name) return {field.get(), 0};
   return look_up(name);
@@ -367,7 +367,7 @@ std::string list(const Names& words) {
 }
 
 // Error unless the run has the ply of the part, or (without one) values of all plies together.
-void check_ply(const Run& run, const FieldPart& part, const std::string& name) {
+void check_ply(const Readings& run, const FieldPart& part, const std::string& name) {
   const Names plies = run.model().plies();
   if (part.ply.empty()) {
     if (part.field->of_yarns && turned_plies(run))
@@ -384,9 +384,9 @@ void check_ply(const Run& run, const FieldPart& part, const std::string& name) {
 
 }  // namespace
 
-bool is_field(const Run& run, const std::string& name) { return look_up(run, name).field != nullptr; }
+bool is_field(const Readings& run, const std::string& name) { return look_up(run, name).field != nullptr; }
 
-FieldPart find_field(const Run& run, const std::string& name) {
+FieldPart find_field(const Readings& run, const std::string& name) {
   const FieldPart found = look_up(run, name), part = found.field != nullptr ? found : find_field(name);
   check_ply(run, part, name);
   return part;
@@ -427,7 +427,7 @@ Names field_names() {
   return names;
 }
 
-std::vector<double> values_of(const Run& run, const FieldPart& part) {
+std::vector<double> values_of(const Readings& run, const FieldPart& part) {
   if (part.field->all) return part.field->all(run);
   const std::size_t size = part.field->size(), n = items(run, part.field->place);
   std::vector<double> out;

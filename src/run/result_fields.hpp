@@ -11,7 +11,7 @@
 
 namespace fabricsh::run {
 
-class Run;
+class Readings;
 struct ElementValues;
 
 enum class FieldPlace { node, point, element, facet };
@@ -31,7 +31,7 @@ struct ResultField {
   // only the whole field is available.
   std::vector<std::string> components;
   // Computes the values for one node or element, of a ply or (empty) of all; out has room for all of them.
-  std::function<void(const Run&, mesh::Index, const std::string& ply, double* out)> values;
+  std::function<void(const Readings&, mesh::Index, const std::string& ply, double* out)> values;
   std::vector<std::string> labels = {};  // of the components in a file; empty: x y z
   std::string letter = {};               // for a vector's length in a picture: |u|
   bool usual = true;                     // written to files for which no fields were chosen
@@ -41,15 +41,15 @@ struct ResultField {
   bool by_ply = false;                   // each ply has values of its own
   bool of_yarns = false;                 // of plies with different axes there are only those
   // For a field whose values are found only all together; `values` is then empty.
-  std::function<std::vector<double>(const Run&)> all = {};
+  std::function<std::vector<double>(const Readings&)> all = {};
 
   std::size_t size() const;
 };
 
 const std::vector<ResultField>& result_fields();
-bool has(const Run& run, const ResultField& field);
+bool has(const Readings& run, const ResultField& field);
 // Those of result_fields(), whether the run has them or not, and those that its added terms show.
-std::vector<const ResultField*> fields_of(const Run& run);
+std::vector<const ResultField*> fields_of(const Readings& run);
 ResultField field_of(const mechanics::TermField& shown);
 
 // A field, or one of its values; of one ply, or of all together.
@@ -64,12 +64,12 @@ struct FieldPart {
 FieldPart find_field(const std::string& name);
 // Also of its added terms. Further errors: the run has no such ply; a field that plies with different axes
 // have only each for itself.
-FieldPart find_field(const Run& run, const std::string& name);
-bool is_field(const Run& run, const std::string& name);
+FieldPart find_field(const Readings& run, const std::string& name);
+bool is_field(const Readings& run, const std::string& name);
 
 // Errors: the run has no such field, because nothing touches in it; one of several numbers; a set that is
-// unknown or holds no node or whole element: what would prevent Run::mean from reading it at any time.
-void check_mean(const Run& run, const std::string& name, const std::string& set);
+// unknown or holds no node or whole element: what would prevent Readings::mean from reading it at any time.
+void check_mean(const Readings& run, const std::string& name, const std::string& set);
 
 // Names of single values, then those of whole fields.
 std::vector<std::string> scalar_names();
@@ -77,7 +77,7 @@ std::vector<std::string> scalar_names(FieldPlace place);
 std::vector<std::string> field_names();
 
 // A field, or one of its values, for all nodes or elements.
-std::vector<double> values_of(const Run& run, const FieldPart& part);
+std::vector<double> values_of(const Readings& run, const FieldPart& part);
 
 // The members of ElementValues that are fields.
 const std::vector<double ElementValues::*>& element_members();

@@ -1,4 +1,4 @@
-// Driving a run: steps, landings, hooks, events.
+// Driving a run: steps and where they end.
 #include "run/run.hpp"
 
 #include <algorithm>
@@ -45,7 +45,7 @@ std::string zones_text(const model::Model& model) {
 
 Run::Run(std::shared_ptr<model::Model> model, double duration, std::shared_ptr<Notices> notices,
          const char* kind, const Beginning& beginning)
-    : model_(std::move(model)), duration_(duration), notices_(std::move(notices)), beginning_(beginning) {
+    : Readings(std::move(model), duration, std::move(notices)), Schedule(*this), beginning_(beginning) {
   if (!(duration > 0) || !std::isfinite(duration))
     throw Error(std::string(kind) + ": field 'duration': expected a positive time in s, got " +
                 number(duration));
@@ -104,50 +104,6 @@ void Run::add(std::unique_ptr<mechanics::Term> term) {
   assembly_->terms().add(std::move(term));
 }
 
-void Run::check_interval(double interval) const {
-  if (!(duration_ / interval <= most_steps))
-    throw Error("every: expected at least " + number(duration_ / most_steps) + " s (" + number(most_steps) +
-                " calls in the duration of " + number(duration_) + " s), got " + number(interval) + " s");
-}
-
-std::size_t Run::every_step(Hook hook, AfterError after) {
-  timed_.push_back({0, std::move(hook), after});
-  take_up(timed_.back(), timed_.size() - 1);
-  return timed_.size() - 1;
-}
-
-void Run::reschedule(std::size_t hook, double interval) {
-  Timed& timed = timed_.at(hook);
-  if (timed.interval == interval) return;
-  if (interval > 0) check_interval(interval);
-  timed.interval = interval;
-  timed.count = 1;
-  if (interval > 0) timed.count += static_cast<std::int64_t>(std::floor(time() / interval + 1e-9));
-}
-
-std::size_t Run::every(double interval, Hook hook, AfterError after) {
-  if (!(interval > 0) || !std::isfinite(interval))
-    throw Error("every: expected a positive time in s or \"step\", got " + number(interval));
-  check_interval(interval);
-  timed_.push_back({interval, std::move(hook), after});
-  take_up(timed_.back(), timed_.size() - 1);
-  return timed_.size() - 1;
-}
-
-void Run::event(std::function<double(Run&)> value, double tolerance, Hook hook) {
-  if (!(tolerance > 0))
-    throw Error("event: field 'tolerance': expected a positive number, got " + number(tolerance));
-  Event event{std::move(value), tolerance, std::move(hook)};
-  take_up(event, events_.size());
-  events_.push_back(std::move(event));
-}
-
-Window& Run::window(const std::string& name, Window made) {
-  Window& window = windows_.add(name, std::move(made));
-  if (started_ && !window.begun()) window.sample(*this);
-  return window;
-}
-
 void Run::stop(const std::string& reason) {
   stopped_ = true;
   stop_reason_ = reason;
@@ -178,11 +134,7 @@ void Run::start() {
   warned_idle_ = true;
   begin();
   initial_energy_ = energy().kinetic + energy().internal();
-  for (auto& event : events_) {
-    measure(event);
-    event.settle();
-  }
-  for (auto& timed : timed_) timed.pending = true;
+  begin_schedule();
   started_ = true;
   windows_.sample(*this);
 }
@@ -220,19 +172,6 @@ void Run::step() {
   if (!stopped_ && time() < duration_ - same_time * duration_) advance_to(duration_);
 }
 
-double Run::next_landing(double limit) const {
-  const double now = committed_time(), after = now + same_time * duration_;
-  double landing = limit;
-  const auto kink = std::upper_bound(kinks_.begin(), kinks_.end(), after);
-  if (kink != kinks_.end()) landing = std::min(landing, *kink);
-  for (const auto& timed : timed_)
-    if (timed.interval > 0) {
-      const double t = static_cast<double>(timed.count) * timed.interval;
-      if (t > after) landing = std::min(landing, t);
-    }
-  return landing;
-}
-
 double Run::next_landing(double limit, double step) {
   const double now = committed_time(), landing = next_landing(limit);
   const double whole = std::min(landing, now + step);
@@ -244,11 +183,6 @@ double Run::next_landing(double limit, double step) {
                            " s from time " + number(now) + " s on";
   notices_->once("contact follows", text);
   return end;
-}
-
-bool Run::is_kink(double time) const {
-  return std::any_of(kinks_.begin(), kinks_.end(),
-                     [&](double t) { return std::abs(t - time) <= same_time * duration_; });
 }
 
 void Run::fail(NumericalFailure failure, const std::string& why) {
@@ -309,10 +243,7 @@ void Run::advance_to(double limit) {
   tear();
   burst();
   sew();
-  for (auto& event : events_) event.settle();
-  windows_.sample(*this);
-  hooked_ = hooked_ || !events_.empty() || !windows_.empty();
-  mark_due();
+  settle();
   run_pending();
   check();
   refuse_serious();
@@ -458,22 +389,6 @@ void Run::watch_folds() {
   moves() ? note("fold", text, fold->element) : warn("fold", text, fold->element);
 }
 
-void Run::note(const char* code, const std::string& text, mesh::Index element) {
-  constexpr std::string_view prefix = "warning: ";
-  const bool serious = warning_kind(code).serious || (stops_beyond_ && code == std::string_view("beyond"));
-  warnings_->push_back(
-      {code, text.starts_with(prefix) ? text.substr(prefix.size()) : text, time(), element, serious});
-}
-
-void Run::warn(const char* code, const std::string& text, mesh::Index element) {
-  note(code, text, element);
-  notices_->say(text);
-}
-
-bool Run::warned(std::string_view code) const {
-  return std::any_of(warnings_->begin(), warnings_->end(), [&](const Warning& w) { return w.code == code; });
-}
-
 void Run::refuse_serious() {
   if (!strict_) return;
   const auto found = std::find_if(warnings_->begin() + static_cast<std::ptrdiff_t>(thrown_), warnings_->end(),
@@ -483,34 +398,6 @@ void Run::refuse_serious() {
   const std::string text = found->text + " (an error under --strict)", own = std::string(kind()) + ": ";
   fail(NumericalFailure(text, time(), found->element),
        text.starts_with(own) ? text.substr(own.size()) : text);
-}
-
-double Run::elements_beyond() const {
-  if (!beyond()) return 0;
-  const auto all = assembly_->cloth().elements();
-  mesh::Index count = 0;
-  for (mesh::Index e = 0; e < all; ++e) count += assembly_->cloth().strain_ratio(e) > 1 ? 1 : 0;
-  return static_cast<double>(count) / static_cast<double>(all);
-}
-
-// --- events
-
-void Run::Event::settle() {
-  largest = std::max(largest, std::abs(now));
-  last = now;
-  if (side != 0 && (near() || crossed())) {
-    pending = true;
-    side = 0;
-  }
-  if (!near()) side = now > 0 ? 1 : -1;
-}
-
-bool Run::Event::crossed() const { return side != 0 && !near() && (now > 0) != (side > 0); }
-
-void Run::measure(Event& event) {
-  event.now = event.value(*this);
-  if (!std::isfinite(event.now))
-    throw Error("event: field 'value': expected a finite number, got " + number(event.now));
 }
 
 // Shortens the step until no event has crossed zero beyond its tolerance. If a value jumps across zero, the
@@ -605,35 +492,6 @@ double Run::search(Event& event, double size, StepReport& report) {
   }
   if (!event.near() && at != to) try_size(to);
   return at;
-}
-
-// --- hooks
-
-void Run::mark_due() {
-  for (auto& timed : timed_) {
-    const double due = static_cast<double>(timed.count) * timed.interval;
-    if (timed.interval > 0 && time() < due - same_time * duration_) continue;
-    ++timed.count;
-    timed.pending = true;
-  }
-}
-
-void Run::run_pending() {
-  for (std::size_t i = 0; i < timed_.size(); ++i) {
-    if (!timed_[i].pending) continue;
-    const bool repeat = timed_[i].after == AfterError::repeat;
-    timed_[i].pending = repeat;
-    hooked_ = true;
-    const Hook hook = timed_[i].hook;  // a copy, because a hook may add hooks
-    hook(*this);
-    timed_[i].pending = false;
-  }
-  for (std::size_t i = 0; i < events_.size(); ++i) {
-    if (!events_[i].pending) continue;
-    events_[i].pending = false;
-    const Hook hook = events_[i].hook;
-    if (hook) hook(*this);
-  }
 }
 
 }  // namespace fabricsh::run

@@ -1,17 +1,33 @@
-// The content of snapshots and checkpoints of a run, and returning to them.
+// What is said of the state of a run; the content of its snapshots and checkpoints, and returning to them.
+#include "run/run_state.hpp"
+
 #include <algorithm>
-#include <cmath>
 
 #include "base/error.hpp"
 #include "run/run.hpp"
 
 namespace fabricsh::run {
 
-namespace {
+RunState::RunState(std::shared_ptr<model::Model> model, double duration, std::shared_ptr<Notices> notices)
+    : model_(std::move(model)), duration_(duration), notices_(std::move(notices)) {}
 
-constexpr int kDue = 10;  // added to the side of an event, which is -1, 0 or 1, whose hook is still to run
+RunState::~RunState() = default;
 
-}  // namespace
+void RunState::note(const char* code, const std::string& text, mesh::Index element) {
+  constexpr std::string_view prefix = "warning: ";
+  const bool serious = warning_kind(code).serious || (stops_beyond_ && code == std::string_view("beyond"));
+  warnings_->push_back(
+      {code, text.starts_with(prefix) ? text.substr(prefix.size()) : text, time(), element, serious});
+}
+
+void RunState::warn(const char* code, const std::string& text, mesh::Index element) {
+  note(code, text, element);
+  notices_->say(text);
+}
+
+bool RunState::warned(std::string_view code) const {
+  return std::any_of(warnings_->begin(), warnings_->end(), [&](const Warning& w) { return w.code == code; });
+}
 
 struct Run::Snapshot {
   const Run* owner;
@@ -37,10 +53,7 @@ void Run::keep(Archive& archive) {
   archive.section("progress",
                   [&] { archive(started_, stopped_, stop_reason_, beyond_, *warnings_, thrown_); });
   archive.section(kind(), [&] { memory(archive); });
-  archive.section("hooks", [&] {
-    keep_hooks(archive);
-    windows_.keep(archive);
-  });
+  archive.section("hooks", [&] { keep_schedule(archive, !busy_); });
 }
 
 void Run::keep_motion(Archive& archive) {
@@ -63,48 +76,6 @@ std::string Run::save_state() {
 void Run::go_back(const std::string& save_state) {
   Archive archive(save_state);
   keep_motion(archive);
-}
-
-void Run::keep_hooks(Archive& archive) {
-  if (!archive.reading()) {
-    kept_timed_.clear();
-    kept_events_.clear();
-    // Hooks that an error has kept from running, in a call that has ended, are still to run.
-    for (const auto& timed : timed_)
-      kept_timed_.push_back({timed.count, timed.repeats() || (timed.pending && !busy_)});
-    for (const auto& event : events_)
-      kept_events_.push_back({event.last, event.largest, event.side + (event.pending && !busy_ ? kDue : 0)});
-  }
-  archive(kept_timed_, kept_events_);
-  if (!archive.reading()) return;
-  for (std::size_t i = 0; i < timed_.size(); ++i) take_up(timed_[i], i);
-  for (std::size_t i = 0; i < events_.size(); ++i) take_up(events_[i], i);
-}
-
-// A hook added after the state was stored counts from now.
-void Run::take_up(Timed& timed, std::size_t i) {
-  timed.pending = false;
-  timed.count = 1;
-  if (i < kept_timed_.size()) {
-    timed.count = kept_timed_[i].count;
-    timed.pending = kept_timed_[i].repeats;
-  } else if (timed.interval > 0) {
-    timed.count += static_cast<std::int64_t>(std::floor(time() / timed.interval + 1e-9));
-  }
-}
-
-void Run::take_up(Event& event, std::size_t i) {
-  event.pending = false;
-  if (i < kept_events_.size()) {
-    event.last = kept_events_[i].last;
-    event.largest = kept_events_[i].largest;
-    event.pending = kept_events_[i].side > kDue - 2;
-    event.side = kept_events_[i].side - (event.pending ? kDue : 0);
-  } else if (started_) {
-    event.side = 0;
-    measure(event);
-    event.settle();
-  }
 }
 
 std::shared_ptr<const Run::Snapshot> Run::snapshot() {

@@ -3,13 +3,13 @@
 #include <algorithm>
 
 #include "base/error.hpp"
-#include "run/run.hpp"
+#include "run/readings.hpp"
 
 namespace fabricsh::run {
 
 namespace {
 
-std::vector<Vec3> points_of(const Run& run, bool reference) {
+std::vector<Vec3> points_of(const Readings& run, bool reference) {
   std::vector<Vec3> points;
   for (std::size_t i = 0; i < run.model().mesh().nodes.size(); ++i) {
     const NodeValues node = run.node(static_cast<mesh::Index>(i));
@@ -37,7 +37,7 @@ bool has_array(const std::vector<format::Array>& arrays, const std::string& name
 
 // The array of a field, of one ply or (empty) of all, with the wanted numbers alone; without components if
 // none is wanted.
-format::Array chosen(const Run& run, const std::vector<std::string>& fields, const ResultField& field,
+format::Array chosen(const Readings& run, const std::vector<std::string>& fields, const ResultField& field,
                      const std::string& ply) {
   std::vector<int> numbers;
   const FieldPart all_of_it{&field, -1, ply};
@@ -61,7 +61,7 @@ format::Array chosen(const Run& run, const std::vector<std::string>& fields, con
 }
 
 // The plies that the names ask for, each once; first "", all together.
-std::vector<std::string> plies_of(const Run& run, const std::vector<std::string>& fields) {
+std::vector<std::string> plies_of(const Readings& run, const std::vector<std::string>& fields) {
   std::vector<std::string> plies = {""};
   for (const std::string& name : fields)
     if (const std::string ply = find_field(run, name).ply;
@@ -72,7 +72,7 @@ std::vector<std::string> plies_of(const Run& run, const std::vector<std::string>
 
 }  // namespace
 
-format::Array array_of(const Run& run, const FieldPart& part) {
+format::Array array_of(const Readings& run, const FieldPart& part) {
   const ResultField& field = *part.field;
   format::Array array{part.array(),
                       static_cast<int>(field.size()),
@@ -83,7 +83,7 @@ format::Array array_of(const Run& run, const FieldPart& part) {
   return field.shape == FieldShape::tensor ? six(std::move(array)) : array;
 }
 
-void check_fields(const Run& run, const VtkContents& contents, const std::string& call) {
+void check_fields(const Readings& run, const VtkContents& contents, const std::string& call) {
   for (const auto& field : contents.fields) {
     try {
       find_field(run, field);
@@ -93,7 +93,7 @@ void check_fields(const Run& run, const VtkContents& contents, const std::string
   }
 }
 
-VtkFrame::VtkFrame(const Run& run, const VtkContents& contents)
+VtkFrame::VtkFrame(const Readings& run, const VtkContents& contents)
     : points_(points_of(run, contents.reference)), grid_{points_, run.model().mesh().elements} {
   grid_.time = run.time();
   for (const std::string& ply : plies_of(run, contents.fields))
@@ -102,7 +102,7 @@ VtkFrame::VtkFrame(const Run& run, const VtkContents& contents)
   add_sets(run);
 }
 
-void VtkFrame::add_field(const Run& run, const VtkContents& contents, const ResultField& field,
+void VtkFrame::add_field(const Readings& run, const VtkContents& contents, const ResultField& field,
                          const std::string& ply) {
   if (ply.empty() && !has(run, field)) return;
   format::Array array = chosen(run, contents.fields, field, ply);
@@ -113,7 +113,7 @@ void VtkFrame::add_field(const Run& run, const VtkContents& contents, const Resu
 }
 
 // The values that recovery finds at the nodes. Directions stay of length 1.
-void VtkFrame::add_average(const Run& run, format::Array array, bool directions) {
+void VtkFrame::add_average(const Readings& run, format::Array array, bool directions) {
   const auto size = static_cast<std::size_t>(array.components);
   if (recovery_ == nullptr) recovery_ = std::make_unique<Recovery>(run);
   array.values = recovery_->at_nodes(array.values, size);
@@ -125,7 +125,7 @@ void VtkFrame::add_average(const Run& run, format::Array array, bool directions)
 }
 
 // A set with the name of another array is written as "set NAME".
-void VtkFrame::add_sets(const Run& run) {
+void VtkFrame::add_sets(const Readings& run) {
   for (const std::string& name : run.model().mesh().set_names()) {
     const mesh::NodeSet& ids = run.model().mesh().set(name);
     if (ids.size() == points_.size()) continue;

@@ -22,25 +22,25 @@ struct VtkContents {
 // 23 13. Fields of single plies follow in arrays of their own, "ply2.E".
 class VtkFrame {
  public:
-  VtkFrame(const Run& run, const VtkContents& contents);
+  VtkFrame(const Readings& run, const VtkContents& contents);
   VtkFrame(const VtkFrame&) = delete;
   VtkFrame& operator=(const VtkFrame&) = delete;
   const format::VtuGrid& grid() const { return grid_; }
 
  private:
-  void add_field(const Run& run, const VtkContents& contents, const ResultField& field,
+  void add_field(const Readings& run, const VtkContents& contents, const ResultField& field,
                  const std::string& ply);
-  void add_average(const Run& run, format::Array array, bool directions);
-  void add_sets(const Run& run);
+  void add_average(const Readings& run, format::Array array, bool directions);
+  void add_sets(const Readings& run);
   std::vector<Vec3> points_;
   format::VtuGrid grid_;
   std::unique_ptr<Recovery> recovery_;  // once it is needed
 };
 
 // Error, of the call's name: a name that is no field's.
-void check_fields(const Run& run, const VtkContents& contents, const std::string& call);
+void check_fields(const Readings& run, const VtkContents& contents, const std::string& call);
 
 // The whole field of a run, of the part's ply, as an array of a file.
-format::Array array_of(const Run& run, const FieldPart& part);
+format::Array array_of(const Readings& run, const FieldPart& part);
 
 }  // namespace fabricsh::run

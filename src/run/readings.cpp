@@ -1,4 +1,6 @@
-// Reading a run: nodes, elements, reactions, energies, snapshots.
+// Reading a run: nodes, elements, reactions, energies.
+#include "run/readings.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -8,7 +10,6 @@
 #include "geometry/node_view.hpp"
 #include "mechanics/terms/contact.hpp"
 #include "run/result_fields.hpp"
-#include "run/run.hpp"
 
 namespace fabricsh::run {
 
@@ -72,32 +73,32 @@ ElementValues no_values() {
 
 }  // namespace
 
-Vec3 Run::reaction(const std::string& set) const {
+Vec3 Readings::reaction(const std::string& set) const {
   Vec3 sum = Vec3::Zero();
   const auto& nodes = model_->mesh().set(set);
   for (const auto n : nodes) sum += reaction_at(n);
   return sum;
 }
 
-Vec3 Run::reaction_at(mesh::Index node) const {
+Vec3 Readings::reaction_at(mesh::Index node) const {
   if (dead_.empty()) return Vec3::Zero();  // before the first step no forces have been computed
   return assembly_->dofs().support_force(node, assembly_->internal().on_x, dead_) + inertia(node);
 }
 
-const mechanics::Contacts& Run::contact() const {
+const mechanics::Contacts& Readings::contact() const {
   const auto* const contact = assembly_->terms().find<mechanics::Contacts>();
   if (contact == nullptr)
     throw Error("nothing touches in this model: expected m:contact{...} before the run");
   return *contact;
 }
 
-std::size_t Run::body_number(const model::Rigid& body) const {
+std::size_t Readings::body_number(const model::Rigid& body) const {
   const int number = contact().surfaces().find_body(body);
   if (number < 0) throw Error("the " + body.kind() + " touches nothing in the model of this run");
   return static_cast<std::size_t>(number);
 }
 
-NodeValues Run::node(mesh::Index i) const {
+NodeValues Readings::node(mesh::Index i) const {
   check_index(i, model_->mesh().nodes.size(), "node");
   const auto& state = std::as_const(*assembly_).state();
   NodeValues v;
@@ -109,7 +110,7 @@ NodeValues Run::node(mesh::Index i) const {
   return v;
 }
 
-ElementValues Run::average(mesh::Index e, int ply) const {
+ElementValues Readings::average(mesh::Index e, int ply) const {
   const auto& section = model_->sections()[static_cast<std::size_t>(model_->region_of(e))];
   const bool together = ply == mechanics::Cloth::all_plies;
   const double common = section.common_angle();
@@ -127,7 +128,7 @@ ElementValues Run::average(mesh::Index e, int ply) const {
   return sum;
 }
 
-const std::vector<ElementValues>& Run::elements(const std::string& ply) const {
+const std::vector<ElementValues>& Readings::elements(const std::string& ply) const {
   const auto version = std::as_const(*assembly_).state().version();
   Averages& known = averages_[ply];
   if (known.version == version) return known.values;
@@ -144,9 +145,17 @@ const std::vector<ElementValues>& Run::elements(const std::string& ply) const {
   return known.values;
 }
 
-ElementValues Run::element(mesh::Index i) const {
+ElementValues Readings::element(mesh::Index i) const {
   check_index(i, model_->mesh().elements.size(), "element");
   return elements()[i];
+}
+
+double Readings::elements_beyond() const {
+  if (!beyond()) return 0;
+  const auto all = assembly_->cloth().elements();
+  mesh::Index count = 0;
+  for (mesh::Index e = 0; e < all; ++e) count += assembly_->cloth().strain_ratio(e) > 1 ? 1 : 0;
+  return static_cast<double>(count) / static_cast<double>(all);
 }
 
 namespace {
@@ -160,7 +169,7 @@ std::vector<mesh::Index> inside(const model::Model& model, const ResultField& fi
   return all;
 }
 
-FieldPart number_of(const Run& run, const std::string& name) {
+FieldPart number_of(const Readings& run, const std::string& name) {
   const FieldPart part = find_field(run, name);
   if (part.component < 0) throw Error("mean: expected a field of one number, got '" + name + "'");
   if (part.field->touching && !has(run, *part.field))
@@ -170,7 +179,7 @@ FieldPart number_of(const Run& run, const std::string& name) {
 }
 
 // The nodes or elements over which a mean of the field's part is taken.
-std::vector<mesh::Index> all_of(const Run& run, const FieldPart& part, const std::string& set) {
+std::vector<mesh::Index> all_of(const Readings& run, const FieldPart& part, const std::string& set) {
   std::vector<mesh::Index> all = inside(run.model(), *part.field, set);
   if (part.ply.empty()) return all;
   for (const mesh::Index e : all)
@@ -181,7 +190,7 @@ std::vector<mesh::Index> all_of(const Run& run, const FieldPart& part, const std
 }
 
 // Each position counts once, whatever the number of its nodes.
-double mean_of_places(const Run& run, const FieldPart& part, const std::vector<mesh::Index>& nodes) {
+double mean_of_places(const Readings& run, const FieldPart& part, const std::vector<mesh::Index>& nodes) {
   const mesh::Mesh& mesh = run.model().mesh();
   std::map<mesh::Index, std::pair<double, int>> at_place;
   double values[5];
@@ -198,11 +207,11 @@ double mean_of_places(const Run& run, const FieldPart& part, const std::vector<m
 
 }  // namespace
 
-void check_mean(const Run& run, const std::string& name, const std::string& set) {
+void check_mean(const Readings& run, const std::string& name, const std::string& set) {
   all_of(run, number_of(run, name), set);
 }
 
-double Run::mean(const std::string& name, const std::string& set) const {
+double Readings::mean(const std::string& name, const std::string& set) const {
   const FieldPart part = number_of(*this, name);
   const auto all = all_of(*this, part, set);
   const mesh::Mesh& mesh = model_->mesh();
@@ -215,7 +224,7 @@ double Run::mean(const std::string& name, const std::string& set) const {
   return sum / static_cast<double>(all.size());
 }
 
-std::vector<double> Run::field(const std::string& name) const {
+std::vector<double> Readings::field(const std::string& name) const {
   return values_of(*this, find_field(*this, name));
 }
 
@@ -269,7 +278,7 @@ std::vector<EnergyPart> energies(const EnergyAccount& e) {
   return out;
 }
 
-EnergyAccount Run::energy() const {
+EnergyAccount Readings::energy() const {
   EnergyAccount sum;
   for (const auto& energy : assembly_->energies()) {
     if (energy.account == mechanics::Account::stored) sum.stored += energy.value;
@@ -296,7 +305,7 @@ EnergyAccount Run::energy() const {
   return sum;
 }
 
-double Run::energy_of_rest() const {
+double Readings::energy_of_rest() const {
   const auto* const contact = assembly_->terms().find<mechanics::Contacts>();
   if (contact == nullptr) return 0;
   Vec3 g = Vec3::Zero();
@@ -308,7 +317,7 @@ double Run::energy_of_rest() const {
   return std::accumulate(masses.begin(), masses.end(), 0.0) * g.norm() * thickness;
 }
 
-double Run::imbalance(const EnergyAccount& sum, double scale) const {
+double Readings::imbalance(const EnergyAccount& sum, double scale) const {
   constexpr double small = 1e-3;
   const double whole = std::abs(sum.surplus());
   return whole <= small * scale ? whole : std::min(whole, std::abs(sum.surplus() + hidden_energy()));

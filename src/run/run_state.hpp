@@ -1,0 +1,73 @@
+// The state of a run: the model, its compiled form, the time, the steps so far, and what has been said about
+// them.
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/notice.hpp"
+#include "mechanics/assembly.hpp"
+#include "model/model.hpp"
+#include "run/values.hpp"
+#include "run/warnings.hpp"
+#include "run/work.hpp"
+
+namespace fabricsh::run {
+
+class RunState {
+ public:
+  virtual ~RunState();
+  RunState(const RunState&) = delete;
+  RunState& operator=(const RunState&) = delete;
+
+  double time() const { return trial_time_; }
+  double duration() const { return duration_; }  // s, the time of its end
+  double began() const { return began_; }        // s, the time of its start: that of the run it begins from
+  bool started() const { return started_; }      // whether the state at its start has been computed
+  const model::Model& model() const { return *model_; }
+  const std::shared_ptr<model::Model>& shared_model() const { return model_; }
+  const mechanics::Assembly& assembly() const { return *assembly_; }
+  const std::vector<StepReport>& steps() const { return reports_; }
+  virtual const char* kind() const = 0;           // "static", "dynamic"
+  virtual bool moves() const { return false; }    // whether there are velocities
+  virtual double tolerance() const { return 0; }  // of a step's residual; 0: not used
+
+  // How far the run has exceeded the tested range of its card; empty: it has not, or the card does not state
+  // it.
+  std::optional<Beyond> beyond() const {
+    return beyond_.strain_ratio > 1 ? std::optional<Beyond>(beyond_) : std::nullopt;
+  }
+  // What has been said about the results so far; part of the state. The list outlives the run for whoever
+  // holds it.
+  const std::vector<Warning>& warnings() const { return *warnings_; }
+  std::shared_ptr<const std::vector<Warning>> shared_warnings() const { return warnings_; }
+  // Says the text, and keeps it as a warning of this kind. element: from 0; -1: no particular one.
+  void warn(const char* code, const std::string& text, mesh::Index element = -1);
+  // Keeps it without saying it.
+  void note(const char* code, const std::string& text, mesh::Index element = -1);
+  Notices& notices() { return *notices_; }
+  const std::string& why() const { return why_; }                // the last failure, in lines; empty: none
+  void remember_why(std::string why) { why_ = std::move(why); }  // of a failure before a restart
+
+ protected:
+  RunState(std::shared_ptr<model::Model> model, double duration, std::shared_ptr<Notices> notices);
+  double committed_time() const { return std::as_const(*assembly_).state().time(); }
+  bool warned(std::string_view code) const;  // in the present state
+
+  std::shared_ptr<model::Model> model_;
+  double duration_;
+  std::shared_ptr<Notices> notices_;
+  std::unique_ptr<mechanics::Assembly> assembly_;
+  std::vector<double> dead_;  // N, 3 per node, dead loads at the trial time
+  std::vector<StepReport> reports_;
+  std::string why_;
+  ExternalWork work_;
+  double trial_time_ = 0, initial_energy_ = 0, began_ = 0;
+  bool started_ = false;
+  bool stops_beyond_ = false;  // at the first step that exceeds the tested range
+  Beyond beyond_;
+  std::shared_ptr<std::vector<Warning>> warnings_ = std::make_shared<std::vector<Warning>>();
+};
+
+}  // namespace fabricsh::run

@@ -1,0 +1,188 @@
+// Hooks, events and landings of a run.
+#include "run/schedule.hpp"
+
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "base/number.hpp"
+#include "run/run.hpp"
+
+namespace fabricsh::run {
+
+namespace {
+
+constexpr int kDue = 10;  // added to the side of an event, which is -1, 0 or 1, whose hook is still to run
+
+}  // namespace
+
+void Schedule::check_interval(double interval) const {
+  const double duration = run_.duration();
+  if (!(duration / interval <= most_steps))
+    throw Error("every: expected at least " + number(duration / most_steps) + " s (" + number(most_steps) +
+                " calls in the duration of " + number(duration) + " s), got " + number(interval) + " s");
+}
+
+std::size_t Schedule::add(Timed timed) {
+  timed_.push_back(std::move(timed));
+  take_up(timed_.back(), timed_.size() - 1);
+  return timed_.size() - 1;
+}
+
+std::size_t Schedule::every_step(Hook hook, AfterError after) { return add({0, std::move(hook), after}); }
+
+std::size_t Schedule::every(double interval, Hook hook, AfterError after) {
+  if (!(interval > 0) || !std::isfinite(interval))
+    throw Error("every: expected a positive time in s or \"step\", got " + number(interval));
+  check_interval(interval);
+  return add({interval, std::move(hook), after});
+}
+
+void Schedule::reschedule(std::size_t hook, double interval) {
+  Timed& timed = timed_.at(hook);
+  if (timed.interval == interval) return;
+  if (interval > 0) check_interval(interval);
+  timed.interval = interval;
+  timed.count = 1;
+  if (interval > 0) timed.count += static_cast<std::int64_t>(std::floor(run_.time() / interval + 1e-9));
+}
+
+void Schedule::event(std::function<double(Run&)> value, double tolerance, Hook hook) {
+  if (!(tolerance > 0))
+    throw Error("event: field 'tolerance': expected a positive number, got " + number(tolerance));
+  Event event{std::move(value), tolerance, std::move(hook)};
+  take_up(event, events_.size());
+  events_.push_back(std::move(event));
+}
+
+Window& Schedule::window(const std::string& name, Window made) {
+  Window& window = windows_.add(name, std::move(made));
+  if (run_.started() && !window.begun()) window.sample(run_);
+  return window;
+}
+
+void Schedule::begin_schedule() {
+  for (auto& event : events_) {
+    measure(event);
+    event.settle();
+  }
+  for (auto& timed : timed_) timed.pending = true;
+}
+
+// --- events
+
+void Schedule::Event::settle() {
+  largest = std::max(largest, std::abs(now));
+  last = now;
+  if (side != 0 && (near() || crossed())) {
+    pending = true;
+    side = 0;
+  }
+  if (!near()) side = now > 0 ? 1 : -1;
+}
+
+bool Schedule::Event::crossed() const { return side != 0 && !near() && (now > 0) != (side > 0); }
+
+void Schedule::measure(Event& event) {
+  event.now = event.value(run_);
+  if (!std::isfinite(event.now))
+    throw Error("event: field 'value': expected a finite number, got " + number(event.now));
+}
+
+// --- hooks
+
+void Schedule::settle() {
+  for (auto& event : events_) event.settle();
+  windows_.sample(run_);
+  hooked_ = hooked_ || !events_.empty() || !windows_.empty();
+  for (auto& timed : timed_) {
+    const double due = static_cast<double>(timed.count) * timed.interval;
+    if (timed.interval > 0 && run_.time() < due - same_time * run_.duration()) continue;
+    ++timed.count;
+    timed.pending = true;
+  }
+}
+
+void Schedule::run_pending() {
+  for (std::size_t i = 0; i < timed_.size(); ++i) {
+    if (!timed_[i].pending) continue;
+    const bool repeat = timed_[i].after == AfterError::repeat;
+    timed_[i].pending = repeat;
+    hooked_ = true;
+    const Hook hook = timed_[i].hook;  // a copy, because a hook may add hooks
+    hook(run_);
+    timed_[i].pending = false;
+  }
+  for (std::size_t i = 0; i < events_.size(); ++i) {
+    if (!events_[i].pending) continue;
+    events_[i].pending = false;
+    const Hook hook = events_[i].hook;
+    if (hook) hook(run_);
+  }
+}
+
+// --- landings
+
+double Schedule::landing_after(double now, double limit) const {
+  const double after = now + same_time * run_.duration();
+  double landing = limit;
+  const auto kink = std::upper_bound(kinks_.begin(), kinks_.end(), after);
+  if (kink != kinks_.end()) landing = std::min(landing, *kink);
+  for (const auto& timed : timed_)
+    if (timed.interval > 0) {
+      const double t = static_cast<double>(timed.count) * timed.interval;
+      if (t > after) landing = std::min(landing, t);
+    }
+  return landing;
+}
+
+bool Schedule::is_kink(double time) const {
+  return std::any_of(kinks_.begin(), kinks_.end(),
+                     [&](double t) { return std::abs(t - time) <= same_time * run_.duration(); });
+}
+
+// --- checkpoints
+
+void Schedule::keep_schedule(Archive& archive, bool waits) {
+  if (!archive.reading()) {
+    kept_timed_.clear();
+    kept_events_.clear();
+    for (const auto& timed : timed_)
+      kept_timed_.push_back({timed.count, timed.repeats() || (timed.pending && waits)});
+    for (const auto& event : events_)
+      kept_events_.push_back({event.last, event.largest, event.side + (event.pending && waits ? kDue : 0)});
+  }
+  archive(kept_timed_, kept_events_);
+  if (archive.reading()) {
+    for (std::size_t i = 0; i < timed_.size(); ++i) take_up(timed_[i], i);
+    for (std::size_t i = 0; i < events_.size(); ++i) take_up(events_[i], i);
+  }
+  windows_.keep(archive);
+}
+
+// A hook added after the state was stored counts from now.
+void Schedule::take_up(Timed& timed, std::size_t i) {
+  timed.pending = false;
+  timed.count = 1;
+  if (i < kept_timed_.size()) {
+    timed.count = kept_timed_[i].count;
+    timed.pending = kept_timed_[i].repeats;
+  } else if (timed.interval > 0) {
+    timed.count += static_cast<std::int64_t>(std::floor(run_.time() / timed.interval + 1e-9));
+  }
+}
+
+void Schedule::take_up(Event& event, std::size_t i) {
+  event.pending = false;
+  if (i < kept_events_.size()) {
+    event.last = kept_events_[i].last;
+    event.largest = kept_events_[i].largest;
+    event.pending = kept_events_[i].side > kDue - 2;
+    event.side = kept_events_[i].side - (event.pending ? kDue : 0);
+  } else if (run_.started()) {
+    event.side = 0;
+    measure(event);
+    event.settle();
+  }
+}
+
+}  // namespace fabricsh::run
