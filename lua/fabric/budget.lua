@@ -5,6 +5,7 @@
 -- A with input i from B, the same specimens and numbers being in each pair, so that differences are not lost in scatter.
 local fabric = require "fabric"
 local define = require "fabric.define"
+local kernels = require "fabric.kernels"
 local fail = define.fail
 local assumed = require "fabric.assumed"
 local random = require "fabric.lab.random"
@@ -72,7 +73,7 @@ local function assumed_inputs(t, card, list)
   end
   table.sort(all, function(a, b) return a.name < b.name end)
   local points = { n = 0 }
-  local numbers = #all > 0 and fabric.lab.sobol_points(t.samples, 2 * #all, t.seed)
+  local numbers = #all > 0 and kernels.sobol_points(t.samples, 2 * #all, t.seed)
   function points.at(i, set, place) return numbers[(i - 1) * 2 * #all + (set - 1) * #all + place] end
   for _, input in ipairs(all) do add(input, points) end
   return others

@@ -1,6 +1,7 @@
 -- fabric.sobol and fabric.latin_hypercube: cases of a study that fill the ranges of their inputs evenly.
 local fabric = require "fabric"
 local define = require "fabric.define"
+local kernels = require "fabric.kernels"
 local fail = define.fail
 local random = require "fabric.lab.random"
 
@@ -57,7 +58,7 @@ end
 
 local function sobol(t)
   local specs, names, n, seed = read("sobol", t)
-  local points = fabric.lab.sobol_points(n, #names, seed)
+  local points = kernels.sobol_points(n, #names, seed)
   return cases(specs, names, n, function(i, k) return points[(i - 1) * #names + k] end)
 end
 

@@ -1,6 +1,7 @@
 -- fabric.study: the same run for many parameters, in parallel processes; finished cases are kept.
 local fabric = require "fabric"
 local define = require "fabric.define"
+local kernels = require "fabric.kernels"
 local fail = define.fail
 local case_file = require "fabric.study_case"
 local sorted = require "fabric.sorted"
@@ -84,7 +85,7 @@ end
 -- The case of --case, of the deck's only study.
 local asked_before = false
 local function asked(count)
-  local k = fabric.asked_case()
+  local k = kernels.asked_case()
   if k == nil then return nil end
   if asked_before then fail "study: --cases and --case are for decks with one study; this is the second one" end
   asked_before = true

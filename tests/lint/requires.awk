@@ -49,7 +49,7 @@ FILENAME == "lua/LAYERS" {
     rest = substr(rest, RSTART + RLENGTH)
     sub(/^[^"]*"fabric\./, "", module)
     gsub(/\./, "/", module)
-    if (module == "define") continue
+    if (module == "define" || module == "kernels") continue
     other = room_of(module)
     if (!(other in rank)) fault(FILENAME ":" FNR, "requires '" module "', which is in no room of lua/LAYERS")
     else if (other != own && !((own, other) in allowed))

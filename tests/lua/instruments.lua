@@ -1,5 +1,6 @@
 -- The standard instruments both ways: from a card to the curve an instrument records, to its numbers, to a card that shows them.
 local fabric = require "fabric"
+local kernels = require "fabric.kernels"
 local lab = fabric.lab
 local gf, cm = 9.80665e-3, 1e-2
 local rows = {}
@@ -142,11 +143,11 @@ do
   assert(pressed({ LC = 0.4, WC = 0.87, RC = 50 }).compression[1][1] > 0.12e-3 and pressed({ LC = 0.4, WC = 0.85, RC = 50 }, { fibre_density = 1500 }).fibre_density == 1500)
   assert(#told == 0, told[1])
   local soft = pressed { LC = 0.2, WC = 0.3, RC = 50 }
-  local c, free, fibres = soft.compression, soft:free_thickness()
+  local c, free, fibres = soft.compression, kernels.free_thickness(soft)
   check("where contact begins", free, c[#c][1] + 2 * c[#c][2] * (c[#c][1] - c[#c - 1][1]) / (c[#c - 1][2] - c[#c][2]), 1e-12)
   check("what fibres fill", fibres, 0.18 / 1500, 1e-12)
   assert(#told == 1 and told[1]:find(("kes_card: field 'compression': contact begins at %.3g mm, %.2g times T: as soft as LC 0.2 and WC 0.3 have it"):format(free * 1e3, free / 1e-3), 1, true), told[1])
-  check("without compression", (pressed():free_thickness()), 1e-3, 1e-15)
+  check("without compression", (kernels.free_thickness(pressed())), 1e-3, 1e-15)
   fabric.warn = warn
 end
 

@@ -144,7 +144,6 @@ properties
       = {"all", "bottom", "boundary", "corners", "left", "right", "top"}
 methods
   mesh:check                   What is wrong with the mesh or worth knowing: a table {ok, text, items, area, shortest, longest, aspect, wa...
-  mesh:deck_lines              The nodes, elements and sets of nodes as lines of a deck, to which the rest of a deck is added; see fabric....
   mesh:elements                Numbers of the elements all of whose nodes are in the set
   mesh:hole                    Cuts a hole along the grid: leaves out the elements inside and the nodes that no element has any more
   mesh:map                     Moves every node; on an error none is moved

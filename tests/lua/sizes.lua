@@ -22,7 +22,7 @@ fails("synthetic: field 'rows': expected an integer from 10 to 1e+06, got 2e+06"
 fails("synthetic: field 'rows': expected at most 20000 for 500 specimens (10000000 rows in all), got 30000", lab.synthetic, { card = denim, rows = 30000, specimens = 500 })
 fails("synthetic: field 'markers': expected at most 10000 markers, got 400 x 30", lab.synthetic, { card = denim, markers = { 400, 30 } })
 fails("band: field 'draws': expected an integer from 100 to 1e+06, got 3e+06", lab.band, { specimens = { { 1 }, { 2 }, { 4 } }, draws = 3000000 })
-fails("sobol_points: argument 'count': expected at most 500000 points of 200 dimensions, got 700000", lab.sobol_points, 700000, 200)
+fails("sobol_points: argument 'count': expected at most 500000 points of 200 dimensions, got 700000", require "fabric.kernels".sobol_points, 700000, 200)
 fails("sample: argument 'n': expected an integer from 1 to 100000, got 2e+06", function() denim:sample(2000000) end)
 local many = {}
 for i = 1, 300 do many[i] = i end

@@ -2,6 +2,7 @@
 -- writes where it must not dies here, under the sanitizers at the latest. Usage: fabricsh [--safe] boundary.lua <folder>
 -- that it may write into. Run twice: under --safe, and with all of Lua (finalisers).
 local fabric = require "fabric"
+local kernels = require "fabric.kernels"
 local define = require "fabric.define"
 local folder = (arg[1] or "out") .. "/boundary"
 local safe = getmetatable "" == false
@@ -41,7 +42,7 @@ end
 
 -- Functions of the library that were written in C by hand.
 local registry = define.registry
-local function squares(answer) return fabric.lab.least_squares { start = { 0.5 }, low = { 0 }, high = { 3 }, evaluate = answer } end
+local function squares(answer) return kernels.least_squares { start = { 0.5 }, low = { 0 }, high = { 3 }, evaluate = answer } end
 for _, answer in ipairs { 0x4242424242, "text", true, print } do
   attack("residuals that are no table", "evaluate: expected a table, got", function() squares(function() return answer end) end)
 end
@@ -224,11 +225,11 @@ attack("a card of lies", nil, function()
   fabric.woven(liar({ density = 500, thickness = 1e-3, warp = yarn, weft = yarn, shear = liar({ loading = { 1e5 }, unloading = 1e5 }, {}) }, { warp = 5 }))
 end)
 attack("jacobians that are gone the second time", nil, function()
-  fabric.lab.identifiability(liar({ jacobian = { 1, 0, 0, 1 }, scale = { 1, 1 } }, { scale = {}, jacobian = {} }))
+  kernels.identifiability(liar({ jacobian = { 1, 0, 0, 1 }, scale = { 1, 1 } }, { scale = {}, jacobian = {} }))
 end)
 attack("a scale that is emptied by the jacobian", nil, function()
   local scale = { 1, 1 }
-  fabric.lab.identifiability(setmetatable({ scale = scale }, { __index = function(_, k)
+  kernels.identifiability(setmetatable({ scale = scale }, { __index = function(_, k)
     if k == "jacobian" then scale[1], scale[2] = nil, nil return { 1, 0, 0, 1 } end
   end }))
 end)
@@ -275,7 +276,7 @@ end)
 attack("a card's changes that lie", nil, function() fabric.card "blend":with(liar({ warp = { poisson = 0.1 } }, { warp = 5 })) end)
 attack("strains of lies", nil, function() fabric.point(fabric.card "blend"):path(setmetatable({}, { __len = function() return 1e9 end, __index = function() return { 0, 0, 0 } end })) end)
 attack("tracks whose numbers of markers overflow", "expected at least two frames", function()
-  fabric.lab.boxes { rows = 1 << 32, columns = 1 << 32, x = { 1 }, y = { 1 } }
+  kernels.boxes { rows = 1 << 32, columns = 1 << 32, x = { 1 }, y = { 1 } }
 end)
 attack("degrees below zero", "whole numbers from 1 to 20", function() fabric.lab.backbone { curves = { { E = { 0.1, 0.2 }, S = { 1, 2 } } }, degrees = { -1e300 } } end)
 attack("degrees beyond all", "whole numbers from 1 to 20", function() fabric.lab.backbone { curves = { { E = { 0.1, 0.2 }, S = { 1, 2 } } }, degrees = { 1e9 } } end)

@@ -42,8 +42,8 @@ int call_back(Call& call) {
 // A session in which the functions above are fabric.*; called with a chunk, it runs it as deck.lua.
 struct DeckRunner {
   DeckRunner() : session(SessionOptions{}) {
-    Entry lua{"fabric.lua_error"}, deck{"fabric.deck_error"}, fail{"fabric.failure"}, other{"fabric.other"},
-        back{"fabric.back"};
+    Entry lua{"fabric.lua_error()"}, deck{"fabric.deck_error()"}, fail{"fabric.failure()"},
+        other{"fabric.other()"}, back{"fabric.back()"};
     lua.run = raise_lua_error;
     deck.run = raise_deck_error;
     fail.run = raise_failure;

@@ -2,6 +2,7 @@
 -- dynamics only, becomes membrane elements without rotations; other materials become shells in a static step.
 
 local units = require "fabric.export.units"
+local kernels = require "fabric.kernels"
 
 -- A history as a table of time and value; ft and scale turn s and the value into the deck's units.
 local function amplitude(out, name, corners, ft, scale)
@@ -33,7 +34,7 @@ end
 -- the deck's units. Returns the text of the deck.
 return function(m, material, target, u)
   local membrane = target.name == "FABRIC"
-  local out = { (m.mesh:deck_lines("inp", u.length, membrane, "cloth"):gsub("\n$", "")) }
+  local out = { (kernels.deck_lines(m.mesh, "inp", u.length, membrane, "cloth"):gsub("\n$", "")) }
   local w = m.warp
   local across = math.abs(w[3]) < 0.9 and { -w[2], w[1], 0.0 } or { 0.0, w[3], -w[2] }
   out[#out + 1] = "*ORIENTATION, NAME=warp"

@@ -1,5 +1,6 @@
 -- A whole model as an LS-DYNA keyword deck.
 local units = require "fabric.export.units"
+local kernels = require "fabric.kernels"
 
 return function(m, material, target, u)
   local out = { "*KEYWORD", "*TITLE", m.name, "*CONTROL_TERMINATION", units.line(10, { m.duration * u.time }) }
@@ -7,7 +8,7 @@ return function(m, material, target, u)
     out[#out + 1] = keyword
     for _, l in ipairs { ... } do out[#out + 1] = l end
   end
-  out[#out + 1] = m.mesh:deck_lines("k", u.length):gsub("\n$", "")
+  out[#out + 1] = kernels.deck_lines(m.mesh, "k", u.length):gsub("\n$", "")
   local ids = {}
   for k, set in ipairs(m.sets) do ids[set.name] = k end
   local t = m.thickness * u.length

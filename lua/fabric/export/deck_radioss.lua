@@ -1,6 +1,7 @@
 -- A whole model as an OpenRadioss starter deck (NAME_0000.rad). The engine file, with end time and outputs, is left to the user. The format is that
 -- of 2022, or the first one that has the material.
 local units = require "fabric.export.units"
+local kernels = require "fabric.kernels"
 
 local names = { ["SI"] = { "kg", "m", "s" }, ["mm-t-s"] = { "Mg", "mm", "s" }, ["mm-kg-ms"] = { "kg", "mm", "ms" } }
 
@@ -30,7 +31,7 @@ return function(m, material, target, u)
     add("#                 VX                  VY                  VZ                 PHI", reals(w[1], w[2], w[3], 0.0))
   end
   add("/PART/1", m.name, ints(1, 1, 0))
-  out[#out + 1] = m.mesh:deck_lines("rad", u.length):gsub("\n$", "")
+  out[#out + 1] = kernels.deck_lines(m.mesh, "rad", u.length):gsub("\n$", "")
   local ids = {}
   for k, set in ipairs(m.sets) do ids[set.name] = k end
   for k, f in ipairs(m.fixed) do

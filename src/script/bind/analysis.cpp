@@ -20,13 +20,11 @@ namespace fabricsh::script {
 
 std::vector<Argument> with_beginning(std::vector<Argument> others) {
   std::vector<Argument> rows = {
-      object_("model", "model", "what is computed; with from= that of the other run unless given").optional(),
-      object_("from", "analysis", "a run of the same cloth, whose state and time this one begins with")
-          .optional(),
-      number_("release", "s", positive,
+      object_("model?", "model", "what is computed; with from= that of the other run unless given"),
+      object_("from?", "analysis", "a run of the same cloth, whose state and time this one begins with"),
+      number_("release?", "s", positive,
               "with from=: over which the forces of what no longer holds the cloth are taken away; default "
-              "at once")
-          .optional()};
+              "at once")};
   rows.insert(rows.begin() + 1, others.begin(), others.end());
   return rows;
 }
@@ -78,27 +76,22 @@ namespace {
 
 // --- driving ---
 
-int chain(const Call& call) {
-  lua_pushvalue(call.L(), 1);
-  return 1;
-}
-
 int solve(Call& call) {
   const auto run = call.self<DeckRun>();
   drive(*run, {CallKind::solve, std::max(run->analysis->duration(), run->analysis->time())});
-  return chain(call);
+  return call.itself();
 }
 
 int advance(Call& call) {
   const double time = call.number("time");
   drive(*call.self<DeckRun>(), {CallKind::advance, time});
-  return chain(call);
+  return call.itself();
 }
 
 int step(Call& call) {
   const auto run = call.self<DeckRun>();
   drive(*run, {CallKind::step, run->analysis->duration()});
-  return chain(call);
+  return call.itself();
 }
 
 int stop(Call& call) {
@@ -123,7 +116,7 @@ int every(Call& call) {
     run->analysis->every_step(act);
   else
     run->analysis->every(call.number("interval"), act);
-  return chain(call);
+  return call.itself();
 }
 
 double event_value(const Hook& hook) {
@@ -144,7 +137,7 @@ int event(Call& call) {
   if (call.has("action")) act = [hook = Hook(call, "action", run.get())](run::Run&) { run_hook(hook); };
   run->has_events = true;
   run->analysis->event([value](run::Run&) { return event_value(value); }, call.number("tolerance"), act);
-  return chain(call);
+  return call.itself();
 }
 
 // Runs until a value reaches a target; the run ends there.
@@ -159,7 +152,7 @@ int reach(Call& call) {
     run->analysis->mean(field, set);  // an error if it is unknown
     value = [field, set](const run::Run& a) { return a.mean(field, set); };
   }
-  if (call.session().options().check) return chain(call);
+  if (call.session().options().check) return call.itself();
   run->has_events = true;
   // After the target has been reached, or could not be, the event never occurs again.
   const auto sought = std::make_shared<bool>(true);
@@ -183,7 +176,7 @@ int reach(Call& call) {
     note_failure(*run, missed);
     throw Error(missed);
   }
-  return chain(call);
+  return call.itself();
 }
 
 // --- reading ---
@@ -245,7 +238,7 @@ int push_fields(Call& call, run::FieldPlace place) {
       continue;
     field.values(run, item, "", values.data());
     for (std::size_t c = 0; c < field.components.size(); ++c)
-      set_number(call.L(), field.components[c].c_str(), values[c]);
+      put(call.L(), field.components[c].c_str(), values[c]);
   }
   return 1;
 }
@@ -254,8 +247,7 @@ int node(Call& call) { return push_fields(call, run::FieldPlace::node); }
 int element(Call& call) { return push_fields(call, run::FieldPlace::element); }
 
 int mean(Call& call) {
-  lua_pushnumber(call.L(), call.self<DeckRun>()->analysis->mean(call.text("name"), call.text("set")));
-  return 1;
+  return push_value(call.L(), call.self<DeckRun>()->analysis->mean(call.text("name"), call.text("set")));
 }
 
 // The options of analysis:field ask for the nodes, and perhaps for one region.
@@ -287,26 +279,17 @@ int field(Call& call) {
 int energy(Call& call) {
   lua_newtable(call.L());
   for (const auto& [name, value] : run::energies(call.self<DeckRun>()->analysis->energy()))
-    set_number(call.L(), name.c_str(), value);
+    put(call.L(), name.c_str(), value);
   return 1;
 }
 
 int beyond(Call& call) {
   const auto& run = *call.self<DeckRun>()->analysis;
   const auto far = run.beyond();
-  lua_State* L = call.L();
-  if (!far) return lua_pushnil(L), 1;
-  lua_newtable(L);
-  for (const auto& [name, value] : {std::pair{"share", far->strain_ratio},
-                                    {"time", far->time},
-                                    {"first", far->first},
-                                    {"strain", far->strain},
-                                    {"tested", far->tested},
-                                    {"elements", run.elements_beyond()}})
-    set_number(L, name, value);
-  set_integer(L, "element", far->element + 1);
-  set_text(L, "yarn", far->yarn);
-  return 1;
+  if (!far) return lua_pushnil(call.L()), 1;
+  return push_record(call.L(), "share", far->strain_ratio, "time", far->time, "first", far->first, "strain",
+                     far->strain, "tested", far->tested, "elements", run.elements_beyond(), "element",
+                     far->element + 1, "yarn", far->yarn);
 }
 
 int warnings(Call& call) {
@@ -322,33 +305,22 @@ std::string codes_text() {
   return text;
 }
 
-int time(Call& call) {
-  lua_pushnumber(call.L(), call.self<DeckRun>()->analysis->time());
-  return 1;
-}
+int time(Call& call) { return push_value(call.L(), call.self<DeckRun>()->analysis->time()); }
 
 int duration(Call& call) {
   const run::Run& run = *call.self<DeckRun>()->analysis;
-  lua_pushnumber(call.L(), run.duration() - run.began());
-  return 1;
+  return push_value(call.L(), run.duration() - run.began());
 }
 
 int stopped(Call& call) {
-  const auto run = call.self<DeckRun>();
-  if (run->analysis->stopped())
-    lua_pushstring(call.L(), run->analysis->stop_reason().c_str());
-  else
-    lua_pushboolean(call.L(), 0);
-  return 1;
+  const run::Run& run = *call.self<DeckRun>()->analysis;
+  return run.stopped() ? push_value(call.L(), run.stop_reason()) : push_value(call.L(), false);
 }
 
 // Only their number is noted for a restart: the steps themselves are in the checkpoint, unless a restore()
 // has replaced them.
 lua_Integer count_of_steps(lua_State* L, DeckRun& run) {
-  const auto count = [&] {
-    lua_pushinteger(L, static_cast<lua_Integer>(run.analysis->steps().size()));
-    return 1;
-  };
+  const auto count = [&] { return push_value(L, run.analysis->steps().size()); };
   read_between(L, run, run.calls.restored_after(run.calls.count) ? "steps before a restore()" : "steps", "",
                count);
   const lua_Integer steps = lua_tointeger(L, -1);
@@ -363,12 +335,8 @@ int steps(Call& call) {
   lua_newtable(L);
   for (lua_Integer i = 0; i < count;) {
     const run::StepReport& report = run->analysis->steps()[static_cast<std::size_t>(i)];
-    lua_newtable(L);
-    set_number(L, "time", report.time);
-    set_number(L, "step", report.step);
-    set_integer(L, "iterations", report.iterations);
-    set_integer(L, "cuts", report.cuts);
-    set_integer(L, "negative_pivots", report.negative_pivots);
+    push_record(L, "time", report.time, "step", report.step, "iterations", report.iterations, "cuts",
+                report.cuts, "negative_pivots", report.negative_pivots);
     if (report.stability == solver::Stability::unchecked)
       lua_pushliteral(L, "unchecked");
     else
@@ -379,7 +347,7 @@ int steps(Call& call) {
     else
       lua_pushnumber(L, report.path);
     lua_setfield(L, -2, "path");
-    set_numbers(L, "residuals", report.residuals);
+    put(L, "residuals", report.residuals);
     lua_rawseti(L, -2, ++i);
   }
   return 1;
@@ -403,7 +371,7 @@ int snapshot_text(lua_State* L) {
 
 int restore(Call& call) {
   go_back(*call.self<DeckRun>(), call.object<const run::Run::Snapshot>("snapshot"));
-  return chain(call);
+  return call.itself();
 }
 
 // For example "ready", "under way", "done", "stopped: the grip lets go".
@@ -417,8 +385,7 @@ int push_run_text(lua_State* L, const run::Run& a) {
   const std::string words = std::string("<") + a.kind() + " run, t = " + fabricsh::number(a.time()) + " of " +
                             fabricsh::number(a.duration()) + " s, " + counted(a.steps().size(), "step") +
                             ", ";
-  lua_pushstring(L, (words + state_words(a) + ">").c_str());
-  return 1;
+  return push_value(L, words + state_words(a) + ">");
 }
 
 int run_text(lua_State* L) {
@@ -455,23 +422,20 @@ std::vector<Entry> driving() {
       without_arguments("analysis:solve",
                         "Runs to the duration, or to where a hook stopped it; returns the analysis.",
                         sample_run() + "assert(a:solve().time == 1)", solve),
-      {"analysis:advance",
-       Style::positional,
+      {"analysis:advance()",
        {number_("time", "s", not_negative, "absolute time to run to and land on")},
        "Runs to an absolute time and lands on it; returns the analysis.",
        sample_run() + "assert(a:advance(0.3).time == 0.3)",
        advance},
       without_arguments("analysis:step", "Makes one step and commits it; returns the analysis.",
                         sample_run() + "assert(a:step().time == 0.25)", step),
-      {"analysis:stop",
-       Style::positional,
+      {"analysis:stop()",
        {value_("reason", text, "why, for a.stopped and run.json").or_else("asked for")},
        "Ends the run after the current step; to be called from a hook.",
        sample_run() + "a:every('step', function(run) if run.time >= 0.5 then run:stop 'enough' end end)\n"
                       "assert(a:solve().stopped == 'enough' and a.time == 0.5)",
        stop},
-      {"analysis:every",
-       Style::positional,
+      {"analysis:every()",
        {{"interval",
          number | text,
          "s",
@@ -484,18 +448,16 @@ std::vector<Entry> driving() {
        "Calls a function at the start and then at an interval, or after each step.",
        sample_run() + "local n = 0\na:every(0.5, function(run) n = n + 1 end)\na:solve()\nassert(n == 3)",
        every},
-      {"analysis:event",
-       Style::fields,
+      {"analysis:event{}",
        {value_("value", function, "function(a) whose zero is sought"),
         number_("tolerance", "", positive, "of the value, over the largest it has had").or_else(1e-6),
-        value_("action", function, "function(a), called there").optional()},
+        value_("action?", function, "function(a), called there")},
        "Finds where a value crosses zero inside a step, lands there, commits, and calls the action.",
        sample_run() + "a:event{ value=function(run) return run:mean 'E11' - 0.1 end, action=function(run) "
                       "run:stop() end }\n"
                       "a:solve()\nassert(math.abs(a:mean 'E11' - 0.1) < 1e-6)",
        event},
-      {"analysis:reach",
-       Style::positional,
+      {"analysis:reach()",
        {value_("value", function | text, "function(a) that returns a number, or a field's name for its mean"),
         number_("target", "", everything, "value to reach"),
         value_("set", text, "of the field's mean").or_else("all"),
@@ -509,8 +471,7 @@ std::vector<Entry> driving() {
        reach},
       without_arguments("analysis:snapshot", "A copy of the whole state, to go back to with a:restore.",
                         sample_run() + "local s = a:snapshot()", snapshot),
-      {"analysis:restore",
-       Style::positional,
+      {"analysis:restore()",
        {object_("snapshot", "snapshot", "taken of this analysis")},
        "Goes back to a snapshot; the run goes on from there bit for bit. Returns the analysis.",
        sample_run() + "local s = a:snapshot()\na:solve():restore(s)\nassert(a.time == 0)",
@@ -521,60 +482,48 @@ std::vector<Entry> driving() {
 std::vector<Entry> reading() {
   const std::string run = sample_run();
   return {
-      {"analysis:reaction",
-       Style::positional,
+      {"analysis:reaction()",
        {set_or_body_row(),
-        fields_("options",
-                {number_("window", "s", positive,
+        fields_("options?",
+                {number_("window?", "s", positive,
                          "the mean over the last seconds, straight between the ends of the run's steps; to "
-                         "be asked for once before the first step")
-                     .optional(),
-                 value_("support", boolean,
-                        "of a body: the force on it of m:fix, in the directions that are held")
-                     .or_else(false)},
-                "window = seconds for a mean, or support = true")
-            .optional()},
+                         "be asked for once before the first step"),
+                 flag_("support", "of a body: the force on it of m:fix, in the directions that are held")},
+                "window = seconds for a mean, or support = true")},
        "Force that the supports, or a rigid body, exert on the cloth, summed over the set: three numbers x, "
        "y, z in N, global; zero before the first step.",
        run + "local x, y = a:solve():reaction 'top'\nassert(y > 0)",
        reaction},
-      {"analysis:node",
-       Style::positional,
+      {"analysis:node()",
        {integer_("number", from_one, "of the node")},
        "Where a node is and how it moves, global: a table of " + numbers_of(run::FieldPlace::node) + ".",
        run + "assert(math.abs(a:solve():node(8).uy - 0.018) < 1e-12)",
        node},
-      {"analysis:element",
-       Style::positional,
+      {"analysis:element()",
        {integer_("number", from_one, "of the element")},
        "Averages over the element's reference volume, material axes: a table of " +
            numbers_of(run::FieldPlace::element) + ".",
        run + "assert(a:solve():element(1).S11 > 0)",
        element},
-      {"analysis:mean",
-       Style::positional,
+      {"analysis:mean()",
        {name_row(run::scalar_names(), "of a number that elements or nodes have, see a:element and a:node"),
         value_("set", text, "elements all of whose nodes are in it; or its nodes").or_else("all")},
        "The mean of a value over elements, or over nodes, each with the same weight. Stresses in Pa, "
        "energies in J/m^3.",
        run + "assert(a:solve():mean('E11') > 0.2)",
        mean},
-      {"analysis:field",
-       Style::positional,
+      {"analysis:field()",
        {name_row(run::field_names(), "of a number, or of a field: see the table of fields of a run"),
-        fields_("options",
-                {value_("at", text,
+        fields_("options?",
+                {value_("at?", text,
                         "fields of elements at all nodes: fitted to the elements around each node, by "
                         "superconvergent patch recovery, apart in each region")
-                     .one_of({"nodes"})
-                     .optional(),
-                 integer_("region", from_one,
+                     .one_of({"nodes"}),
+                 integer_("region?", from_one,
                           "with at: the values of this region alone, its number as in the field region; nan "
                           "at nodes outside. Default: on the border of regions their mean, by the areas of "
-                          "their elements there")
-                     .optional()},
-                "where")
-            .optional()},
+                          "their elements there")},
+                "where")},
        "Values of all elements or nodes, in their order: a list of numbers; for a whole field a list of "
        "lists. Units are SI: stresses in Pa, energies in J/m^3.",
        run + "assert(#a:field 'S11' == 3 and #a:field 'displacement'[1] == 3)\n"

@@ -99,12 +99,11 @@ section::Ply read_ply(lua_State* L, const std::vector<Argument>& fields,
 }
 
 std::vector<Argument> layer_fields() {
-  return {
-      object_("card", "card", "the ply's fabric"),
-      number_("warp", "degrees", everything, "from the model's warp direction").optional(),
-      number_("thickness", "m", positive, "wins over the card's").optional(),
-      value_("name", text, "for its fields: those of the ply face are face.E11, ...; default ply1, ply2, ...")
-          .optional()};
+  return {object_("card", "card", "the ply's fabric"),
+          number_("warp?", "degrees", everything, "from the model's warp direction"),
+          number_("thickness?", "m", positive, "wins over the card's"),
+          value_("name?", text,
+                 "for its fields: those of the ply face are face.E11, ...; default ply1, ply2, ...")};
 }
 
 void read_layers(const Fields& given, model::Options& options) {
@@ -178,13 +177,11 @@ Argument warp_row(const char* fallback) {
 
 // For a body, and also for a region.
 std::vector<Argument> made_rows(const char* warp_default) {
-  return {object_("card", "card", "the fabric").optional(),
-          value_("layers", table,
-                 "{ {card=, warp=, thickness=, name=}, ... }: plies from below, in place of a card")
-              .optional(),
-          number_("thickness", "m", positive, "replaces the card's; mass per area changes with it")
-              .usually(1e-5, 2e-2, "is it in m? (write 0.38*mm)")
-              .optional(),
+  return {object_("card?", "card", "the fabric"),
+          value_("layers?", table,
+                 "{ {card=, warp=, thickness=, name=}, ... }: plies from below, in place of a card"),
+          number_("thickness?", "m", positive, "replaces the card's; mass per area changes with it")
+              .usually(1e-5, 2e-2, "is it in m? (write 0.38*mm)"),
           warp_row(warp_default),
           integer_("points", Range{1, 9}, "integration points through the thickness").or_else(3),
           number_("offset", "", Range{-1, 1}, "reference surface: -1 lower face, 0 middle, 1 upper face")
@@ -201,20 +198,18 @@ const std::vector<Argument>& region_fields() {
 }
 
 std::vector<Argument> rest_rows() {
-  return {object_("reference", "mesh",
+  return {object_("reference?", "mesh",
                   "the stress-free shape: the same elements with other nodes. Strains, yarns and masses are "
-                  "those of this shape; the mesh is where the run starts")
-              .optional(),
+                  "those of this shape; the mesh is where the run starts"),
           value_("rest", text,
                  "where it is free of moments: own, with the curvature of the stress-free shape; flat; or as "
                  "placed, with that of the mesh")
               .one_of({std::begin(model::rest_words), std::end(model::rest_words)})
               .or_else("own"),
-          fields_("prestress",
+          fields_("prestress?",
                   {number_("warp", "N/m", not_negative, "along the warp").or_else(0.0),
                    number_("weft", "N/m", not_negative, "along the weft").or_else(0.0)},
-                  "tension at the start, per width of the mesh, by a strain of the law that is printed")
-              .optional()};
+                  "tension at the start, per width of the mesh, by a strain of the law that is printed")};
 }
 
 const std::vector<Argument>& body_fields() {
@@ -223,7 +218,7 @@ const std::vector<Argument>& body_fields() {
                               object_("mesh", "mesh", "its surface")};
     for (Argument& row : made_rows(flat_default)) all.push_back(std::move(row));
     for (Argument& row : rest_rows()) all.push_back(std::move(row));
-    all.push_back(value_("regions", table, region_words).optional());
+    all.push_back(value_("regions?", table, region_words));
     return all;
   }();
   return rows;
@@ -354,35 +349,31 @@ void interpolate_yarns(std::vector<model::BodyGiven>& bodies) {
 }
 
 std::vector<Argument> model_rows() {
-  std::vector<Argument> rows{object_("mesh", "mesh", "the surface").optional()};
+  std::vector<Argument> rows{object_("mesh?", "mesh", "the surface")};
   for (Argument& row : made_rows(flat_default)) rows.push_back(std::move(row));
   for (Argument& row : rest_rows()) rows.push_back(std::move(row));
-  rows.push_back(value_("regions", table, region_words).optional());
-  rows.push_back(value_("bodies", table,
+  rows.push_back(value_("regions?", table, region_words));
+  rows.push_back(value_("bodies?", table,
                         "{ {name=, mesh=, card=, regions=, ...}, ... }: several meshes in place of one; "
-                        "their sets are then name.left")
-                     .optional());
-  rows.push_back(value_("membrane", boolean,
-                        "cloth without bending and transverse shear, whose directors are held: for sheets "
-                        "that are taut, or fold more sharply than an element can show")
-                     .or_else(false));
-  rows.push_back(value_("folds", text,
+                        "their sets are then name.left"));
+  rows.push_back(flag_("membrane",
+                       "cloth without bending and transverse shear, whose directors are held: for sheets "
+                       "that are taut, or fold more sharply than an element can show"));
+  rows.push_back(value_("folds?", text,
                         "where compressed cloth folds: resolved, in the shape of the mesh alone; within "
                         "elements too, which then carry no more compression than folds of their size; free, "
                         "the same without any force; default: that of each card")
-                     .one_of({std::begin(card::fold_words), std::end(card::fold_words)})
-                     .optional());
+                     .one_of({std::begin(card::fold_words), std::end(card::fold_words)}));
   rows.push_back(value_("yarns", text,
                         "eased: the strain of yarns that cross quadrilaterals obliquely varies in an element "
                         "only as far as shear can hold it, so that stiff yarns do not lock a mesh; full: as "
                         "interpolated, as in the thesis")
                      .one_of({"eased", "full"})
                      .or_else("eased"));
-  rows.push_back(number_("imperfection", "m", positive,
+  rows.push_back(number_("imperfection?", "m", positive,
                          "nodes are moved across the sheet by at most this, in a pattern of waves that is "
                          "always the same, so that a sheet that is pressed or sheared in its plane can "
-                         "buckle; the mesh of the deck stays as it is")
-                     .optional());
+                         "buckle; the mesh of the deck stays as it is"));
   return rows;
 }
 
@@ -435,8 +426,7 @@ int make_model(Call& call) {
       if (mesh) still.push_back(std::make_unique<ChangeRefused>(call.session(), mesh.get()));
   auto model = std::make_shared<Model>(std::move(bodies));
   for (const auto& region : model->regions()) check_made(call.session(), region.card, region.options);
-  push_object(call.L(), std::move(model));
-  return 1;
+  return push_object(call.L(), std::move(model));
 }
 
 }  // namespace fabricsh::script

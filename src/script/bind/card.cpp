@@ -23,10 +23,7 @@ using card::Card;
 
 namespace {
 
-int push_new_card(lua_State* L, Card card) {
-  push_object(L, std::make_shared<Card>(std::move(card)));
-  return 1;
-}
+int push_new_card(lua_State* L, Card card) { return push_object(L, std::make_shared<Card>(std::move(card))); }
 
 int construct(Call& call) { return push_new_card(call.L(), card_from(call, last_word(call.entry().name))); }
 
@@ -40,7 +37,7 @@ int other_name(lua_State* L) {
   if (lua_rawget(L, -2) != LUA_TNIL) return 1;
   std::string message;
   {
-    std::vector<std::string> known = {"write", "with", "check", "free_thickness", "kind"};
+    std::vector<std::string> known = {"write", "with", "check", "kind"};
     for (const Argument& row : card_rows(card::kind(*card_at(L, 1)))) known.push_back(row.name);
     message = position(L) + "card: " + unknown("field", luaL_tolstring(L, 2, nullptr), known);
   }
@@ -225,11 +222,12 @@ int with(Call& call) {
   return push_new_card(L, std::move(changed));
 }
 
+// Thickness of the cloth that nothing presses, m, at which contact begins: where its measured compression
+// runs out to no pressure, or without one its own; second, what the fibres alone fill, m, below which nothing
+// is pressed.
 int free_thickness(Call& call) {
-  const model::Loose loose = model::loose(*call.self<Card>());
-  lua_pushnumber(call.L(), loose.thickness);
-  lua_pushnumber(call.L(), loose.solid_thickness);
-  return 2;
+  const model::Loose loose = model::loose(*call.object<Card>("card"));
+  return push_value(call.L(), loose.thickness) + push_value(call.L(), loose.solid_thickness);
 }
 
 bool is_path(const std::string& name) {
@@ -298,27 +296,22 @@ int card_by_name(Call& call) {
   return push_new_card(L, bent(*card, options.text("bending")));
 }
 
-int cards(Call& call) {
-  push_texts(call.L(), shipped());
-  return 1;
-}
+int cards(Call& call) { return push_texts(call.L(), shipped()); }
 
 int card_string(lua_State* L) { return push_text(L, card_words(*to_object<Card>(L, 1))); }
 
 int card_equal(lua_State* L) {
   const auto a = to_object<Card>(L, 1), b = to_object<Card>(L, 2);
-  lua_pushboolean(L, a != nullptr && b != nullptr && card::lua_text(*a) == card::lua_text(*b));
-  return 1;
+  return push_value(L, a != nullptr && b != nullptr && card::lua_text(*a) == card::lua_text(*b));
 }
 
 Argument card_options() {
-  Argument bending = value_("bending", text,
+  Argument bending = value_("bending?", text,
                             "estimated: the card's own estimate of what was not measured, or that for its "
                             "areal mass (a card with a rigidity of its own keeps it); thickness: integration "
-                            "through the thickness, without a warning")
-                         .optional();
+                            "through the thickness, without a warning");
   bending.choices = {"estimated", "thickness"};
-  Argument options = value_("options", fields, "changes to the card").optional();
+  Argument options = value_("options?", fields, "changes to the card");
   options.rows = {bending};
   return options;
 }
@@ -340,16 +333,16 @@ constexpr const char* woven_example =
 
 std::vector<Entry> constructors() {
   return {
-      {"fabric.woven", Style::fields, card_rows("woven"),
+      {"fabric.woven{}", card_rows("woven"),
        "A woven fabric: loading curves, unloading moduli and Poisson ratios along warp and weft, and in "
        "shear.",
        woven_example, construct},
-      {"fabric.svk", Style::fields, card_rows("svk"),
+      {"fabric.svk{}", card_rows("svk"),
        "A St. Venant-Kirchhoff sheet: for comparison, with constant moduli; S12 = 2 shear E12.",
        "local c = require 'fabric'.svk{ young=1.2e6, poisson=0.3, density=500, thickness=0.5e-3 }\n"
        "assert(c.warp == 1.2e6 and c.poisson[2] == 0.3)",
        construct},
-      {"fabric.linear", Style::fields, card_rows("linear"),
+      {"fabric.linear{}", card_rows("linear"),
        "A linear orthotropic sheet for small strains; refused unless nu12/warp = nu21/weft.",
        "local c = require 'fabric'.linear{ warp=2e6, weft=1e6, shear=5e5, poisson={0.2, 0.1}, density=500, "
        "thickness=0.5e-3 }\n"
@@ -360,35 +353,22 @@ std::vector<Entry> constructors() {
 
 std::vector<Entry> card_entries() {
   return {
-      {"fabric.card",
-       Style::positional,
+      {"fabric.card()",
        {card_or_name_row(), card_options()},
        "A shipped card by name, or the card that a Lua file returns, or a card of the deck's own; with "
        "options.",
        "local fabric = require 'fabric'\nassert(fabric.card 'denim'.name == 'denim')\n"
        "assert(fabric.card('denim', { bending='estimated' }).bending.warp[1] > 0)",
        card_by_name},
-      {"fabric.cards",
-       Style::positional,
-       {},
-       "Names of the shipped cards.",
-       "assert(#require 'fabric'.cards() >= 4)",
-       cards},
-      {"card:with",
-       Style::positional,
+      {"fabric.cards()", {}, "Names of the shipped cards.", "assert(#require 'fabric'.cards() >= 4)", cards},
+      {"card:with()",
        {value_("changes", table,
                "fields of the constructor that differ; tables merge deeply, and false drops what a card can "
                "do without, as friction_warp=false, whether it has it or not")},
        "A copy of the card with some fields changed.",
        "local c = require 'fabric'.card 'blend':with{ warp={poisson=0.4} }; assert(c.warp.poisson == 0.4)",
        with},
-      without_arguments(
-          "card:free_thickness",
-          "Thickness of the cloth that nothing presses, m, at which contact begins: where its measured "
-          "compression runs out to no pressure, or without one its own; second, what the fibres alone fill, "
-          "m, below which nothing is pressed.",
-          "local card = require 'fabric'.card 'blend'\nassert(card:free_thickness() == card.thickness)",
-          free_thickness),
+      kernel("free_thickness()", {object_("card", "card", "")}, free_thickness),
   };
 }
 

@@ -10,12 +10,9 @@ namespace fabricsh::script {
 namespace {
 
 void push_item(lua_State* L, const law::CheckItem& item) {
+  push_record(L, "key", item.key, "severity", name(item.severity), "text", item.text);
   lua_newtable(L);
-  set_text(L, "key", item.key);
-  set_text(L, "severity", name(item.severity));
-  set_text(L, "text", item.text);
-  lua_newtable(L);
-  for (const auto& [name, value] : item.numbers) set_number(L, name.c_str(), value);
+  for (const auto& [name, value] : item.numbers) put(L, name.c_str(), value);
   lua_setfield(L, -2, "numbers");
 }
 
@@ -26,12 +23,9 @@ void push_criterion(lua_State* L, const card::Card& card, bool usable) {
   if (woven == nullptr || !usable) return;
   lua_Integer place = 0;
   for (const auto& row : law::criterion_table(*woven, *law::compile(card))) {
-    lua_newtable(L);
-    set_text(L, "path", row.path);
-    set_text(L, "warp", law::name(row.warp));
-    set_text(L, "weft", law::name(row.weft));
-    if (!std::isnan(row.first)) set_number(L, "first", row.first);
-    set_number(L, "last", row.last);
+    push_record(L, "path", row.path, "warp", law::name(row.warp), "weft", law::name(row.weft));
+    if (!std::isnan(row.first)) put(L, "first", row.first);
+    put(L, "last", row.last);
     lua_rawseti(L, -2, ++place);
   }
 }
@@ -49,14 +43,10 @@ Argument size_() {
 int check(Call& call) {
   lua_State* L = call.L();
   const auto report = law::check(*call.self<card::Card>(), element_size(call));
-  lua_newtable(L);
-  set_text(L, "card", report.card);
-  set_text(L, "text", report.text());
-  set_flag(L, "ok", report.ok());
-  push_list(L, report.items, [&](const auto& one) { push_item(L, one); });
-  lua_setfield(L, -2, "items");
-  push_criterion(L, *call.self<card::Card>(), report.ok());
-  lua_setfield(L, -2, "criterion");
+  push_record(
+      L, "card", report.card, "text", report.text(), "ok", report.ok(), "items",
+      [&] { push_list(L, report.items, [&](const auto& one) { push_item(L, one); }); }, "criterion",
+      [&] { push_criterion(L, *call.self<card::Card>(), report.ok()); });
   set_text_of(L, "fabricsh.check", report_text);
   return 1;
 }
@@ -74,8 +64,7 @@ Argument size_row() {
 
 void bind_check(Session& session) {
   install(session,
-          {{"card:check",
-            Style::positional,
+          {{"card:check()",
             {size_row()},
             "What is wrong with the card or worth knowing: a table {ok, card, text, items, criterion}, which "
             "prints as its text. An item has key, severity (note, warning, error), text, numbers; a row of "

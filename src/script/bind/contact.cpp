@@ -34,9 +34,8 @@ int make(const Call& call, model::RigidShape shape) {
       std::any_of(rows.begin(), rows.end(), [](const Argument& row) { return row.name == "mass"; });
   if (weighs && call.has("mass")) mass = call.number("mass");
   const std::string name = call.has("name") ? call.text("name") : "";
-  push_object(call.L(),
-              std::make_shared<const Rigid>(std::move(shape), mass, name, last_word(call.entry().name)));
-  return 1;
+  return push_object(
+      call.L(), std::make_shared<const Rigid>(std::move(shape), mass, name, last_word(call.entry().name)));
 }
 
 int sphere(Call& call) { return make(call, model::Sphere{call.number("radius"), vector_of(call, "centre")}); }
@@ -138,11 +137,10 @@ void read_friction(const Call& call, model::ContactGiven& given) {
 Argument friction_row() {
   Argument row = fields_(
       "friction",
-      {number_("static", "", not_negative, "of what sticks, at least the kinetic one").optional(),
-       number_("kinetic", "", not_negative, "of what slides").optional(),
-       number_("warp", "", positive, "of sliding along the warp of the cloth that comes first in the model")
-           .optional(),
-       number_("weft", "", positive, "of sliding across it").optional()},
+      {number_("static?", "", not_negative, "of what sticks, at least the kinetic one"),
+       number_("kinetic?", "", not_negative, "of what slides"),
+       number_("warp?", "", positive, "of sliding along the warp of the cloth that comes first in the model"),
+       number_("weft?", "", positive, "of sliding across it")},
       "friction coefficient; or {static, kinetic}, of what sticks and of what slides; or {warp, weft}, by "
       "direction");
   row.kinds |= number;
@@ -151,7 +149,6 @@ Argument friction_row() {
 }
 
 int contact(Call& call) {
-  lua_State* L = call.L();
   if (call.has("self") == call.has("between"))
     call.refuse("between", std::string("expected either between={...} or self=, got ") +
                                (call.has("self") ? "both" : "neither"));
@@ -160,7 +157,7 @@ int contact(Call& call) {
     given.between.push_back({call.text("self"), nullptr});
   } else {
     const auto count = call.each(
-        "between", [&](lua_Integer i) { given.between.push_back(party_at(call, L, "between", i)); });
+        "between", [&](lua_Integer i) { given.between.push_back(party_at(call, call.L(), "between", i)); });
     if (count < 2) call.refuse("between", "expected two sides or more, got " + std::to_string(count));
   }
   read_friction(call, given);
@@ -170,7 +167,7 @@ int contact(Call& call) {
     if (film.has("speed") != film.has("exponent"))
       call.refuse("film", std::string("expected speed and exponent, or none of them, got only ") +
                               (film.has("speed") ? "speed" : "exponent"));
-    lua_pop(L, 1);
+    lua_pop(call.L(), 1);
   }
   return declare(call, std::move(given));
 }
@@ -179,9 +176,8 @@ int contact(Call& call) {
 
 int body(Call& call) {
   const auto state = run::body_state(*call.self<DeckRun>()->analysis, *call.object<const Rigid>("body"));
-  lua_State* L = call.L();
   for (const Vec3& v : {state.place, state.velocity, Vec3(state.spin / kDegree)})
-    for (int i = 0; i < 3; ++i) lua_pushnumber(L, v[i]);
+    for (int i = 0; i < 3; ++i) lua_pushnumber(call.L(), v[i]);
   return 9;
 }
 
@@ -205,12 +201,10 @@ int on_body(Call& call) {
   lua_State* L = call.L();
   lua_newtable(L);
   set_places(L, skin.at);
-  set_numbers(L, "pressure", skin.pressure);
-  set_numbers(L, "area", skin.area);
+  put(L, "pressure", skin.pressure, "area", skin.area);
   lua_newtable(L);
   set_places(L, skin.place);
-  push_ids(L, skin.node);
-  lua_setfield(L, -2, "node");
+  put(L, "node", skin.node);
   lua_setfield(L, -2, "touch");
   return 1;
 }
@@ -225,36 +219,31 @@ Argument direction_row(const char* sentence) {
   return value_("normal", numbers, std::string("{x, y, z}: ") + sentence);
 }
 Argument mass_row() {
-  return number_("mass", "kg", positive, "with it the body moves freely under contact and gravity")
-      .optional();
+  return number_("mass?", "kg", positive, "with it the body moves freely under contact and gravity");
 }
-Argument name_row() { return value_("name", text, "for messages and files; default the shape's").optional(); }
+Argument name_row() { return value_("name?", text, "for messages and files; default the shape's"); }
 
 std::vector<Entry> body_rows() {
   const std::string use = "local fabric = require 'fabric'\n";
   return {
-      {"fabric.rigid.sphere",
-       Style::fields,
+      {"fabric.rigid.sphere{}",
        {number_("radius", "m", positive, "of the ball"), place_row("centre", "at time 0"), mass_row(),
         name_row()},
        "A rigid ball that cloth may touch: fixed, moved (m:move), or free, with a mass.",
        use + "local ball = fabric.rigid.sphere{ radius=0.03, centre={0.1, 0.1, 0.031}, mass=0.1 }",
        sphere},
-      {"fabric.rigid.plane",
-       Style::fields,
+      {"fabric.rigid.plane{}",
        {place_row("point", "of the plane"), direction_row("out of the solid, towards the cloth"), name_row()},
        "A rigid plane: all that lies behind it is solid.",
        use + "local floor = fabric.rigid.plane{ point={0, 0, -0.1}, normal={0, 0, 1} }",
        plane},
-      {"fabric.rigid.cylinder",
-       Style::fields,
+      {"fabric.rigid.cylinder{}",
        {number_("radius", "m", positive, "of the rod"), place_row("from", "one end of its axis"),
         place_row("to", "the other end"), mass_row(), name_row()},
        "A rigid rod, whose ends are round.",
        use + "local rod = fabric.rigid.cylinder{ radius=0.01, from={-0.1, 0, 0}, to={0.1, 0, 0} }",
        cylinder},
-      {"fabric.rigid.disc",
-       Style::fields,
+      {"fabric.rigid.disc{}",
        {number_("radius", "m", positive, "over all"), place_row("centre", "of the disc"),
         direction_row("of its faces"),
         number_("edge", "m", positive, "radius of its rounded edge: half of its thickness"), mass_row(),
@@ -263,25 +252,21 @@ std::vector<Entry> body_rows() {
        use + "local support = fabric.rigid.disc{ radius=0.09, centre={0, 0, -0.003}, normal={0, 0, 1}, "
              "edge=0.002 }",
        disc},
-      {"fabric.rigid.surface",
-       Style::fields,
-       {object_("mesh", "mesh", "its facets, counter-clockwise from outside").optional(),
-        value_("file", text, "a mesh file in its place").optional(),
-        value_("closed", boolean, "the surface bounds a solid; a hole in it is an error").or_else(false),
-        mass_row(), name_row()},
+      {"fabric.rigid.surface{}",
+       {object_("mesh?", "mesh", "its facets, counter-clockwise from outside"),
+        value_("file?", text, "a mesh file in its place"),
+        flag_("closed", "the surface bounds a solid; a hole in it is an error"), mass_row(), name_row()},
        "A rigid surface of triangles; quadrilaterals are cut along their shorter diagonal.",
        use + "local ridge = fabric.rigid.surface{ mesh=fabric.mesh.rectangle{ width=0.1, height=0.1, nx=2, "
              "ny=2 } }",
        surface},
-      {"fabric.rigid.motion",
-       Style::fields,
-       {value_("files", table, "{ 'file', ... }: mesh files with the same facets at other places").optional(),
-        value_("meshes", table, "{ mesh, ... }: in their place").optional(),
+      {"fabric.rigid.motion{}",
+       {value_("files?", table, "{ 'file', ... }: mesh files with the same facets at other places"),
+        value_("meshes?", table, "{ mesh, ... }: in their place"),
         value_("times", numbers, "at which it has these shapes, ascending", "s"),
-        value_("closed", boolean,
-               "the surface bounds a solid in every shape; a hole in it is an error, and cloth may not start "
-               "inside")
-            .or_else(false),
+        flag_("closed",
+              "the surface bounds a solid in every shape; a hole in it is an error, and cloth may not start "
+              "inside"),
         name_row()},
        "A rigid surface that moves from shape to shape, each vertex in straight lines; before the first time "
        "and after the last it is at rest. Friction acts with the speed of the surface where it touches.",
@@ -294,12 +279,11 @@ std::vector<Entry> body_rows() {
 
 std::vector<Entry> contact_model_rows() {
   std::vector<Argument> rows{
-      value_("between", table, "{ body or set, ... }: every two of them touch (\"all\": the whole cloth)")
-          .optional(),
-      value_("self", text, "a set whose cloth touches itself").optional(), friction_row()};
+      value_("between?", table, "{ body or set, ... }: every two of them touch (\"all\": the whole cloth)"),
+      value_("self?", text, "a set whose cloth touches itself"), friction_row()};
   for (Argument& row : arguments_of(model::contact_rows())) rows.push_back(std::move(row));
   return {
-      {"model:contact", Style::fields, rows,
+      {"model:contact{}", rows,
        "Lets surfaces touch: cloth on rigid bodies, on other cloth, on itself. Nothing passes through.",
        sample_model() + "local floor = fabric.rigid.plane{ point={0, 0, -0.001}, normal={0, 0, 1} }\n"
                         "m:contact{ between={floor, 'all'}, friction=0.3 }:contact{ self='all' }",
@@ -313,15 +297,13 @@ std::vector<Entry> run_rows() {
                             "m:contact{ between={floor, 'all'} }:gravity{0, 0, -9.81}\n"
                             "local a = fabric.dynamic{ model=m, duration=1e-4 }\n";
   return {
-      {"analysis:body",
-       Style::positional,
+      {"analysis:body()",
        {object_("body", "body", "that touches something in the model")},
        "Where a rigid body is and how it moves: nine numbers, x y z of its centre (m), its velocity (m/s), "
        "its spin (degrees/s); a moved body's by differences of its histories.",
        falls + "local x, y, z = a:solve():body(floor)\nassert(z == -0.001)",
        body},
-      {"analysis:on_body",
-       Style::positional,
+      {"analysis:on_body()",
        {object_("body", "body", "of facets (surface, motion, limb, torso), that touches cloth in the model")},
        "What the cloth does to a rigid surface: of each vertex x, y, z (m, where it is), area (m2, a third "
        "of the facets around it, as they are) and pressure (Pa, without friction); and touch, whose lists "
@@ -336,11 +318,11 @@ std::vector<Entry> run_rows() {
            "for i, p in ipairs(on.pressure) do weight = weight + p*on.area[i] end\n"
            "assert(weight > 0 and #on.touch.node > 0)",
        on_body},
-      without_arguments("analysis:gap",
-                        "Smallest distance of surfaces that may touch, less the smallest distance that "
-                        "contact allows, m, and "
-                        "which surfaces these are; where none are near: the reach of contact, and nil.",
-                        falls + "assert(a:solve():gap() > 0)", gap),
+      without_arguments(
+          "analysis:gap",
+          "Smallest distance of surfaces that may touch, less the smallest distance that contact allows, m, "
+          "and which surfaces these are; where none are near: the reach of contact, and nil.",
+          falls + "assert(a:solve():gap() > 0)", gap),
   };
 }
 

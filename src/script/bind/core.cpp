@@ -10,14 +10,11 @@ void push_warnings(lua_State* L, const WarningLog::Warnings& warnings) {
   lua_createtable(L, static_cast<int>(warnings.size()), 0);
   lua_Integer place = 0;
   for (const run::Warning& w : warnings) {
-    lua_createtable(L, 0, 5);
-    set_text(L, "code", w.code);
-    set_text(L, "text", w.text);
-    set_number(L, "time", w.time);
+    push_record(L, "code", w.code, "text", w.text, "time", w.time);
     if (w.element >= 0) {
-      set_integer(L, "element", w.element + 1);
+      put(L, "element", w.element + 1);
     }
-    set_flag(L, "serious", w.serious);
+    put(L, "serious", w.serious);
     lua_rawseti(L, -2, ++place);
   }
 }
@@ -66,14 +63,13 @@ constexpr Unit units[] = {{"m", 1},
 
 void push_units(lua_State* L) {
   lua_newtable(L);
-  for (const Unit& unit : units) set_number(L, unit.name, unit.factor);
+  for (const Unit& unit : units) put(L, unit.name, unit.factor);
 }
 
 int poly(Call& call) {
   auto values = call.numbers("coefficients");
   for (double& value : values) value *= call.number("unit");
-  push_numbers(call.L(), values);
-  return 1;
+  return push_numbers(call.L(), values);
 }
 
 // Copies the string-keyed fields of the table on top to globals that do not exist yet, and pops the table.
@@ -112,17 +108,14 @@ int globals(Call& call) {
   return 0;
 }
 
-int checking(Call& call) {
-  lua_pushboolean(call.L(), call.session().options().check);
-  return 1;
-}
+int checking(Call& call) { return push_value(call.L(), call.session().options().check); }
 
+// The number after --case, 'list' under --cases; else nothing.
 int asked_case(Call& call) {
   const StudyOptions& study = call.session().options().study;
   if (study.list) return lua_pushliteral(call.L(), "list"), 1;
   if (study.only == 0) return 0;
-  lua_pushinteger(call.L(), study.only);
-  return 1;
+  return push_value(call.L(), study.only);
 }
 
 int warn(Call& call) {
@@ -132,33 +125,24 @@ int warn(Call& call) {
 
 std::vector<Entry> core_entries() {
   return {
-      {"fabric.poly",
-       Style::positional,
+      {"fabric.poly()",
        {{"coefficients", numbers, "", everything, "ascending powers"},
         number_("unit", "", everything, "a multiplier of fabric.units").or_else(1.0)},
        "A table of coefficients times a unit: fabric.poly({8, 826}, MPa).",
        "local fabric = require 'fabric'; assert(fabric.poly({8, 826}, fabric.units.MPa)[2] == 826e6)",
        poly},
-      {"fabric.globals",
-       Style::positional,
+      {"fabric.globals()",
        {},
        "Makes the fields of fabric and fabric.units global, except where a global of that name exists.",
        "require 'fabric'.globals(); assert(3*inch > 76*mm)",
        globals},
-      {"fabric.checking",
-       Style::positional,
+      {"fabric.checking()",
        {},
        "True under --check, where analyses run nothing and no file is written.",
        "assert(require 'fabric'.checking() == false)",
        checking},
-      {"fabric.asked_case",
-       Style::positional,
-       {},
-       "The number after --case, 'list' under --cases; else nothing. fabric.study follows it.",
-       "assert(require 'fabric'.asked_case() == nil)",
-       asked_case},
-      {"fabric.warn",
-       Style::positional,
+      kernel("asked_case()", {}, asked_case),
+      {"fabric.warn()",
        {value_("text", text, "what to say")},
        "Prints a warning on stderr with the deck's line, each text once.",
        "require 'fabric'.warn 'the strip is narrower than one repeat of the weave'",
@@ -172,9 +156,7 @@ void bind_core(Session& session) {
   install(session, core_entries());
   lua_State* L = session.lua();
   lua_getfield(L, LUA_REGISTRYINDEX, "fabric");
-  set_text(L, "version", version());
-  push_units(L);
-  lua_setfield(L, -2, "units");
+  put(L, "version", version(), "units", [&] { push_units(L); });
   watch_module(L, "fabric");
   lua_pop(L, 1);
 }

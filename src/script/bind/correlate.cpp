@@ -14,7 +14,7 @@ namespace fabricsh::script {
 
 void set_scaled(lua_State* L, const char* name, std::vector<double> values, double scale) {
   for (double& v : values) v *= scale;
-  set_numbers(L, name, values);
+  put(L, name, values);
 }
 
 std::vector<std::string> file_names(const Call& call) {
@@ -24,13 +24,12 @@ std::vector<std::string> file_names(const Call& call) {
 }
 
 Argument region_() {
-  return fields_("region",
-                 {integer_("left", not_negative, "first column, from 0 at the left").optional(),
-                  integer_("top", not_negative, "first row, from 0 at the top").optional(),
-                  integer_("right", from_one, "column behind the last").optional(),
-                  integer_("bottom", from_one, "row below the last").optional()},
-                 "pixels of the photograph, as picture viewers count them; default: all")
-      .optional();
+  return fields_("region?",
+                 {integer_("left?", not_negative, "first column, from 0 at the left"),
+                  integer_("top?", not_negative, "first row, from 0 at the top"),
+                  integer_("right?", from_one, "column behind the last"),
+                  integer_("bottom?", from_one, "row below the last")},
+                 "pixels of the photograph, as picture viewers count them; default: all");
 }
 
 lab::PixelRegion region_of(const Call& call, const format::Image& image) {
@@ -118,11 +117,8 @@ int correlate(Call& call) {
                 std::to_string(options.search) + " pixels looks as it did on '" + names[0] +
                 "' (field 'search'; a series follows larger ways in steps)");
   const double scale = call.has("scale") ? call.number("scale") : 1;
-  lua_newtable(L);
-  set_number(L, "rows", static_cast<double>(rows));
-  set_number(L, "columns", static_cast<double>(columns));
-  set_number(L, "frames", static_cast<double>(names.size()));
-  set_number(L, "scale", scale);
+  push_record(L, "rows", static_cast<double>(rows), "columns", static_cast<double>(columns), "frames",
+              static_cast<double>(names.size()), "scale", scale);
   set_scaled(L, "x", out.x, scale);
   set_scaled(L, "y", out.y, scale);
   set_scaled(L, "E11", out.E11);
@@ -167,19 +163,18 @@ std::vector<Entry> correlation_rows() {
       "local name, lab = os.tmpname(), require 'fabric'.lab\nfor i = 1, 2 do\n"
       "  lab.speckles{ file=name..i..'.png', width=120, height=100, F={1, 0, 0, 1 + 0.02*(i - 1)} }\nend\n";
   return {
-      {"fabric.lab.correlate",
-       Style::fields,
+      {"fabric.lab.correlate{}",
        {value_("files", table, "photographs in order, all of one size: PNG, JPEG, TIFF or BMP"), region_(),
         integer_("subset", Range{9, 301}, "pixels of a subset's side, odd: three speckles and more")
             .or_else(25.0),
-        integer_("step", Range{1, 1000}, "pixels between subsets; default: half of a side").optional(),
+        integer_("step?", Range{1, 1000}, "pixels between subsets; default: half of a side"),
         integer_("search", Range{1, 500},
                  "pixels that a subset may have moved since the photograph before, to be found without a "
                  "neighbour's help")
             .or_else(20.0),
         integer_("gauge", Range{3, 99}, "subsets in a row, odd, whose displacements make a strain")
             .or_else(5.0),
-        number_("scale", "m", positive, "of a pixel").optional()},
+        number_("scale?", "m", positive, "of a pixel")},
        "Follows a speckled surface through photographs by digital image correlation: rows, columns (of "
        "subsets in the region of the first), frames, x, y (of their middles on each photograph; m, or pixels "
        "without a scale; y upwards; nan: lost, or without texture), E11, E22, E12 (Green-Lagrange), "
@@ -191,8 +186,7 @@ std::vector<Entry> correlation_rows() {
               "assert(t.found[2] > 0.9 and math.abs(t.E22[#t.E22 - 10] - (1.02^2 - 1)/2) < 1e-3)",
        correlate,
        {"least"}},
-      {"fabric.lab.speckles",
-       Style::fields,
+      {"fabric.lab.speckles{}",
        {value_("file", text, "ends in .png"), integer_("width", Range{1, 30000}, "of the picture, pixels"),
         integer_("height", Range{1, 30000}, "of the picture, pixels"),
         number_("size", "pixels", Range{0.5, 100}, "of a speckle: deviation of its round blot").or_else(2.0),

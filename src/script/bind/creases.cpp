@@ -24,13 +24,10 @@ int crease(Call& call) {
 std::vector<Entry> creases_entries() {
   const auto rows = arguments_of(model::crease_rows());
   return {
-      {"model:crease",
-       Style::fields,
-       {value_("line", table,
-               "{ {x, y, z}, ... }: through points of the stress-free shape, in m, along edges of its mesh")
-            .optional(),
-        value_("set", text, "the nodes of a line of edges, in place of the line").optional(), rows[0],
-        rows[1]},
+      {"model:crease{}",
+       {value_("line?", table,
+               "{ {x, y, z}, ... }: through points of the stress-free shape, in m, along edges of its mesh"),
+        value_("set?", text, "the nodes of a line of edges, in place of the line"), rows[0], rows[1]},
        "Makes a crease: a line along which the sheet is at rest at an angle. The elements beside it are as "
        "stiff as elsewhere. Creases that all have a stiffness may cross.",
        "local fabric = require 'fabric'\n"

@@ -22,16 +22,16 @@ class Rows : public model::DeclarationVisitor {
     close();
     lua_newtable(L_);
     open_ = true;
-    set_text(L_, "kind", kind);
+    put(L_, "kind", kind);
   }
   void close() {
     if (open_) lua_rawseti(L_, -2, ++count_);
     open_ = false;
   }
-  void set(const std::string& name) { set_text(L_, "set", name); }
+  void set(const std::string& name) { put(L_, "set", name); }
   void set(const std::string& first, const std::string& second) {
     set(first);
-    set_text(L_, "partner", second);
+    put(L_, "partner", second);
   }
   void place(const char* name) { set(std::string("a ") + name); }
   void sets(const std::vector<std::string>& names) {
@@ -49,13 +49,13 @@ class Rows : public model::DeclarationVisitor {
     flag("body", true);
   }
   void to(const model::RigidPointer& other) {
-    if (other) set_text(L_, "to", given_.name_of(*other));
+    if (other) put(L_, "to", given_.name_of(*other));
   }
   void text(const char* name, const std::string& value, const std::string& = "") {
-    if (*name != 0 && !value.empty()) set_text(L_, name, value);
+    if (*name != 0 && !value.empty()) put(L_, name, value);
   }
   void number(const char* name, const std::optional<double>& value, const char* = "", double = 1) {
-    if (value) set_number(L_, name, *value);
+    if (value) put(L_, name, *value);
   }
   void time(const char* name, const std::optional<double>& value, const char*, const char* = "") {
     number(name, value);
@@ -63,7 +63,7 @@ class Rows : public model::DeclarationVisitor {
   void flag(const char* name, const std::optional<bool>& value, const std::string& = "",
             const std::string& = "") {
     if (!value) return;
-    set_flag(L_, name, *value);
+    put(L_, name, *value);
   }
   void vector(const char* name, const std::optional<Vec3>& v, const char* = "") {
     if (!v) return;

@@ -174,19 +174,14 @@ int list_text(lua_State* L) {
 int list(Call& call) {
   lua_State* L = call.L();
   const std::vector<Declared> all = declared(*call.self<Model>());
-  push_list(L, all, [&](const Declared& one) {
-    lua_newtable(L);
-    set_text(L, "kind", one.kind);
-    set_text(L, "set", one.set);
-    set_text(L, "what", one.what);
-  });
+  push_list(L, all,
+            [&](const Declared& one) { push_record(L, "kind", one.kind, "set", one.set, "what", one.what); });
   set_text_of(L, "fabricsh.declared", list_text);
   return 1;
 }
 
 // The index in m:list() of the argument: a number, or a row; among equal rows the last one.
 std::size_t place_of(const Call& call, const std::vector<Declared>& all) {
-  lua_State* L = call.L();
   if (all.empty()) throw Error("remove: expected something declared, the model has nothing in m:list()");
   if (call.is("row", LUA_TNUMBER)) {
     const auto number = call.integer("row");
@@ -200,7 +195,7 @@ std::size_t place_of(const Call& call, const std::vector<Declared>& all) {
   const bool any = !row.has("what");
   for (std::size_t i = all.size(); i-- > 0;)
     if (all[i].kind == kind && all[i].set == set && (any || all[i].what == row.text("what"))) {
-      lua_pop(L, 1);
+      lua_pop(call.L(), 1);
       return i;
     }
   throw Error("remove: the model has no " + kind + " of '" + set + "'" +
@@ -256,8 +251,7 @@ int copy(Call& call) {
     }
     lua_pop(L, 2);
   }
-  push_object(L, made);
-  return 1;
+  return push_object(L, made);
 }
 
 // The mesh object itself refuses changes when an analysis uses the mesh.
@@ -295,12 +289,11 @@ std::vector<Entry> declared_entries() {
                    "assert(list[1].kind == 'fix' and list[1].set == 'bottom' and list[1].what == 'x y z')\n"
                    "assert(list[2].what == 'x 0, y 0, z -9.81 m/s^2')",
           list),
-      {"model:remove",
-       Style::positional,
+      {"model:remove()",
        {[] {
          Argument row = fields_("row",
                                 {value_("kind", text, "the call's name"), value_("set", text, "its set"),
-                                 value_("what", text, "as listed; without it the last of them").optional()},
+                                 value_("what?", text, "as listed; without it the last of them")},
                                 "a row of m:list(), or its number");
          row.kinds |= integer;
          return row;
@@ -309,15 +302,12 @@ std::vector<Entry> declared_entries() {
        sample + "m:fix('bottom', 'x y z'):gravity{0, 0, -9.81}\nm:remove(m:list()[2])\n"
                 "assert(#m:list() == 1)\nm:remove{ kind='fix', set='bottom' }\nassert(#m:list() == 0)",
        remove},
-      {"model:copy",
-       Style::positional,
-       {fields_("changes",
-                {value_("without", text | table,
+      {"model:copy()",
+       {fields_("changes?",
+                {value_("without?", text | table,
                         "what the copy does not have: a kind of m:list() or kind and set, 'pressure' or 'fix "
-                        "left', or a list of these")
-                     .optional()},
-                "what differs; supports and loads are added by its calls")
-            .optional()},
+                        "left', or a list of these")},
+                "what differs; supports and loads are added by its calls")},
        "A model of the same cloth with the same supports and loads, which may be changed also where a run "
        "has compiled this one.",
        sample + "m:fix('bottom', 'x y z'):gravity{0, 0, -9.81}\nlocal free = m:copy{ without='fix bottom' }\n"

@@ -143,7 +143,7 @@ void push_default(lua_State* L, const Argument& row) {
     lua_pushnil(L);
 }
 
-void push_value(Call& call, const Argument& row) {
+void push_argument(Call& call, const Argument& row) {
   if (call.push(row.name) != LUA_TNIL) return;
   lua_pop(call.L(), 1);
   push_default(call.L(), row);
@@ -174,7 +174,7 @@ int run_defined(Call& call) {
   lua_rawgetp(L, base, &entry);
   if (entry.style == Style::fields) lua_newtable(L);
   for (const Argument& row : entry.arguments) {
-    push_value(call, row);
+    push_argument(call, row);
     if (entry.style == Style::fields) lua_setfield(L, -2, row.name.c_str());
   }
   // An absent argument without a default is not passed, so that it can be distinguished from nil.
@@ -279,8 +279,7 @@ int keep_caller(lua_State* L) {
 // refusals(): how often the machine has refused a file or memory to a call of this session.
 int refusals(lua_State* L) {
   lua_getfield(L, LUA_REGISTRYINDEX, refusals_key);
-  lua_pushinteger(L, lua_tointeger(L, -1));
-  return 1;
+  return push_value(L, lua_tointeger(L, -1));
 }
 
 int let_lock_go(lua_State* L) {
@@ -315,8 +314,7 @@ int lock(lua_State* L) {
 // log_end(): where the log of warnings ends; warnings(place): what was added from there on.
 int log_end(lua_State* L) {
   const WarningLog::LogPosition place = Session::of(L).log().end();
-  lua_pushinteger(L, static_cast<lua_Integer>(place.lists));
-  return 1;
+  return push_value(L, place.lists);
 }
 
 int warnings(lua_State* L) {
@@ -343,26 +341,10 @@ int call_define(lua_State* L) {
 
 int open_define(lua_State* L) {
   lua_newtable(L);
-  lua_pushcfunction(L, fail);
-  lua_setfield(L, -2, "fail");
-  lua_pushcfunction(L, keep_caller);
-  lua_setfield(L, -2, "keep_caller");
-  lua_pushcfunction(L, lock);
-  lua_setfield(L, -2, "lock");
-  lua_pushcfunction(L, refusals);
-  lua_setfield(L, -2, "refusals");
-  lua_pushcfunction(L, log_end);
-  lua_setfield(L, -2, "log_end");
-  lua_pushcfunction(L, warnings);
-  lua_setfield(L, -2, "warnings");
-  lua_pushcfunction(L, say);
-  lua_setfield(L, -2, "say");
-  push_registry(L);
-  lua_setfield(L, -2, "registry");
+  put(L, "fail", fail, "keep_caller", keep_caller, "lock", lock, "refusals", refusals, "log_end", log_end,
+      "warnings", warnings, "say", say, "registry", [&] { push_registry(L); });
   lua_newtable(L);
-  lua_pushcfunction(L, call_define);
-  lua_setfield(L, -2, "__call");
-  set_flag(L, "__metatable", false);
+  put(L, "__call", call_define, "__metatable", false);
   lua_setmetatable(L, -2);
   return 1;
 }

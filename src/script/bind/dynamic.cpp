@@ -33,15 +33,9 @@ const run::Dynamic& dynamic(Call& call) {
   return *run;
 }
 
-int stable_step(Call& call) {
-  lua_pushnumber(call.L(), dynamic(call).stable_step());
-  return 1;
-}
+int stable_step(Call& call) { return push_value(call.L(), dynamic(call).stable_step()); }
 
-int step_size(Call& call) {
-  lua_pushnumber(call.L(), dynamic(call).step_size());
-  return 1;
-}
+int step_size(Call& call) { return push_value(call.L(), dynamic(call).step_size()); }
 
 std::string sample() {
   return "local fabric = require 'fabric'\n"
@@ -53,7 +47,7 @@ std::string sample() {
 
 std::vector<Entry> dynamic_entries() {
   return {
-      {"fabric.dynamic", Style::fields, with_beginning(arguments_of(run::dynamic_options())),
+      {"fabric.dynamic{}", with_beginning(arguments_of(run::dynamic_options())),
        "A dynamic run by Newmark's method, explicit or implicit, with a balance (ledger) of its energies.",
        sample() + "assert(a:solve().energy.error < 1e-3)", make_dynamic},
       without_arguments(

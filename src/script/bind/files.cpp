@@ -22,16 +22,14 @@ int write_text(Call& call) {
 
 std::vector<Entry> files_entries() {
   return {
-      {"fabric.write",
-       Style::positional,
+      {"fabric.write()",
        {value_("path", text, "of the file"), value_("content", text, "all of it")},
        "Writes a file as a whole and makes its folders: a reader sees the old file or the new one, never a "
        "part.",
        "local path = os.tmpname()\nrequire 'fabric'.write(path, 'a,b\\n1,2\\n')\n"
        "assert(io.open(path):read 'a' == 'a,b\\n1,2\\n')\nos.remove(path)",
        write_text},
-      {"card:write",
-       Style::positional,
+      {"card:write()",
        {value_("path", text, "of the Lua file")},
        "Writes the card as a Lua file that reads back equal; the old file stays until the new one is whole.",
        "local fabric = require 'fabric'\nlocal path = os.tmpname()..'.lua'\nlocal card = fabric.card 'duck'\n"

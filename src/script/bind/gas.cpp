@@ -60,14 +60,14 @@ void read_lids(const Call& call, GasGiven& gas) {
 
 const std::vector<Argument>& vent_rows() {
   static const std::vector<Argument> rows{
-      value_("set", text, "elements whose area at the start is that of the hole").optional(),
-      number_("area", "m2", positive, "of the hole, in place of a set").optional(),
+      value_("set?", text, "elements whose area at the start is that of the hole"),
+      number_("area?", "m2", positive, "of the hole, in place of a set"),
       number_("coefficient", "", {0, 1, true, false},
               "of discharge: the area of the jet over that of the hole")
           .or_else(0.6),
-      object_("to", "gas", "another volume, what m:gas returned; default the outside").optional(),
-      number_("opens", "Pa", positive, "pressure difference at which it opens for good; default it is open")
-          .optional()};
+      object_("to?", "gas", "another volume, what m:gas returned; default the outside"),
+      number_("opens?", "Pa", positive,
+              "pressure difference at which it opens for good; default it is open")};
   return rows;
 }
 
@@ -159,8 +159,7 @@ int gas(Call& call) {
   read_leakage(call, gas);
   const auto made = std::make_shared<const GasGiven>(std::move(gas));
   call.self<Model>()->add(made);
-  push_object(call.L(), made);
-  return 1;
+  return push_object(call.L(), made);
 }
 
 int reading(Call& call) {
@@ -187,33 +186,28 @@ std::vector<Entry> gas_entries() {
   kind.choices = {"air"};
   Argument inflow = history_("inflow", "kg/s", "{ {time, kg/s}, ... } or a history: mass that flows in");
   inflow.kinds |= table;
-  Argument leakage = value_("leakage", number | numbers | function,
+  Argument leakage = value_("leakage?", number | numbers | function,
                             "speed of the air through the cloth, m/s at 100 Pa; {m/s, Pa} at another "
-                            "pressure; or function(Pa) returning m/s")
-                         .optional();
+                            "pressure; or function(Pa) returning m/s");
   return {
-      {"model:gas",
-       Style::fields,
+      {"model:gas{}",
        {value_("set", text | table, "elements that close around the gas: a set, or a list of sets")
             .or_else("all"),
         object_(
-            "lids", "body",
+            "lids?", "body",
             "rigid bodies that close the holes whose rims lie at them, and sets of nodes around holes that "
             "something closes which weighs nothing: the gas pushes on it, and it on the nodes, evenly",
-            text | table)
-            .optional(),
+            text | table),
         rows[0], rows[1], rows[2], kind.optional(), rows[3], inflow,
-        value_("vents", table,
+        value_("vents?", table,
                "{ {set=|area=, coefficient=0.6, to=?, opens=?}, ... }: holes through which gas flows out, or "
-               "to another volume, as through a nozzle; a set counts by its area at the start")
-            .optional(),
+               "to another volume, as through a nozzle; a set counts by its area at the start"),
         leakage, rows[4]},
        "Fills a closed volume with gas. Its pressure is the same everywhere and follows from the volume, the "
        "mass and the temperature. Returns the volume, for a:gas and for vents of others.",
        bag + "assert(m:list()[3].kind == 'gas')",
        gas},
-      {"analysis:gas",
-       Style::positional,
+      {"analysis:gas()",
        {object_("gas", "gas", "a volume of the model, what m:gas returned")},
        "The gas of a volume as it is: four numbers, the pressure above that outside (Pa), the volume (m3), "
        "the mass (kg), and the temperature (K).",

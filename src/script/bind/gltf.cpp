@@ -230,9 +230,7 @@ void set_times(const Call& call, const std::vector<TimeFrame>& moments, format::
   for (const TimeFrame& moment : moments) scene.times.push_back((moment.time - first) * slower);
 }
 
-void set_count(lua_State* L, const char* name, std::size_t count) {
-  set_integer(L, name, static_cast<lua_Integer>(count));
-}
+void set_count(lua_State* L, const char* name, std::size_t count) { put(L, name, count); }
 
 int gltf(Call& call) {
   check_arguments(call);
@@ -254,14 +252,12 @@ int gltf(Call& call) {
   system::make_folder_for(file);
   system::write_file(file, bytes);
   lua_State* L = call.L();
-  lua_newtable(L);
-  set_text(L, "file", file);
+  push_record(L, "file", file);
   set_count(L, "frames", moments.size());
-  set_number(L, "duration", scene.times.back());
+  put(L, "duration", scene.times.back());
   set_count(L, "bytes", bytes.size());
   if (!wanted.none) {
-    set_number(L, "low", range.low);
-    set_number(L, "high", range.high);
+    put(L, "low", range.low, "high", range.high);
   }
   return 1;
 }
@@ -272,30 +268,27 @@ void bind_gltf(Session& session) {
   const std::string sample = sample_run() + "local name = os.tmpname()\nos.remove(name)\n";
   install(
       session,
-      {{"fabric.export.gltf",
-        Style::fields,
+      {{"fabric.export.gltf{}",
         {value_("file", text, "to write; ends in .glb"),
-         value_("series", text, "a .pvd that a:vtk wrote: every frame of it").optional(),
-         object_("run", "analysis", "in place of a series: the run as it stands").optional(),
+         value_("series?", text, "a .pvd that a:vtk wrote: every frame of it"),
+         object_("run?", "analysis", "in place of a series: the run as it stands"),
          value_("field", text,
                 "what the colours show, on the nodes: a number of a field, or a vector's length")
              .or_else("none")
              .one_of(gltf_fields())
              .owned(),
-         value_("range", numbers, "{low, high} of the colours; default: those of all frames").optional(),
-         number_("every", "s", positive, "at least between two frames; default: all that there are")
-             .optional(),
-         number_("duration", "s", positive, "of the animation; default: that of the series").optional(),
-         value_("shapes", text,
+         value_("range?", numbers, "{low, high} of the colours; default: those of all frames"),
+         number_("every?", "s", positive, "at least between two frames; default: all that there are"),
+         number_("duration?", "s", positive, "of the animation; default: that of the series"),
+         value_("shapes?", text,
                 "frames: a mesh for each frame, shown by turns, as every program can; morph: one mesh that "
                 "moves straight from frame to frame, with colours that few programs move. Default: frames "
                 "where there is a field, else morph")
-             .one_of({"morph", "frames"})
-             .optional(),
+             .one_of({"morph", "frames"}),
          value_("up", text, "the axis that points up").one_of({"z", "y"}).or_else("z")},
         "Writes a series as a binary glTF file for the web: the cloth, and what stands beside it, with an "
-        "animation. Returns {file, frames, duration, bytes, low, high}; low and high are "
-        "those of the colours, which are as in pictures.",
+        "animation. Returns {file, frames, duration, bytes, low, high}; low and high are those of the "
+        "colours, which are as in pictures.",
         sample +
             "a:vtk(name..'/pull')\na:solve()\n"
             "local r = fabric.export.gltf{ series=name..'/pull.pvd', file=name..'/pull.glb', field='S11' }\n"

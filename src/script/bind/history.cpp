@@ -36,13 +36,12 @@ History callback(const Function& f, const std::string& what) {
 }  // namespace
 
 History read_points(const Call& call, const char* name) {
-  lua_State* L = call.L();
   std::vector<std::pair<double, double>> points;
   call.each(name, [&](lua_Integer i) {
     const Argument pair{std::string(name) + "[" + std::to_string(i) + "]", numbers, "", everything,
                         "time and value"};
-    check_value(L, -1, pair, "", true);
-    const auto row = read_numbers(L, -1);
+    check_value(call.L(), -1, pair, "", true);
+    const auto row = read_numbers(call.L(), -1);
     if (row.size() != 2)
       call.refuse(pair.name, "expected {time, value}, got " + std::to_string(row.size()) + " numbers");
     points.emplace_back(row[0], row[1]);
@@ -53,20 +52,15 @@ History read_points(const Call& call, const char* name) {
 namespace {
 
 int history_table(Call& call) {
-  push_object(call.L(), std::make_shared<History>(read_points(call, "points")));
-  return 1;
+  return push_object(call.L(), std::make_shared<History>(read_points(call, "points")));
 }
 
 int ramp(Call& call) {
-  push_object(call.L(),
-              std::make_shared<History>(History::ramp(call.number("value"), call.number("duration"))));
-  return 1;
+  return push_object(call.L(),
+                     std::make_shared<History>(History::ramp(call.number("value"), call.number("duration"))));
 }
 
-int value(Call& call) {
-  lua_pushnumber(call.L(), call.self<History>()->value(call.number("time")));
-  return 1;
-}
+int value(Call& call) { return push_value(call.L(), call.self<History>()->value(call.number("time"))); }
 
 bool is_function(const History& h) { return !h.is_constant() && h.kinks().empty(); }
 
@@ -111,27 +105,23 @@ int history_text(lua_State* L) {
     words += " of " + std::to_string(h.kinks().size()) + " points to " + exact_number(h.kinks().back()) +
              " s, " + exact_number(low) + " to " + exact_number(high);
   }
-  lua_pushstring(L, (words + ">").c_str());
-  return 1;
+  return push_value(L, words + ">");
 }
 
 std::vector<Entry> history_entries() {
   return {
-      {"fabric.history",
-       Style::positional,
+      {"fabric.history()",
        {value_("points", table, "{ {t, v}, ... } with increasing times, s")},
        "A history through points; before the first and after the last it holds their values.",
        "local h = require 'fabric'.history{ {0, 0}, {1, 2} }; assert(h:value(0.5) == 1)",
        history_table},
-      {"fabric.ramp",
-       Style::positional,
+      {"fabric.ramp()",
        {number_("value", "", everything, "end value"),
         number_("duration", "s", positive, "time to reach it")},
        "From 0 to value over the duration, then held.",
        "local h = require 'fabric'.ramp(3, 2); assert(h:value(1) == 1.5 and h:value(9) == 3)",
        ramp},
-      {"history:value",
-       Style::positional,
+      {"history:value()",
        {number_("time", "s", everything, "when")},
        "The history's value at a time.",
        "assert(require 'fabric'.ramp(3, 2):value(2) == 3)",

@@ -139,12 +139,11 @@ int parallel(Call& call) {
     session.log().adopt(answer.attached);
     push_numbers(L, answer.values);
     if (collects) {
-      push_warnings(L, session.log().since(before));
-      lua_setfield(L, -2, "warnings");
+      put(L, "warnings", [&] { push_warnings(L, session.log().since(before)); });
     }
-    if (!answer.error.empty()) set_text(L, "trouble", answer.error);
+    if (!answer.error.empty()) put(L, "trouble", answer.error);
     if (answer.died) {
-      set_flag(L, "died", true);
+      put(L, "died", true);
     }
     lua_rawseti(L, -2, ++place);
   }
@@ -174,8 +173,12 @@ lab::Points evaluated(const Function& evaluate, const lab::Points& points, std::
   return out;
 }
 
+// Bounded least squares by Levenberg and Marquardt: x, residuals, jacobian (by rows), iterations, converged,
+// reason. evaluate(points) returns one list of residuals for each point; tolerance: of the sum of squares and
+// of the parameters, relative; difference: step of the differences, over high - low; settle: rounds of
+// central differences along combinations that the data determine independently, for residuals in units of
+// their deviation.
 int least_squares(Call& call) {
-  lua_State* L = call.L();
   const auto start = call.numbers("start"), low = call.numbers("low"), high = call.numbers("high");
   if (low.size() != start.size() || high.size() != start.size())
     call.refuse("low", "expected low and high for each of " + std::to_string(start.size()) + " parameters");
@@ -190,49 +193,38 @@ int least_squares(Call& call) {
       lab::least_squares(start, bounds, residuals,
                          {call.count("iterations"), call.number("tolerance"), call.number("difference")}),
       bounds, residuals, call.count("settle"));
-  lua_newtable(L);
-  set_numbers(L, "x", found.x);
-  set_numbers(L, "residuals", found.residuals);
-  set_numbers(L, "jacobian", found.jacobian);
-  set_number(L, "iterations", found.iterations);
-  set_text(L, "reason", found.reason);
-  set_flag(L, "converged", found.converged);
-  return 1;
+  return push_record(call.L(), "x", found.x, "residuals", found.residuals, "jacobian", found.jacobian,
+                     "iterations", static_cast<double>(found.iterations), "reason", found.reason, "converged",
+                     found.converged);
 }
 
+// The data determine: deviation of each parameter, correlation (by rows), weakest (the combination determined
+// least, of length one in units of scale) and weakest_deviation. jacobian: of residuals in units of their
+// deviation, by rows; scale: a size of each parameter.
 int identifiability(Call& call) {
-  lua_State* L = call.L();
   const auto scale = call.numbers("scale"), jacobian = call.numbers("jacobian");
   if (jacobian.size() % scale.size() != 0 || jacobian.size() < scale.size() * scale.size())
     call.refuse("jacobian", "expected at least " + std::to_string(scale.size()) + " rows of " +
                                 std::to_string(scale.size()));
   const auto found = lab::identifiability(jacobian, scale);
-  lua_newtable(L);
-  set_numbers(L, "deviation", found.deviation);
-  set_numbers(L, "correlation", found.correlation);
-  set_numbers(L, "weakest", found.weakest);
-  set_number(L, "weakest_deviation", found.weakest_deviation);
-  return 1;
+  return push_record(call.L(), "deviation", found.deviation, "correlation", found.correlation, "weakest",
+                     found.weakest, "weakest_deviation", found.weakest_deviation);
 }
 
-Argument list(const char* name, const char* sentence) { return {name, numbers, "", everything, sentence}; }
+Argument list(const char* name) { return argument_(name, numbers, "", everything, ""); }
 
 std::vector<Entry> identify_entries() {
   return {
-      {"fabric.lab.parallel",
-       Style::fields,
+      {"fabric.lab.parallel{}",
        {integer_("count", Range{1, 1e7}, "of items"),
         value_("work", function, "work(i) returns a list of numbers"),
-        integer_("processes", {1, 4096},
-                 "parallel processes, each with one thread; default: the threads that the program may use")
-            .optional(),
-        value_("done", function, "done(i) is called in this process after each item").optional(),
-        value_("isolated", boolean, "each item in a process of its own, even with processes=1")
-            .or_else(false),
-        value_(
-            "collect", boolean,
-            "what the items warn of is not shown but returned, a list warnings with each answer, and logged")
-            .or_else(false),
+        integer_("processes?", {1, 4096},
+                 "parallel processes, each with one thread; default: the threads that the program may use"),
+        value_("done?", function, "done(i) is called in this process after each item"),
+        flag_("isolated", "each item in a process of its own, even with processes=1"),
+        flag_(
+            "collect",
+            "what the items warn of is not shown but returned, a list warnings with each answer, and logged"),
         value_("progress", text, "progress is shown, preceded by this word").or_else("")},
        "Calls work(i) for items 1 to count in parallel processes. Returns the lists in order; that of a "
        "failed item is empty and has trouble, the message, and died=true when its process ended without an "
@@ -240,35 +232,14 @@ std::vector<Entry> identify_entries() {
        "local r = require 'fabric'.lab.parallel{ count=3, work=function(i) return { i, i*i } end "
        "}\nassert(r[3][2] == 9)",
        parallel},
-      {"fabric.lab.least_squares",
-       Style::fields,
-       {list("start", "parameters to begin with"), list("low", "bounds"), list("high", "bounds"),
-        value_("evaluate", function, "evaluate(points) returns one list of residuals per point"),
-        integer_("iterations", from_one, "at most").or_else(50.0),
-        number_("tolerance", "", positive, "relative, of the sum of squares and of the parameters")
-            .or_else(1e-8),
-        number_("difference", "", positive, "step of the differences, over high - low").or_else(1e-4),
-        integer_("settle", not_negative,
-                 "rounds of central differences along combinations that the data determine independently; "
-                 "for residuals in units of their deviation")
-            .or_else(0.0)},
-       "Bounded least squares by Levenberg and Marquardt: x, residuals, jacobian (by rows), iterations, "
-       "converged, reason.",
-       "local f = require 'fabric'.lab.least_squares{ start={0.5}, low={0}, high={3}, "
-       "evaluate=function(points)\n"
-       "  local out = {}\n  for i, p in ipairs(points) do out[i] = { p[1]^2 - 2, 0 } end\n  return out\nend "
-       "}\n"
-       "assert(math.abs(f.x[1] - 2^0.5) < 1e-6)",
-       least_squares},
-      {"fabric.lab.identifiability",
-       Style::fields,
-       {list("jacobian", "of residuals in units of their deviation, by rows"),
-        list("scale", "a size of each parameter")},
-       "What data determine: deviation of each parameter, correlation (by rows), weakest (the combination "
-       "determined least, of length one in units of scale) and weakest_deviation.",
-       "local i = require 'fabric'.lab.identifiability{ jacobian={2, 0, 0, 4}, scale={1, 1} }\n"
-       "assert(math.abs(i.deviation[1] - 0.5) < 1e-12 and math.abs(i.weakest[1]) > 0.99)",
-       identifiability},
+      kernel("least_squares{}",
+             {list("start"), list("low"), list("high"), value_("evaluate", function, ""),
+              integer_("iterations", from_one, "").or_else(50.0),
+              number_("tolerance", "", positive, "").or_else(1e-8),
+              number_("difference", "", positive, "").or_else(1e-4),
+              integer_("settle", not_negative, "").or_else(0.0)},
+             least_squares),
+      kernel("identifiability{}", {list("jacobian"), list("scale")}, identifiability),
   };
 }
 

@@ -11,12 +11,11 @@
 namespace fabricsh::script {
 
 std::vector<Vec3> read_line(const Call& call) {
-  lua_State* L = call.L();
   std::vector<Vec3> line;
   call.each("line", [&](lua_Integer i) {
     const Argument row{std::to_string(i), numbers, "m", everything, ""};
-    check_value(L, -1, row, "line.", false);
-    line.push_back(read_vector(read_numbers(L, -1), "field 'line." + row.name + "'"));
+    check_value(call.L(), -1, row, "line.", false);
+    line.push_back(read_vector(read_numbers(call.L(), -1), "field 'line." + row.name + "'"));
   });
   if (line.size() < 2)
     call.refuse("line", "expected two points {x, y, z} or more, got " + std::to_string(line.size()));
@@ -61,10 +60,7 @@ run::Run::Along read_along(const Call& call) {
 template <class Change>
 int change(Call& call, const std::string& name, run::Run::Along along, Change made) {
   DeckRun& run = *call.self<DeckRun>();
-  const auto make = [&] {
-    lua_pushinteger(call.L(), static_cast<lua_Integer>(made(*run.analysis)));
-    return 1;
-  };
+  const auto make = [&] { return push_value(call.L(), made(*run.analysis)); };
   if (run.calls.count == 0) return make();
   repeats_change(run);
   Archive arguments;
@@ -89,20 +85,16 @@ int joints(Call& call) {
   const auto& dofs = call.self<DeckRun>()->analysis->assembly().dofs();
   const auto& joints = dofs.joints();
   const auto& closed = dofs.sewn().closed;
-  lua_createtable(call.L(), 0, 4);
-  set_integer(call.L(), "stitches", static_cast<lua_Integer>(closed.size()));
-  set_integer(call.L(), "closed", std::count(closed.begin(), closed.end(), 1));
-  set_integer(call.L(), "open", static_cast<lua_Integer>(joints.open()));
-  set_integer(call.L(), "places", static_cast<lua_Integer>(joints.places()));
-  return 1;
+  return push_record(call.L(), "stitches", closed.size(), "closed",
+                     std::count(closed.begin(), closed.end(), 1), "open", joints.open(), "places",
+                     joints.places());
 }
 
 std::vector<Argument> along_rows() {
   return {
-      value_("set", text, "the edges between nodes of this set").optional(),
-      value_("line", table,
-             "a list of points {x, y, z}: the edges that lie on the line through them, m in the reference")
-          .optional()};
+      value_("set?", text, "the edges between nodes of this set"),
+      value_("line?", table,
+             "a list of points {x, y, z}: the edges that lie on the line through them, m in the reference")};
 }
 
 std::string sample(const std::string& end) {
@@ -121,33 +113,29 @@ std::vector<Entry> joints_entries() {
   const auto strengths = arguments_of(model::strength_rows());
   auto join_rows = along_rows();
   join_rows.push_back(
-      number_("within", "m", not_negative,
-              "how far apart nodes that become one may be; default a millionth of the mean edge")
-          .optional());
+      number_("within?", "m", not_negative,
+              "how far apart nodes that become one may be; default a millionth of the mean edge"));
   return {
-      {"model:tearable",
-       Style::positional,
+      {"model:tearable()",
        {value_("set", text, "a set whose elements may come apart along their edges during a run"),
-        fields_("options",
-                {value_("coarse", text,
-                        "where elements are coarse for the card's strength and energy: lower the strength "
-                        "until a tear runs at the right force, and say so; refuse; or keep the strength, "
-                        "which is right where no tear runs, as in a strip without a notch")
-                     .one_of({"lower", "refuse", "keep"})
-                     .or_else("lower"),
-                 integer_("seed", {0, 9007199254740992.0}, "of the scatter of strengths").or_else(1),
-                 value_("path", text,
-                        "a set of nodes: yarns break at these places only, where the path of a tear is given")
-                     .optional()},
-                "of breaking yarns")
-            .optional()},
+        fields_(
+            "options?",
+            {value_("coarse", text,
+                    "where elements are coarse for the card's strength and energy: lower the strength "
+                    "until a tear runs at the right force, and say so; refuse; or keep the strength, "
+                    "which is right where no tear runs, as in a strip without a notch")
+                 .one_of({"lower", "refuse", "keep"})
+                 .or_else("lower"),
+             integer_("seed", {0, 9007199254740992.0}, "of the scatter of strengths").or_else(1),
+             value_("path?", text,
+                    "a set of nodes: yarns break at these places only, where the path of a tear is given")},
+            "of breaking yarns")},
        "Declares a tearable zone: each corner of its elements gets a node of its own, which moves with the "
        "others at its place until a:cut opens the joint, or in explicit motion its yarns reach the strength "
        "that the card has in rupture. The further nodes are numbered after those of the mesh.",
        sample(""),
        tearable},
-      {"model:strength",
-       Style::fields,
+      {"model:strength{}",
        {value_("set", text, "the elements meant").or_else("all"), strengths[0], strengths[1],
         integer_("seed", {0, 9007199254740992.0}, "of that").or_else(1)},
        "The strength of yarns that soften (see damage of a card) where it is not that of the card: weakened "
@@ -158,21 +146,21 @@ std::vector<Entry> joints_entries() {
        "local m = fabric.model{ mesh=mesh, card=card, warp=90 }\n"
        "m:strength{ factor=0.9, modulus=20, seed=3 }",
        strength},
-      {"analysis:cut", Style::fields, along_rows(),
+      {"analysis:cut{}", along_rows(),
        "Opens joints of tearable zones and stitches of seams, between two steps: in a hook, an event's "
        "action, or between calls. Along the edges named the elements come apart; the tip of a cut stays "
        "whole. Returns how many joints there are more.",
        sample(cut_sample), cut},
-      {"analysis:join", Style::fields, join_rows,
+      {"analysis:join{}", join_rows,
        "Closes joints of tearable zones and stitches of seams, between two steps, where their nodes have met "
        "again. They take the mean of their velocities weighted by their masses; the kinetic energy lost is "
        "a.energy.joints. Returns how many joints there are less.",
        sample(cut_sample + "assert(a:join{ set='all' } == 1 and a.joints.open == 0)"), join},
-      without_arguments(
-          "analysis.joints",
-          "Of the tearable zones: open, the number of places whose joint is open; places, of all places with "
-          "several nodes. Of seams: stitches, and how many of them are closed.",
-          sample(cut_sample + "assert(a.joints.open == 1 and a.joints.places == 15 - 4)"), joints),
+      without_arguments("analysis.joints",
+                        "Of the tearable zones: open, the number of places whose joint is open; places, of "
+                        "all places with several nodes. Of seams: stitches, and how many of them are closed.",
+                        sample(cut_sample + "assert(a.joints.open == 1 and a.joints.places == 15 - 4)"),
+                        joints),
   };
 }
 

@@ -11,11 +11,6 @@ namespace fabricsh::script {
 
 namespace {
 
-int chain_of(const Call& call) {
-  lua_pushvalue(call.L(), 1);
-  return 1;
-}
-
 // Error: a value that cannot be stored, reported at once.
 void check_table(const Fields& options) {
   options.push("keep");
@@ -46,18 +41,18 @@ int checkpoint(Call& call) {
   if (options && options->has("minutes")) minutes = options->number("minutes");
   const bool keeps = options && options->has("keep");
   if (keeps) check_table(*options);
-  if (call.session().options().check) return chain_of(call);
+  if (call.session().options().check) return call.itself();
   const auto keeper = run->job.checkpoint(path, every, minutes);
   if (keeps) store_table(*run, path, *options, *keeper);
   // In a restarted deck the analyses before the restored one are finished: this file does not belong to them.
   const auto& begun = call.session().restart();
   if (begun && run->number() < begun->number) keeper->write_nothing();
-  return chain_of(call);
+  return call.itself();
 }
 
 int restart_run(Call& call) {
   restart(*call.self<DeckRun>(), load_checkpoint(call.text("path")));
-  return chain_of(call);
+  return call.itself();
 }
 
 int set_kept(Call& call) {
@@ -66,7 +61,7 @@ int set_kept(Call& call) {
     if (call.has(row.name)) settings.push_back({row.name, call.number(row.name)});
   const auto run = call.self<DeckRun>();
   if (!repeats_change(*run)) run->analysis->set(settings);
-  return chain_of(call);
+  return call.itself();
 }
 
 // Those of a quasi-static run; a motion has the same.
@@ -83,8 +78,7 @@ std::vector<Argument> setting_rows() {
 
 int why(Call& call) {
   const std::string& text = call.self<DeckRun>()->analysis->why();
-  lua_pushstring(call.L(), text.empty() ? "this run has not failed" : text.c_str());
-  return 1;
+  return push_value(call.L(), text.empty() ? "this run has not failed" : text.c_str());
 }
 
 int last_why(Call& call) {
@@ -105,10 +99,9 @@ std::string failing_sample() {
 std::vector<Entry> keep_entries() {
   const std::string sample = sample_run() + "local name = os.tmpname()\n";
   return {
-      {"analysis:checkpoint",
-       Style::positional,
+      {"analysis:checkpoint()",
        {value_("path", text, "of the file, which is replaced each time; its folder is made"),
-        fields_("options",
+        fields_("options?",
                 {Argument{"every",
                           number | text,
                           "s",
@@ -118,15 +111,12 @@ std::vector<Entry> keep_entries() {
                           {},
                           {"step"}}
                      .optional(),
-                 number_("minutes", "min", positive,
-                         "time on the clock between two of them; 10 where neither it nor 'every' is given")
-                     .optional(),
-                 value_("keep", table,
+                 number_("minutes?", "min", positive,
+                         "time on the clock between two of them; 10 where neither it nor 'every' is given"),
+                 value_("keep?", table,
                         "a table of the deck (numbers, texts, booleans, tables), saved with the run and "
-                        "filled again on restart")
-                     .optional()},
-                "how often, and what besides the run")
-            .optional()},
+                        "filled again on restart")},
+                "how often, and what besides the run")},
        "Writes the whole state of the run to one file as it goes, and when it ends, fails or is interrupted; "
        "--restart and analysis:restart continue from there bit for bit.",
        sample + "local seen = { n=0 }\na:every('step', function() seen.n = seen.n + 1 end)\n"
@@ -135,8 +125,7 @@ std::vector<Entry> keep_entries() {
                 "b:restart(name):checkpoint(name, { keep=again })\n"
                 "assert(b.time == 0.5 and again.n == 3)\nos.remove(name)",
        checkpoint},
-      {"analysis:restart",
-       Style::positional,
+      {"analysis:restart()",
        {value_("path", text, "of a checkpoint of the same problem")},
        "Returns to the state of a checkpoint; 'record', 'vtk' and 'checkpoint' called after it continue "
        "their files.",
@@ -144,17 +133,16 @@ std::vector<Entry> keep_entries() {
                 "local b = fabric.static{ model=m, duration=1, step=0.25 }:restart(name)\n"
                 "assert(b.time == 1 and b:mean 'S11' == a:mean 'S11')\nos.remove(name)",
        restart_run},
-      {"analysis:set", Style::fields, setting_rows(),
+      {"analysis:set{}", setting_rows(),
        "Changes settings of a run, also one that is under way or has failed.",
        sample_run() + "a:advance(0.5):set{ tolerance=1e-6, step=0.1 }\nassert(a:solve().time == 1)",
        set_kept},
-      without_arguments("analysis:why",
-                        "Why the run last failed: the steps tried with their residuals, the node, the "
-                        "element with its strain "
-                        "and the branches of its yarns, and what to try; as text. The error has it as e.why.",
-                        failing_sample() + "assert(a:why():find 'element' and e.why == a:why())", why),
-      {"fabric.why",
-       Style::positional,
+      without_arguments(
+          "analysis:why",
+          "Why the run last failed: the steps tried with their residuals, the node, the element with its "
+          "strain and the branches of its yarns, and what to try; as text. The error has it as e.why.",
+          failing_sample() + "assert(a:why():find 'element' and e.why == a:why())", why),
+      {"fabric.why()",
        {},
        "Why the last failed run failed: the text of its analysis:why().",
        failing_sample() + "assert(fabric.why() == a:why())",

@@ -24,7 +24,6 @@ void same_length(const Call& call, const char* a, const char* b) {
 }
 
 int reduce(Call& call) {
-  lua_State* L = call.L();
   same_length(call, "displacement", "force");
   const auto force = call.numbers("force");
   const lab::Specimen specimen{call.number("gauge_length"), call.number("width"), call.number("thickness"),
@@ -38,13 +37,8 @@ int reduce(Call& call) {
     slack = *found;
   }
   const auto tension = lab::stress_strain(u, force, specimen, slack);
-  lua_newtable(L);
-  set_number(L, "slack", slack);
-  set_number(L, "area", specimen.area());
-  set_numbers(L, "displacement", u);
-  set_numbers(L, "E", tension.E);
-  set_numbers(L, "S", tension.S);
-  return 1;
+  return push_record(call.L(), "slack", slack, "area", specimen.area(), "displacement", u, "E", tension.E,
+                     "S", tension.S);
 }
 
 const char* word(lab::BranchKind kind) {
@@ -65,10 +59,7 @@ int branches(Call& call) {
   lua_newtable(L);
   lua_Integer place = 0;
   for (const lab::PullBranch& b : lab::branches(call.numbers("displacement"), call.number("tolerance"))) {
-    lua_createtable(L, 0, 3);
-    set_text(L, "kind", word(b.kind));
-    set_integer(L, "first", static_cast<lua_Integer>(b.begin + 1));
-    set_integer(L, "last", static_cast<lua_Integer>(b.end));
+    push_record(L, "kind", word(b.kind), "first", b.begin + 1, "last", b.end);
     lua_rawseti(L, -2, ++place);
   }
   return 1;
@@ -76,9 +67,11 @@ int branches(Call& call) {
 
 void set_row(lua_State* L, const char* name, const std::optional<std::size_t>& row) {
   if (!row) return;
-  set_integer(L, name, static_cast<lua_Integer>(*row + 1));
+  put(L, name, *row + 1);
 }
 
+// Rows of yield (the tangent falls below half of its largest value) and of failure (the largest stress,
+// `kept` of which is left where the strip has failed), nil where there is none.
 int marks(Call& call) {
   same_length(call, "E", "S");
   const auto E = call.numbers("E"), S = call.numbers("S");
@@ -113,20 +106,12 @@ std::vector<lab::Tension> tensions(const Call& call) {
 }
 
 void push_candidate(lua_State* L, const lab::DegreeCandidate& c) {
-  lua_newtable(L);
-  set_number(L, "degree", c.degree);
-  set_number(L, "criterion", c.criterion);
-  set_number(L, "initial", c.initial);
-  set_number(L, "least", c.least);
-  set_flag(L, "admissible", c.admissible);
+  push_record(L, "degree", static_cast<double>(c.degree), "criterion", c.criterion, "initial", c.initial,
+              "least", c.least, "admissible", c.admissible);
   lua_newtable(L);
   lua_Integer place = 0;
   for (const lab::SpecimenFit& s : c.specimens) {
-    lua_newtable(L);
-    set_numbers(L, "loading", s.d);
-    set_number(L, "slack", s.slack);
-    set_number(L, "reach", s.reach);
-    set_number(L, "residual", s.residual);
+    push_record(L, "loading", s.d, "slack", s.slack, "reach", s.reach, "residual", s.residual);
     lua_rawseti(L, -2, ++place);
   }
   lua_setfield(L, -2, "specimens");
@@ -154,22 +139,22 @@ int backbone(Call& call) {
     lua_rawseti(L, -2, ++place);
   }
   if (const auto best = lab::choose(candidates)) {
-    set_integer(L, "chosen", static_cast<lua_Integer>(*best + 1));
+    put(L, "chosen", *best + 1);
   }
   return 1;
 }
 
 void push_averaged_specimen(lua_State* L, const lab::AveragedSpecimen& s) {
-  lua_newtable(L);
-  set_numbers(L, "S", s.S);
-  set_number(L, "slack", s.slack);
-  set_number(L, "slack_low", s.slack_low);
-  set_number(L, "slack_high", s.slack_high);
-  set_number(L, "none", s.none);
-  set_number(L, "reach", s.reach);
-  set_number(L, "residual", s.residual);
+  push_record(L, "S", s.S, "slack", s.slack, "slack_low", s.slack_low, "slack_high", s.slack_high, "none",
+              s.none, "reach", s.reach, "residual", s.residual);
 }
 
+// Loading curves averaged over laws and over where contact may have begun: E, specimens={ {S (at E), slack,
+// slack_low, slack_high (95 %), none (probability), reach, residual}, ... }, within (covariance of one
+// specimen's curve), common (the part alike in all), laws={ {name, weight}, ... }, correlation (of
+// neighbouring residuals). E is empty if no law rises. none: probability beforehand that contact begins at
+// zero strain; earliest: least stretch of contact less one; degrees: of polynomials, else 2 to 6 and cubic
+// splines with 2 to 12 knots.
 int averaged(Call& call) {
   lua_State* L = call.L();
   lab::AveragingOptions options;
@@ -181,11 +166,7 @@ int averaged(Call& call) {
   for (const lab::Tension& t : loading)
     if (t.E.size() < 6) call.refuse("curves", "expected at least 6 points of every specimen");
   const lab::AveragedCurves c = lab::average_curves(loading, options);
-  lua_newtable(L);
-  set_numbers(L, "E", c.E);
-  set_numbers(L, "within", c.within);
-  set_numbers(L, "common", c.common);
-  set_number(L, "correlation", c.correlation);
+  push_record(L, "E", c.E, "within", c.within, "common", c.common, "correlation", c.correlation);
   lua_newtable(L);
   lua_Integer place = 0;
   for (const lab::AveragedSpecimen& s : c.specimens) {
@@ -196,20 +177,18 @@ int averaged(Call& call) {
   lua_newtable(L);
   place = 0;
   for (const lab::AveragedLaw& law : c.laws) {
-    lua_newtable(L);
-    set_text(L, "name", law.name);
-    set_number(L, "weight", law.weight);
+    push_record(L, "name", law.name, "weight", law.weight);
     lua_rawseti(L, -2, ++place);
   }
   lua_setfield(L, -2, "laws");
   return 1;
 }
 
+// Points {{0, 0}, {E, S}, ...} of a strictly rising curve through the means of bins: a card's loading.
 int monotone(Call& call) {
-  lua_State* L = call.L();
-  push_list(L, lab::monotone_points(tensions(call), call.count("bins")), [&](const auto& point) {
+  push_list(call.L(), lab::monotone_points(tensions(call), call.count("bins")), [&](const auto& point) {
     const auto& [E, S] = point;
-    push_numbers(L, {E, S});
+    push_numbers(call.L(), {E, S});
   });
   return 1;
 }
@@ -221,58 +200,49 @@ int unloading(Call& call) {
       {call.text("rule") == "first" ? lab::UnloadingRule::first : lab::UnloadingRule::robust,
        static_cast<std::size_t>(call.integer("count")), call.number("kept")});
   if (!modulus) return 0;
-  lua_pushnumber(call.L(), *modulus);
-  return 1;
+  return push_value(call.L(), *modulus);
 }
 
 std::vector<std::vector<double>> number_lists(const Call& call, const char* name) {
-  lua_State* L = call.L();
   std::vector<std::vector<double>> out;
   const Argument row{"", numbers, "", everything, ""};
   call.each(name, [&](lua_Integer i) {
-    check_value(L, -1, row, std::string(name) + "[" + std::to_string(i) + "]", false);
-    out.push_back(read_numbers(L, -1));
+    check_value(call.L(), -1, row, std::string(name) + "[" + std::to_string(i) + "]", false);
+    out.push_back(read_numbers(call.L(), -1));
   });
   if (out.empty()) call.refuse(name, "expected at least one list of numbers");
   return out;
 }
 
 int band(Call& call) {
-  lua_State* L = call.L();
   const auto estimate =
       lab::band_of(number_lists(call, "specimens"),
                    {call.number("level"), call.count("draws"),
                     static_cast<std::uint64_t>(call.integer("seed")), call.numbers("common")});
-  lua_newtable(L);
-  set_numbers(L, "value", estimate.value);
+  push_record(call.L(), "value", estimate.value);
   if (estimate.low.empty()) return 1;
-  set_numbers(L, "low", estimate.low);
-  set_numbers(L, "high", estimate.high);
-  set_numbers(L, "covariance", estimate.covariance);
+  put(call.L(), "low", estimate.low, "high", estimate.high, "covariance", estimate.covariance);
   return 1;
 }
 
 int student(Call& call) {
-  lua_pushnumber(call.L(), lab::student_quantile(call.number("probability"), call.number("freedom")));
-  return 1;
+  return push_value(call.L(), lab::student_quantile(call.number("probability"), call.number("freedom")));
 }
 
+// Points of Sobol's sequence, which fill a cube evenly [joe2008]: numbers between 0 and 1, point after point.
+// seed: of a shift of all points; 0: none.
 int sobol_points(Call& call) {
   constexpr std::int64_t most = 100000000;  // numbers
   if (call.integer("count") > most / call.integer("dimensions"))
     call.refuse("count", "expected at most " + std::to_string(most / call.integer("dimensions")) +
                              " points of " + std::to_string(call.integer("dimensions")) +
                              " dimensions, got " + std::to_string(call.integer("count")));
-  push_numbers(call.L(), lab::sobol_points(static_cast<std::size_t>(call.integer("count")),
-                                           static_cast<std::size_t>(call.integer("dimensions")),
-                                           static_cast<std::uint64_t>(call.integer("seed"))));
-  return 1;
+  return push_numbers(call.L(), lab::sobol_points(static_cast<std::size_t>(call.integer("count")),
+                                                  static_cast<std::size_t>(call.integer("dimensions")),
+                                                  static_cast<std::uint64_t>(call.integer("seed"))));
 }
 
-int normal(Call& call) {
-  lua_pushnumber(call.L(), lab::normal_quantile(call.number("probability")));
-  return 1;
-}
+int normal(Call& call) { return push_value(call.L(), lab::normal_quantile(call.number("probability"))); }
 
 // Rows common to the marker functions. A lost marker is nan, which Kind::numbers would refuse.
 std::vector<Argument> track_rows() {
@@ -295,8 +265,10 @@ lab::Tracks read_tracks(const Call& call) {
   return t;
 }
 
+// Strains of the boxes of a marker grid, box by box, frame after frame: along and across the pull (eq. 3.2),
+// E12 between the yarns, warp_stretch, weft_stretch; zones (1, 2, 3) of a bias specimen by each box's part in
+// the shear.
 int box_strains(Call& call) {
-  lua_State* L = call.L();
   const auto tracks = read_tracks(call);
   const auto strains = lab::box_strains(tracks);
   std::vector<double> shear, warp, weft;
@@ -307,38 +279,28 @@ int box_strains(Call& call) {
       warp.push_back(s.warp_stretch);
       weft.push_back(s.weft_stretch);
     }
-  lua_newtable(L);
-  set_number(L, "frames", static_cast<double>(tracks.frames));
-  set_number(L, "boxes", static_cast<double>(tracks.boxes()));
-  set_numbers(L, "along", strains.along);
-  set_numbers(L, "across", strains.across);
-  set_numbers(L, "E12", shear);
-  set_numbers(L, "warp_stretch", warp);
-  set_numbers(L, "weft_stretch", weft);
+  push_record(call.L(), "frames", static_cast<double>(tracks.frames), "boxes",
+              static_cast<double>(tracks.boxes()), "along", strains.along, "across", strains.across, "E12",
+              shear, "warp_stretch", warp, "weft_stretch", weft);
   const auto zones = lab::bias_zones(lab::shear_ratios(shear, tracks.boxes()));
-  set_numbers(L, "zones", {zones.begin(), zones.end()});
+  put(call.L(), "zones", std::vector<double>{zones.begin(), zones.end()});
   return 1;
 }
 
 int ratio(Call& call) {
   const auto ratio = lab::contraction_ratio(read_tracks(call), call.has("noise") ? call.number("noise") : -1,
                                             call.number("least"));
-  lua_newtable(call.L());
-  set_number(call.L(), "value", ratio.value);
-  set_number(call.L(), "plain", ratio.plain);
-  set_number(call.L(), "noise", ratio.noise);
-  set_number(call.L(), "uncertainty", ratio.uncertainty);
-  return 1;
+  return push_record(call.L(), "value", ratio.value, "plain", ratio.plain, "noise", ratio.noise,
+                     "uncertainty", ratio.uncertainty);
 }
 
 Argument list(const char* name, const char* unit, const char* sentence) {
-  return {name, numbers, unit, everything, sentence};
+  return argument_(name, numbers, unit, everything, sentence);
 }
 
 std::vector<Entry> pull_entries() {
   return {
-      {"fabric.lab.reduce",
-       Style::fields,
+      {"fabric.lab.reduce{}",
        {list("displacement", "m", "of the crosshead"), list("force", "N", "of one length with it"),
         number_("gauge_length", "m", positive, "between the grips").usually(1e-3, 2, "is it in m?"),
         number_("width", "m", positive, "of the specimen").usually(1e-3, 2, "is it in m?"),
@@ -349,16 +311,14 @@ std::vector<Entry> pull_entries() {
                 "in the grips over the largest force so far; it does not come back")
             .or_else(0.0),
         number_("slack", "m", everything, "displacement at first contact").or_else(0.0),
-        number_("contact", "N", positive, "find the slack: where the force rises above this for good")
-            .optional()},
+        number_("contact?", "N", positive, "find the slack: where the force rises above this for good")},
        "Stress and strain from displacement and force (eqs. 3.1, 3.2): returns displacement (of the "
        "specimen's end), E, S, slack, area. The specimen's length is gauge_length + slack.",
        "local r = require 'fabric'.lab.reduce{ displacement={0, 0.0762}, force={0, 10}, gauge_length=0.0762, "
        "width=0.0254,\n"
        "  thickness=0.5e-3, plies=2 }\nassert(r.E[2] == 1.5 and math.abs(r.S[2] - 10/(r.area*2)) < 1e-9)",
        reduce},
-      {"fabric.lab.branches",
-       Style::fields,
+      {"fabric.lab.branches{}",
        {list("displacement", "m", "of a cyclic test"),
         number_("tolerance", "m", positive, "smallest way back that is a reversal")},
        "Parts of a record between reversals: a list of {kind, first, last}; kind is loading, unloading, "
@@ -366,18 +326,6 @@ std::vector<Entry> pull_entries() {
        "local b = require 'fabric'.lab.branches{ displacement={0, 2, 1, 3}, tolerance=0.5 }\n"
        "assert(#b == 3 and b[2].kind == 'unloading' and b[3].kind == 'loading')",
        branches},
-      {"fabric.lab.marks",
-       Style::fields,
-       {list("E", "", "strains of a loading branch"), list("S", "Pa", "stresses"),
-        number_("kept", "", Range{0, 1, true, true},
-                "failed when the stress falls below this part of its peak")
-            .or_else(0.8)},
-       "Rows of yield (the tangent falls below half of its largest value) and of failure (the largest "
-       "stress), nil where there is none.",
-       "local E, S = {}, {}\nfor i = 1, 100 do E[i] = i/1000; S[i] = i < 90 and 1e6*i or 1e6 end\n"
-       "assert(require 'fabric'.lab.marks{ E=E, S=S }.failure == 89)",
-       marks,
-       {"softening"}},
   };
 }
 
@@ -385,10 +333,9 @@ Argument curves_row() { return value_("curves", table, "{ {E=, S=}, ... }, one p
 
 std::vector<Entry> fit_entries() {
   return {
-      {"fabric.lab.backbone",
-       Style::fields,
-       {curves_row(), list("degrees", "", "of the stress polynomials to try; default {2, 4}").optional(),
-        value_("find_slack", boolean, "the stretch at first contact is fitted too").or_else(false)},
+      {"fabric.lab.backbone{}",
+       {curves_row(), list("degrees?", "", "of the stress polynomials to try; default {2, 4}"),
+        flag_("find_slack", "the stretch at first contact is fitted too")},
        "Stress polynomials through zero, one per specimen and degree: a list of {degree, criterion, initial, "
        "least, admissible, specimens={ {loading, slack, reach, residual}, ... }}; chosen is the place of the "
        "best, nil if none has a positive tangent.",
@@ -396,33 +343,7 @@ std::vector<Entry> fit_entries() {
        "local f = require 'fabric'.lab.backbone{ curves={ {E=E, S=S} }, degrees={2} }\n"
        "assert(math.abs(f[f.chosen].specimens[1].loading[2] - 6e6) < 1)",
        backbone},
-      {"fabric.lab.averaged",
-       Style::fields,
-       {curves_row(),
-        list("degrees", "", "of the stress polynomials; default 2 to 6, and cubic splines with 2 to 12 knots")
-            .optional(),
-        number_("none", "", Range{0, 1}, "probability beforehand that contact begins at zero strain")
-            .or_else(0.1),
-        number_("earliest", "", Range{-0.5, 0}, "least stretch of contact less one").or_else(0.0),
-        integer_("strains", Range{5, 1000}, "of the answer, evenly up to the least reach").or_else(40.0)},
-       "Loading curves averaged over laws and over where contact may have begun: E, specimens={ {S (at E), "
-       "slack, slack_low, slack_high (95 %), none (probability), reach, residual}, ... }, within (covariance "
-       "of one specimen's curve), common (the part alike in all), laws={ {name, weight}, ... }, correlation "
-       "(of neighbouring residuals). E is empty if no law rises.",
-       "local E, S = {}, {}\nfor i = 1, 60 do E[i] = i/500; S[i] = 8e6*E[i] + 4e8*E[i]^2 + 2e3*math.sin(7*i) "
-       "end\n"
-       "local a = require 'fabric'.lab.averaged{ curves={ {E=E, S=S} }, none=0.5 }\n"
-       "assert(math.abs(a.specimens[1].S[40] / (8e6*a.E[40] + 4e8*a.E[40]^2) - 1) < 0.01)",
-       averaged},
-      {"fabric.lab.monotone",
-       Style::fields,
-       {curves_row(), integer_("bins", Range{2, 1000}, "of strain, equally wide").or_else(20.0)},
-       "Points {{0, 0}, {E, S}, ...} of a strictly rising curve through the means of bins: a card's loading.",
-       "local p = require 'fabric'.lab.monotone{ curves={ {E={0.1, 0.2, 0.3}, S={1, 3, 2}} }, bins=3 "
-       "}\nassert(#p == 3)",
-       monotone},
-      {"fabric.lab.unloading",
-       Style::fields,
+      {"fabric.lab.unloading{}",
        {list("E", "", "strains from the first row after a reversal"), list("S", "Pa", "stresses"),
         value_("rule", text, "first: line through the first points; robust: median slope of more of them")
             .one_of({"first", "robust"})
@@ -433,36 +354,23 @@ std::vector<Entry> fit_entries() {
        "The unloading modulus in Pa; nothing when there are too few points.",
        "assert(math.abs(require 'fabric'.lab.unloading{ E={0.3, 0.2, 0.1}, S={3, 2, 1} } - 10) < 1e-9)",
        unloading},
-      {"fabric.lab.student",
-       Style::positional,
+      {"fabric.lab.student()",
        {number_("probability", "", Range{0, 1, true, true}, "of values below it"),
         number_("freedom", "", positive, "degrees of freedom")},
        "The quantile of Student's t distribution.",
        "assert(math.abs(require 'fabric'.lab.student(0.975, 4) - 2.7764) < 1e-4)",
        student},
-      {"fabric.lab.normal",
-       Style::positional,
+      {"fabric.lab.normal()",
        {number_("probability", "", Range{0, 1, true, true}, "of values below it")},
        "The quantile of the normal distribution with mean 0 and deviation 1.",
        "assert(math.abs(require 'fabric'.lab.normal(0.975) - 1.96) < 1e-4)",
        normal},
-      {"fabric.lab.sobol_points",
-       Style::positional,
-       {integer_("count", Range{1, 1e7}, "of points"),
-        integer_("dimensions", Range{1, static_cast<double>(lab::most_dimensions)}, "of each"),
-        integer_("seed", not_negative, "of a shift of all points; 0: none").or_else(1.0)},
-       "Points of Sobol's sequence, which fill a cube evenly [joe2008]: a list of numbers between 0 and 1, "
-       "point after point. fabric.sobol makes cases of a study of them.",
-       "assert(#require 'fabric'.lab.sobol_points(8, 3) == 24)",
-       sobol_points},
-      {"fabric.lab.band",
-       Style::fields,
+      {"fabric.lab.band{}",
        {value_("specimens", table, "one list of parameters per specimen"),
         number_("level", "", Range{0, 1, true, true}, "of confidence").or_else(0.95),
         integer_("draws", Range{100, 1e6}, "of the bootstrap").or_else(2000.0),
         integer_("seed", not_negative, "of the bootstrap").or_else(1.0),
-        list("common", "", "relative standard uncertainties that all specimens share, one per parameter")
-            .optional()},
+        list("common?", "", "relative standard uncertainties that all specimens share, one per parameter")},
        "Mean parameters and their confidence band by the bootstrap over specimens: value, low, high, "
        "covariance (row by row). The last three are nil for one specimen.",
        "local b = require 'fabric'.lab.band{ specimens={ {1}, {2}, {3} } }\nassert(b.value[1] == 2 and "
@@ -476,21 +384,35 @@ std::vector<Argument> with(std::vector<Argument> rows, std::initializer_list<Arg
   return rows;
 }
 
+std::vector<Entry> kernels() {
+  return {
+      kernel("marks{}",
+             {list("E", "", ""), list("S", "Pa", ""),
+              number_("kept", "", Range{0, 1, true, true}, "").or_else(0.8)},
+             marks),
+      kernel("averaged{}",
+             {curves_row(), list("degrees?", "", ""), number_("none", "", Range{0, 1}, "").or_else(0.1),
+              number_("earliest", "", Range{-0.5, 0}, "").or_else(0.0),
+              integer_("strains", Range{5, 1000}, "").or_else(40.0)},
+             averaged),
+      kernel("monotone{}", {curves_row(), integer_("bins", Range{2, 1000}, "").or_else(20.0)}, monotone),
+      kernel("sobol_points()",
+             {integer_("count", Range{1, 1e7}, ""),
+              integer_("dimensions", Range{1, static_cast<double>(lab::most_dimensions)}, ""),
+              integer_("seed", not_negative, "").or_else(1.0)},
+             sobol_points),
+      kernel("boxes{}", with(track_rows(), {number_("warp", "degrees", everything, "").or_else(90.0)}),
+             box_strains),
+  };
+}
+
 std::vector<Entry> marker_entries() {
   const std::string square = "{ rows=2, columns=2, x={0,1,0,1, 0,0.95,0,0.95}, y={0,0,1,1, 0,0,1.2,1.2}";
   return {
-      {"fabric.lab.boxes", Style::fields,
-       with(track_rows(), {number_("warp", "degrees", everything, "from x to the warp").or_else(90.0)}),
-       "Strains of the boxes of a marker grid, box by box, frame after frame: along and across the pull (eq. "
-       "3.2), E12 between the yarns, warp_stretch, weft_stretch; zones (1, 2, 3) of a bias specimen by each "
-       "box's part in the shear; frames, boxes.",
-       "local b = require 'fabric'.lab.boxes" + square + " }\nassert(math.abs(b.along[2] - 0.22) < 1e-12)",
-       box_strains},
-      {"fabric.lab.ratio", Style::fields,
+      {"fabric.lab.ratio{}",
        with(track_rows(),
-            {number_("noise", "", not_negative,
-                     "of a coordinate (standard deviation); default: from the scatter")
-                 .optional(),
+            {number_("noise?", "", not_negative,
+                     "of a coordinate (standard deviation); default: from the scatter"),
              number_("least", "", not_negative, "strain along the pull from which on boxes count")
                  .or_else(0.01)}),
        "Contraction ratio of one specimen (eq. 3.3), boxes pooled, corrected for noise in the positions: "
@@ -507,6 +429,7 @@ void bind_lab(Session& session) {
   install(session, pull_entries());
   install(session, fit_entries());
   install(session, marker_entries());
+  install(session, kernels());
 }
 
 }  // namespace fabricsh::script

@@ -27,11 +27,10 @@ int traction(Call& call) {
 }
 
 int pressure(Call& call) {
-  lua_State* L = call.L();
   call.push("value");
   model::History value =
-      read_history(call.session(), L, -1, "pressure '" + call.text("set") + "': argument 'value'");
-  lua_pop(L, 1);
+      read_history(call.session(), call.L(), -1, "pressure '" + call.text("set") + "': argument 'value'");
+  lua_pop(call.L(), 1);
   return declare(call, model::PressureLoad{call.text("set"), std::move(value)});
 }
 
@@ -89,11 +88,10 @@ int turn_set(Call& call) {
 // The fields of a velocity, both in the call and in the result of a function of position.
 const std::vector<Argument>& velocity_rows() {
   static const std::vector<Argument> rows{
-      number_("x", "m/s", everything, "along x").optional(),
-      number_("y", "m/s", everything, "along y").optional(),
-      number_("z", "m/s", everything, "along z").optional(),
-      value_("spin", numbers, "{wx, wy, wz}, degrees/s: in addition, a rigid rotation").optional(),
-      value_("centre", numbers, "{x, y, z}, m: a point of its axis; default {0, 0, 0}").optional()};
+      number_("x?", "m/s", everything, "along x"), number_("y?", "m/s", everything, "along y"),
+      number_("z?", "m/s", everything, "along z"),
+      value_("spin?", numbers, "{wx, wy, wz}, degrees/s: in addition, a rigid rotation"),
+      value_("centre?", numbers, "{x, y, z}, m: a point of its axis; default {0, 0, 0}")};
   return rows;
 }
 
@@ -168,22 +166,20 @@ Argument velocity_row() {
 
 Argument axis_rows(const char* name, const char* unit, const char* sentence) {
   return fields_(name,
-                 {number_("x", unit, not_negative, "along x").optional(),
-                  number_("y", unit, not_negative, "along y").optional(),
-                  number_("z", unit, not_negative, "along z").optional()},
+                 {number_("x?", unit, not_negative, "along x"), number_("y?", unit, not_negative, "along y"),
+                  number_("z?", unit, not_negative, "along z")},
                  sentence);
 }
 
 // The other end of a spring or damper of a rigid body.
 Argument far_end_row(const char* sentence, bool frame) {
-  Argument to = object_("to", "body", sentence, numbers).optional();
+  Argument to = object_("to?", "body", sentence, numbers);
   std::vector<Argument> rows;
   if (frame) rows = frame_row().rows;
   rows.push_back(std::move(to));
-  return fields_("options", std::move(rows),
+  return fields_("options?", std::move(rows),
                  frame ? "frame = {e1, e2} for oblique directions; to = where a body's spring ends"
-                       : "to = where it ends")
-      .optional();
+                       : "to = where it ends");
 }
 
 Argument loaded_set_row() { return value_("set", text, "name of a node set"); }
@@ -191,8 +187,7 @@ Argument loaded_set_row() { return value_("set", text, "name of a node set"); }
 std::vector<Entry> loads_entries() {
   const std::string sample = sample_model();
   return {
-      {"model:moment",
-       Style::positional,
+      {"model:moment()",
        {set_or_body_row(),
         components_row("N m", "{x=, y=, z=}: the total moment about axes that stay fixed in space"),
         frame_row()},
@@ -200,8 +195,7 @@ std::vector<Entry> loads_entries() {
        "centre.",
        sample + "m:moment('top', { x=fabric.ramp(1e-3, 1) })",
        moment},
-      {"model:traction",
-       Style::positional,
+      {"model:traction()",
        {loaded_set_row(),
         components_row("N/m^2 | N/m",
                        "{x=, y=, z=}: per area where the set holds whole elements, else per edge length"),
@@ -209,15 +203,13 @@ std::vector<Entry> loads_entries() {
        "Loads a node set with a dead traction on its reference area, or a line load on its reference edges.",
        sample + "m:traction('top', { y=100 })",
        traction},
-      {"model:pressure",
-       Style::positional,
+      {"model:pressure()",
        {history_("value", "Pa", "pressure, positive along the shell normal"),
         value_("set", text, "name of a node set; the elements all of whose nodes are in it").or_else("all")},
        "Loads elements with a pressure that follows the surface (its load stiffness is in the tangent).",
        sample + "m:pressure(fabric.ramp(50, 1))",
        pressure},
-      {"model:spring",
-       Style::positional,
+      {"model:spring()",
        {set_or_body_row(),
         axis_rows("stiffness", "N/m",
                   "{x=, y=, z=}: the total stiffness to ground, shared by length or area"),
@@ -228,8 +220,7 @@ std::vector<Entry> loads_entries() {
        "to another body.",
        sample + "m:spring('top', { x=1000 })",
        spring},
-      {"model:damper",
-       Style::positional,
+      {"model:damper()",
        {object_("set", "body", "the rigid body"), axis_rows("rate", "N s/m", "{x=, y=, z=}: force per speed"),
         far_end_row("another body, whose speed is subtracted; default the ground", false)},
        "Resists the speed of a rigid body's centre; what it takes is in a.energy.damping.",
@@ -238,28 +229,24 @@ std::vector<Entry> loads_entries() {
                 "m:contact{ between={plate, 'all'} }:fix(plate, 'x y rotation')\n"
                 "m:force(plate, { z=-100 }):damper(plate, { z=50 })",
        damper},
-      {"model:turn",
-       Style::positional,
+      {"model:turn()",
        {loaded_set_row(),
         fields_("motion",
                 {value_("axis", numbers, "{x, y, z}: direction of the axis"),
                  history_("angle", "degrees", "angle about the axis"),
-                 value_("centre", numbers, "{x, y, z}, m: with it the nodes turn about this point too")
-                     .optional()},
+                 value_("centre?", numbers, "{x, y, z}, m: with it the nodes turn about this point too")},
                 "{axis=, angle=, centre=}")},
        "Turns the directors of a node set rigidly, and with a centre the nodes too: a rotating grip.",
        sample + "m:turn('top', { axis={1,0,0}, angle=fabric.ramp(90, 1) })",
        turn_set},
-      {"model:velocity",
-       Style::positional,
+      {"model:velocity()",
        {set_or_body_row(), velocity_row()},
        "Velocity of a node set, or of a free rigid body, at time 0, for fabric.dynamic: one for all, or a "
        "function of place that returns it for each node.",
        sample + "m:velocity('all', { z=-2, spin={0, 0, 360} })\n"
                 "m:velocity('top', function(x, y, z) return { z=0.1 * math.sin(x / 0.0254 * math.pi) } end)",
        velocity},
-      {"model:symmetry",
-       Style::positional,
+      {"model:symmetry()",
        {loaded_set_row(), value_("normal", text, "\"x\", \"y\" or \"z\": normal of the plane")},
        "Holds a node set in a plane of symmetry: the displacement along the normal and the two rotations out "
        "of the plane. The nodes lie in such a plane, and the cloth is symmetric about it: its yarns run "

@@ -90,8 +90,7 @@ int rectangle(Call& call) {
           : mesh::rectangle(width, height, {lines_of(lines.x, nx, width), lines_of(lines.y, ny, height)},
                             origin_of(call));
   if (call.flag("triangles")) mesh::split(mesh, nx);
-  push_object(call.L(), std::make_shared<Mesh>(std::move(mesh)));
-  return 1;
+  return push_object(call.L(), std::make_shared<Mesh>(std::move(mesh)));
 }
 
 // Calls f(x, y, z); leaves this number of results on the stack.
@@ -126,27 +125,21 @@ int set(Call& call) {
   const auto mesh = call.self<Mesh>();
   const std::string name = call.text("name");
   if (!call.has("nodes")) {
-    push_ids(call.L(), mesh->set(name));
-    return 1;
+    return push_ids(call.L(), mesh->set(name));
   }
   const ChangeRefused still(call.session(), mesh.get());
   if (const Function inside = call.function("nodes"))
     define_inside(*mesh, name, inside);
   else
     define_listed(*mesh, name, call.numbers("nodes"));
-  lua_pushvalue(call.L(), 1);
-  return 1;
+  return call.itself();
 }
 
-int sets(Call& call) {
-  push_texts(call.L(), call.self<Mesh>()->set_names());
-  return 1;
-}
+int sets(Call& call) { return push_texts(call.L(), call.self<Mesh>()->set_names()); }
 
 int elements_in(Call& call) {
   const auto mesh = call.self<Mesh>();
-  push_ids(call.L(), mesh->elements_in(mesh->set(call.text("set"))));
-  return 1;
+  return push_ids(call.L(), mesh->elements_in(mesh->set(call.text("set"))));
 }
 
 int map(Call& call) {
@@ -164,8 +157,7 @@ int map(Call& call) {
     lua_pop(L, 3);
     return y;
   });
-  lua_pushvalue(call.L(), 1);
-  return 1;
+  return call.itself();
 }
 
 int slit(Call& call) {
@@ -176,8 +168,7 @@ int slit(Call& call) {
   const mesh::CrackFaces crack_faces = mesh::slit(*mesh, point_of(call, "from"), point_of(call, "to"));
   if (!names[0].empty()) mesh->define(names[0], crack_faces.left);
   if (!names[1].empty()) mesh->define(names[1], crack_faces.right);
-  lua_pushvalue(call.L(), 1);
-  return 1;
+  return call.itself();
 }
 
 int hole(Call& call) {
@@ -194,29 +185,20 @@ int hole(Call& call) {
     });
   }
   if (call.has("rim")) mesh->define(call.text("rim"), rim);
-  lua_pushvalue(call.L(), 1);
-  return 1;
+  return call.itself();
 }
 
 int nodes(Call& call) {
-  push_object(call.L(), std::make_shared<NodeView>(NodeView{call.self<Mesh>()}));
-  return 1;
+  return push_object(call.L(), std::make_shared<NodeView>(NodeView{call.self<Mesh>()}));
 }
 
 int elements(Call& call) {
-  push_object(call.L(), std::make_shared<ElementView>(ElementView{call.self<Mesh>()}));
-  return 1;
+  return push_object(call.L(), std::make_shared<ElementView>(ElementView{call.self<Mesh>()}));
 }
 
-int node_count(lua_State* L) {
-  lua_pushinteger(L, static_cast<lua_Integer>(to_object<NodeView>(L, 1)->mesh->nodes.size()));
-  return 1;
-}
+int node_count(lua_State* L) { return push_value(L, to_object<NodeView>(L, 1)->mesh->nodes.size()); }
 
-int element_count(lua_State* L) {
-  lua_pushinteger(L, static_cast<lua_Integer>(to_object<ElementView>(L, 1)->mesh->elements.size()));
-  return 1;
-}
+int element_count(lua_State* L) { return push_value(L, to_object<ElementView>(L, 1)->mesh->elements.size()); }
 
 // The number at stack index 2 as an index from 0; -1 if it is not from 1 to count.
 Index place_of(lua_State* L, std::size_t count) {
@@ -239,8 +221,7 @@ int element_at(lua_State* L) {
   std::vector<Index> corners;
   for (const Index node : list[static_cast<std::size_t>(i)])
     if (node >= 0) corners.push_back(node);
-  push_ids(L, corners);
-  return 1;
+  return push_ids(L, corners);
 }
 
 // mesh:elements("set") first reads mesh.elements and then calls that.
@@ -277,21 +258,19 @@ std::string mesh_words(const Mesh& mesh) {
   return words + ">";
 }
 
-int push_words(lua_State* L, const std::string& words) { return push_text(L, words); }
-
-int mesh_text(lua_State* L) { return push_words(L, mesh_words(*to_object<Mesh>(L, 1))); }
+int mesh_text(lua_State* L) { return push_text(L, mesh_words(*to_object<Mesh>(L, 1))); }
 
 int nodes_text(lua_State* L) {
   const Mesh& mesh = *to_object<NodeView>(L, 1)->mesh;
   const BoundingBox box = box_of(mesh.nodes);
-  return push_words(L, "<" + std::to_string(mesh.nodes.size()) + " x 3 numbers, " +
-                           lengths_text({box.low.minCoeff(), box.high.maxCoeff()}, " to ") + ">");
+  return push_text(L, "<" + std::to_string(mesh.nodes.size()) + " x 3 numbers, " +
+                          lengths_text({box.low.minCoeff(), box.high.maxCoeff()}, " to ") + ">");
 }
 
 int elements_text(lua_State* L) {
   const Mesh& mesh = *to_object<ElementView>(L, 1)->mesh;
-  return push_words(L, "<" + std::to_string(mesh.elements.size()) + " elements of node numbers 1 to " +
-                           std::to_string(mesh.nodes.size()) + ">");
+  return push_text(L, "<" + std::to_string(mesh.elements.size()) + " elements of node numbers 1 to " +
+                          std::to_string(mesh.nodes.size()) + ">");
 }
 
 constexpr const char* sample_deck =
@@ -302,30 +281,26 @@ std::vector<Entry> mesh_entries() {
   const std::string with_mesh = sample_deck;
   const std::string ask = "are the lengths in m? (write 25.4*mm)";
   return {
-      {"fabric.mesh.rectangle",
-       Style::fields,
+      {"fabric.mesh.rectangle{}",
        {number_("width", "m", positive, "size along x").usually(1e-3, 20, ask),
         number_("height", "m", positive, "size along y").usually(1e-3, 20, ask),
-        integer_("nx", from_one, "elements along x; may be left out with grading.x").optional(),
-        integer_("ny", from_one, "elements along y; may be left out with grading.y").optional(),
+        integer_("nx?", from_one, "elements along x; may be left out with grading.x"),
+        integer_("ny?", from_one, "elements along y; may be left out with grading.y"),
         Argument{"origin", numbers, "m", everything, "corner of smallest x and y, {x, y} or {x, y, z}"}
             .optional(),
         fields_(
-            "grading",
+            "grading?",
             {Argument{"x", numbers, "m", everything,
                       "of the lines of nodes across x, from 0 to the width, ascending"}
                  .optional(),
              Argument{"y", numbers, "m", everything, "of those across y, from 0 to the height"}.optional()},
-            "positions of the lines of nodes, from the origin corner; without: at equal distances")
-            .optional(),
-        value_("triangles", boolean, "cut every cell into two triangles, the cuts turning from cell to cell")
-            .or_else(false)},
+            "positions of the lines of nodes, from the origin corner; without: at equal distances"),
+        flag_("triangles", "cut every cell into two triangles, the cuts turning from cell to cell")},
        "A structured rectangle in the x-y plane, normal +z, nodes and elements row by row from the origin "
        "corner; sets left, right, bottom, top, boundary, corners, all.",
        with_mesh + "assert(#mesh.nodes == 40 and #mesh.elements == 27)",
        rectangle},
-      {"mesh:set",
-       Style::positional,
+      {"mesh:set()",
        {value_("name", text, "of the set"),
         Argument{"nodes", numbers | function, "", everything,
                  "node numbers, or function(x, y, z) that says whether a node is inside"}
@@ -334,36 +309,31 @@ std::vector<Entry> mesh_entries() {
        with_mesh + "mesh:set('middle', function(x, y, z) return math.abs(y - 0.0381) < 0.01 end)\n"
                    "assert(#mesh:set 'middle' == 8)",
        set},
-      {"mesh:elements",
-       Style::positional,
+      {"mesh:elements()",
        {value_("set", text, "name of a node set")},
        "Numbers of the elements all of whose nodes are in the set.",
        with_mesh + "assert(#mesh:elements 'all' == 27)",
        elements_in},
-      {"mesh:map",
-       Style::positional,
+      {"mesh:map()",
        {value_("f", function, "function(x, y, z) that returns the new x, y, z")},
        "Moves every node; on an error none is moved.",
        with_mesh + "mesh:map(function(x, y, z) return x, y, 0.001*y end)\nassert(mesh.nodes[40][3] > 0)",
        map},
-      {"mesh:slit",
-       Style::fields,
+      {"mesh:slit{}",
        {Argument{"from", numbers, "m", everything, "{x, y} or {x, y, z}: a node, where the slit begins"},
         Argument{"to", numbers, "m", everything, "where it ends"},
-        value_("left", text,
-               "name of a set to make of the nodes of its left side, seen on the way against the normal")
-            .optional(),
-        value_("right", text, "the same of its right side").optional()},
+        value_("left?", text,
+               "name of a set to make of the nodes of its left side, seen on the way against the normal"),
+        value_("right?", text, "the same of its right side")},
        "Slits the mesh along a straight line of edges between nodes: the nodes on it are doubled, but for an "
        "end inside the mesh, which is the tip. The left side keeps them, the new nodes follow all others and "
        "are in the same sets; boundary has the sides of the slit, too.",
        with_mesh + "mesh:slit{ from={0.0254/3, 0}, to={0.0254/3, 0.0254}, right='face' }\n"
                    "assert(#mesh.nodes == 43 and #mesh:set 'face' == 4)",
        slit},
-      {"mesh:hole",
-       Style::positional,
+      {"mesh:hole()",
        {value_("inside", function, "function(x, y, z) that says whether the middle of an element is inside"),
-        value_("rim", text, "name of a set to make of the nodes of its rim").optional()},
+        value_("rim?", text, "name of a set to make of the nodes of its rim")},
        "Cuts a hole along the grid: leaves out the elements inside and the nodes that no element has any "
        "more. The others are numbered anew in their order; sets keep them, boundary has the rim, too.",
        with_mesh +

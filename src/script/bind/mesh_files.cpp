@@ -41,8 +41,7 @@ int read(Call& call) {
       std::make_shared<Mesh>(read_mesh_file(call, file_of(call.text("file")), call.flag("reference"), unit));
   if (call.has("join") && call.flag("join"))
     mesh::join_nodes(*mesh, one_place * box_of(mesh->nodes).size().norm());
-  push_object(call.L(), std::move(mesh));
-  return 1;
+  return push_object(call.L(), std::move(mesh));
 }
 
 int write_mesh(Call& call) {
@@ -50,43 +49,30 @@ int write_mesh(Call& call) {
     system::make_folder_for(call.text("file"));
     format::write_mesh(call.text("file"), *call.self<Mesh>());
   }
-  lua_pushvalue(call.L(), 1);
-  return 1;
+  return call.itself();
 }
 
-// The lines of a deck, for the writers of whole decks in lua/fabric/export.
+// Nodes, elements and sets of nodes as lines of a deck, for the writers of whole decks in lua/fabric/export.
+// length: what a metre is in the deck, 1000 for mm; membrane: M3D4R and M3D3 in the place of S4 and S3;
+// elements: name of the set of all elements.
 int deck_lines(Call& call) {
   const std::string format = call.text("format");
   const format::DeckForm form{call.number("length"), call.flag("membrane"), call.text("elements")};
-  const mesh::Mesh& mesh = *call.self<Mesh>();
+  const mesh::Mesh& mesh = *call.object<Mesh>("mesh");
   return push_text(call.L(), format == "inp" ? format::abaqus_lines(mesh, form)
                              : format == "k" ? format::dyna_lines(mesh, form)
                                              : format::radioss_lines(mesh, form));
 }
 
 void push_finding(lua_State* L, const mesh::Finding& item) {
-  lua_newtable(L);
-  set_text(L, "key", item.key);
-  set_text(L, "severity", name(item.severity));
-  set_text(L, "text", item.text);
-  push_ids(L, item.elements);
-  lua_setfield(L, -2, "elements");
-  push_ids(L, item.nodes);
-  lua_setfield(L, -2, "nodes");
+  push_record(L, "key", item.key, "severity", name(item.severity), "text", item.text, "elements",
+              item.elements, "nodes", item.nodes);
 }
 
 void set_measures(lua_State* L, const mesh::Measures& m) {
-  const std::pair<const char*, double> numbers[] = {{"area", m.area},       {"shortest", m.shortest},
-                                                    {"longest", m.longest}, {"aspect", m.aspect},
-                                                    {"warping", m.warping}, {"least_angle", m.least_angle}};
-  for (const auto& [name, value] : numbers) set_number(L, name, value);
-  const std::pair<const char*, mesh::Index> counts[] = {{"triangles", m.triangles},
-                                                        {"quadrilaterals", m.quadrilaterals},
-                                                        {"parts", m.parts},
-                                                        {"borders", m.borders}};
-  for (const auto& [name, value] : counts) {
-    set_integer(L, name, static_cast<lua_Integer>(value));
-  }
+  put(L, "area", m.area, "shortest", m.shortest, "longest", m.longest, "aspect", m.aspect, "warping",
+      m.warping, "least_angle", m.least_angle, "triangles", m.triangles, "quadrilaterals", m.quadrilaterals,
+      "parts", m.parts, "borders", m.borders);
 }
 
 // A model of the mesh alone, for its outlook.
@@ -103,27 +89,18 @@ model::Model model_of(const Call& call) {
 }
 
 void set_outlook(lua_State* L, const model::Outlook& o) {
-  lua_newtable(L);
-  const std::pair<const char*, double> yarns[] = {{"degrees", o.yarns.degrees},
-                                                  {"most", o.yarns.most},
-                                                  {"stiffness", o.yarns.stiffness},
-                                                  {"locking", o.yarns.locking},
-                                                  {"across", o.yarns.across}};
-  for (const auto& [name, value] : yarns) set_number(L, name, value);
+  push_record(L, "degrees", o.yarns.degrees, "most", o.yarns.most, "stiffness", o.yarns.stiffness, "locking",
+              o.yarns.locking, "across", o.yarns.across);
   lua_setfield(L, -2, "yarns");
-  lua_newtable(L);
-  set_number(L, "length", o.folds.length);
-  set_number(L, "element", o.folds.element);
+  push_record(L, "length", o.folds.length, "element", static_cast<double>(o.folds.element));
   lua_setfield(L, -2, "folds");
 }
 
 // Pushes { {statement=, line=, count=}, ... }.
 void push_passed_over(lua_State* L, const std::vector<Mesh::PassedOver>& all) {
   push_list(L, all, [&](const auto& one) {
-    lua_newtable(L);
-    set_text(L, "statement", one.statement);
-    set_number(L, "line", static_cast<double>(one.line));
-    set_number(L, "count", static_cast<double>(one.count));
+    push_record(L, "statement", one.statement, "line", static_cast<double>(one.line), "count",
+                static_cast<double>(one.count));
   });
 }
 
@@ -137,22 +114,16 @@ int check_file(Call& call) {
     for (const std::string& line : model::words(outlook)) text += (text.ends_with('\n') ? "" : "\n") + line;
     set_outlook(L, outlook);
   }
-  set_text(L, "mesh", report.mesh);
-  set_text(L, "text", text);
-  set_flag(L, "ok", report.ok());
+  put(L, "mesh", report.mesh, "text", text, "ok", report.ok());
   set_measures(L, report.measures);
-  push_list(L, report.items, [&](const auto& one) { push_finding(L, one); });
-  lua_setfield(L, -2, "items");
-  push_passed_over(L, call.self<Mesh>()->passed_over);
-  lua_setfield(L, -2, "passed_over");
+  put(
+      L, "items", [&] { push_list(L, report.items, [&](const auto& one) { push_finding(L, one); }); },
+      "passed_over", [&] { push_passed_over(L, call.self<Mesh>()->passed_over); });
   set_text_of(L, "fabricsh.mesh_check", report_text);
   return 1;
 }
 
-int pair(Call& call) {
-  lua_pushinteger(call.L(), static_cast<lua_Integer>(mesh::pair_triangles(*call.self<Mesh>())));
-  return 1;
-}
+int pair(Call& call) { return push_value(call.L(), mesh::pair_triangles(*call.self<Mesh>())); }
 
 int refine(Call& call) {
   mesh::refine(*call.self<Mesh>());
@@ -168,8 +139,7 @@ int orient(Call& call) {
     direction = {numbers[0], numbers[1], numbers[2]};
     if (direction.norm() == 0) call.refuse("direction", "expected a direction, got {0, 0, 0}");
   }
-  lua_pushinteger(call.L(), static_cast<lua_Integer>(mesh::orient(*call.self<Mesh>(), direction)));
-  return 1;
+  return push_value(call.L(), mesh::orient(*call.self<Mesh>(), direction));
 }
 
 constexpr const char* disk_sample =
@@ -178,21 +148,17 @@ constexpr const char* disk_sample =
 
 Entry read_row() {
   return {
-      "fabric.mesh.read",
-      Style::positional,
+      "fabric.mesh.read()",
       {value_("file", text,
               "ends in " + format::read_endings() + "; a bare name may be a mesh shipped with the program"),
-       value_("join", boolean, "make one node of those at one place (within 1e-6 of the mesh's size)")
-           .or_else(false),
-       value_("reference", boolean,
-              "the same mesh in the stress-free shape that an .inp, a .k or a .rad has beside it, for "
-              "reference= of a model")
-           .or_else(false),
-       value_("units", text,
+       flag_("join", "make one node of those at one place (within 1e-6 of the mesh's size)"),
+       flag_("reference",
+             "the same mesh in the stress-free shape that an .inp, a .k or a .rad has beside it, for "
+             "reference= of a model"),
+       value_("units?", text,
               "of the file's lengths; default m, with a warning where that would be odd; none for a .rad "
               "whose /BEGIN states them")
-           .one_of({"m", "cm", "mm", "inch"})
-           .optional()},
+           .one_of({"m", "cm", "mm", "inch"})},
       "Reads a mesh of triangles and quadrilaterals; its lengths are m afterwards: Gmsh 2 and 4.1, VTK's "
       ".vtu and legacy .vtk, Wavefront .obj, .stl and .ply (text and binary; equal vertices of an .stl are "
       "joined), .inp of Abaqus and CalculiX, .k of LS-DYNA, .rad of OpenRadioss' starter. Physical groups "
@@ -207,8 +173,7 @@ Entry read_row() {
 }
 
 Entry write_row() {
-  return {"mesh:write",
-          Style::positional,
+  return {"mesh:write()",
           {value_("file", text, "ends in " + format::written_endings())},
           "Writes the mesh, lengths in m. With its sets: .vtu and .msh (Gmsh 4.1), which read back equal, "
           ".inp (Abaqus, CalculiX), .k (LS-DYNA), .rad (OpenRadioss). The surface alone: .obj, .ply, .stl. "
@@ -220,23 +185,16 @@ Entry write_row() {
 }
 
 Entry deck_lines_row() {
-  return {
-      "mesh:deck_lines",
-      Style::positional,
-      {value_("format", text, "of Abaqus, LS-DYNA or OpenRadioss").one_of({"inp", "k", "rad"}),
-       number_("length", "", positive, "what a metre is in the deck: 1000 for mm").or_else(1.0),
-       value_("membrane", boolean, "inp: M3D4R and M3D3 in the place of S4 and S3").or_else(false),
-       value_("elements", text, "inp: name of the set of all elements").or_else("all")},
-      "The nodes, elements and sets of nodes as lines of a deck, to which the rest of a deck is added; see "
-      "fabric.export.model for whole decks.",
-      std::string(disk_sample) + "assert(mesh:deck_lines('inp', 1000):find '*ELEMENT, TYPE=S4, ELSET=all')",
-      deck_lines};
+  return kernel("deck_lines()",
+                {object_("mesh", "mesh", ""), value_("format", text, "").one_of({"inp", "k", "rad"}),
+                 number_("length", "", positive, "").or_else(1.0), flag_("membrane", ""),
+                 value_("elements", text, "").or_else("all")},
+                deck_lines);
 }
 
 Entry check_row() {
-  return {"mesh:check",
-          Style::positional,
-          {object_("card", "card", "of the cloth that the mesh is for").optional(),
+  return {"mesh:check()",
+          {object_("card?", "card", "of the cloth that the mesh is for"),
            Argument{"warp", number | numbers, "degrees", everything, "as for fabric.model"}.optional()},
           "What is wrong with the mesh or worth knowing: a table {ok, text, items, area, shortest, longest, "
           "aspect, warping, least_angle, triangles, quadrilaterals, parts, borders}, which prints as its "
@@ -266,8 +224,8 @@ Entry refine_row() {
   return without_arguments(
       "mesh:refine",
       "Cuts every element from its middle to the middles of its sides into quadrilaterals, four of a "
-      "quadrilateral and three of a triangle, so that no triangle is left, which stiff yarns would lock. "
-      "New nodes lie on the sides: make a mesh of a curved outline fine enough before. Sets take them.",
+      "quadrilateral and three of a triangle, so that no triangle is left, which stiff yarns would lock. New "
+      "nodes lie on the sides: make a mesh of a curved outline fine enough before. Sets take them.",
       "local fabric = require 'fabric'\n"
       "local mesh = fabric.mesh.rectangle{ width=0.1, height=0.1, nx=1, ny=1, triangles=true }\n"
       "mesh:refine()\n"
@@ -277,8 +235,7 @@ Entry refine_row() {
 
 Entry orient_row() {
   return {
-      "mesh:orient",
-      Style::positional,
+      "mesh:orient()",
       {Argument{"direction", numbers, "", everything,
                 "{x, y, z}: the mean normal of each part points along it"}
            .optional()},

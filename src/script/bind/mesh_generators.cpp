@@ -11,8 +11,7 @@ namespace fabricsh::script {
 namespace {
 
 int give(Call& call, mesh::Mesh mesh) {
-  push_object(call.L(), std::make_shared<mesh::Mesh>(std::move(mesh)));
-  return 1;
+  return push_object(call.L(), std::make_shared<mesh::Mesh>(std::move(mesh)));
 }
 
 int disk(Call& call) {
@@ -111,28 +110,25 @@ Argument angle_(double usual) {
 }
 
 Entry disk_row() {
-  return {
-      "fabric.mesh.disk",
-      Style::fields,
-      {length_("radius", "of the rim"),
-       integer_("cells", from_one,
-                "elements along each side of the square core; the rim has four times as many"),
-       integer_("rings", from_one, "rings of elements around the core, default half of cells").optional()},
-      "A disk of quadrilaterals in the x-y plane about the origin, normal +z: a square core, then rings. "
-      "Sets boundary (the rim), core, all, and centre when cells is even.",
-      "local fabric = require 'fabric'\n"
-      "local mesh = fabric.mesh.disk{ radius=0.05, cells=4 }\n"
-      "assert(#mesh.elements == 4*4 + 2*16 and #mesh:set 'boundary' == 16)",
-      disk};
+  return {"fabric.mesh.disk{}",
+          {length_("radius", "of the rim"),
+           integer_("cells", from_one,
+                    "elements along each side of the square core; the rim has four times as many"),
+           integer_("rings?", from_one, "rings of elements around the core, default half of cells")},
+          "A disk of quadrilaterals in the x-y plane about the origin, normal +z: a square core, then rings. "
+          "Sets boundary (the rim), core, all, and centre when cells is even.",
+          "local fabric = require 'fabric'\n"
+          "local mesh = fabric.mesh.disk{ radius=0.05, cells=4 }\n"
+          "assert(#mesh.elements == 4*4 + 2*16 and #mesh:set 'boundary' == 16)",
+          disk};
 }
 
 Entry annulus_row() {
-  return {"fabric.mesh.annulus",
-          Style::fields,
+  return {"fabric.mesh.annulus{}",
           {length_("inner", "radius"), length_("outer", "radius"),
            integer_("around", from_one, "elements along the circle"),
            integer_("across", from_one, "elements from the inner to the outer circle"), angle_(360),
-           value_("slit", boolean, "cut a full ring open at angle 0").or_else(false)},
+           flag_("slit", "cut a full ring open at angle 0")},
           std::string("A ring or a sector of one in the x-y plane about the origin, normal +z; nodes around "
                       "first, from the inner circle outward. Sets inner, outer, boundary, all. ") +
               open_sets + " A slit ring has start and end too.",
@@ -143,8 +139,7 @@ Entry annulus_row() {
 }
 
 Entry cylinder_row() {
-  return {"fabric.mesh.cylinder",
-          Style::fields,
+  return {"fabric.mesh.cylinder{}",
           {length_("radius", "of the cylinder"), length_("length", "from z = 0 up"),
            integer_("around", from_one, "elements along the circle"),
            integer_("along", from_one, "elements along the axis"), angle_(360)},
@@ -158,8 +153,7 @@ Entry cylinder_row() {
 }
 
 Entry hemisphere_row() {
-  return {"fabric.mesh.hemisphere",
-          Style::fields,
+  return {"fabric.mesh.hemisphere{}",
           {length_("radius", "of the sphere"),
            number_("hole", "degrees", Range{0, 90, true, true}, "polar angle at which the cap is cut off")
                .or_else(18.0),
@@ -176,8 +170,7 @@ Entry hemisphere_row() {
 }
 
 Entry of_row() {
-  return {"fabric.mesh.of",
-          Style::fields,
+  return {"fabric.mesh.of{}",
           {value_("nodes", table, "{ {x, y, z}, ... }, m; without z it is 0"),
            value_("elements", table, "{ {1, 2, 5, 4}, ... }: node numbers, 3 or 4, counter-clockwise")},
           "A mesh of your own, from its nodes and elements; also written fabric.mesh{ nodes=, elements= }. "
@@ -190,8 +183,7 @@ Entry of_row() {
 }
 
 Entry merge_row() {
-  return {"fabric.mesh.merge",
-          Style::fields,
+  return {"fabric.mesh.merge{}",
           {value_("meshes", table, "{ a, b, ... }"),
            number_("distance", "m", not_negative, "within which nodes of different meshes become one")
                .or_else(1e-6)},

@@ -36,10 +36,7 @@ Mat3 read_frame(const Call& call) {
   return model::frame_from(axis[0], axis[1]);
 }
 
-int return_self(const Call& call) {
-  lua_pushvalue(call.L(), 1);
-  return 1;
-}
+int return_self(const Call& call) { return call.itself(); }
 
 namespace {
 
@@ -77,10 +74,8 @@ std::string sample_model() {
 Argument set_or_body_row() { return object_("set", "body", "name of a node set, or a rigid body", text); }
 
 Argument frame_row() {
-  return fields_("options",
-                 {value_("frame", table, "{e1, e2}: directions of x and y in this call").optional()},
-                 "frame = {e1, e2} for oblique directions")
-      .optional();
+  return fields_("options?", {value_("frame?", table, "{e1, e2}: directions of x and y in this call")},
+                 "frame = {e1, e2} for oblique directions");
 }
 
 Argument components_row(const char* unit, const char* sentence) {
@@ -151,13 +146,11 @@ void refuse_turn(const Call& call) {
 }
 
 Argument turn_row() {
-  return fields_("turn",
+  return fields_("turn?",
                  {value_("axis", numbers, "{x, y, z}: direction of the axis"),
                   history_("angle", "degrees", "angle about the axis"),
-                  value_("centre", numbers, "{x, y, z}, m: a point of the axis; default the body's centre")
-                      .optional()},
-                 "of a rigid body: {axis=, angle=, centre=}")
-      .optional();
+                  value_("centre?", numbers, "{x, y, z}, m: a point of the axis; default the body's centre")},
+                 "of a rigid body: {axis=, angle=, centre=}");
 }
 
 Argument motion_row() {
@@ -197,14 +190,10 @@ int gravity(Call& call) {
   return declare(call, model::Gravity{std::move(acceleration)});
 }
 
-int thickness(Call& call) {
-  lua_pushnumber(call.L(), call.self<Model>()->thickness());
-  return 1;
-}
+int thickness(Call& call) { return push_value(call.L(), call.self<Model>()->thickness()); }
 
 int card_of(Call& call) {
-  push_object(call.L(), std::make_shared<card::Card>(call.self<Model>()->card()));
-  return 1;
+  return push_object(call.L(), std::make_shared<card::Card>(call.self<Model>()->card()));
 }
 
 int model_text(lua_State* L) { return push_text(L, "<" + to_object<Model>(L, 1)->describe() + ">"); }
@@ -219,15 +208,14 @@ int check_mesh(Call& call) {
 std::vector<Entry> model_entries() {
   const std::string sample = sample_model();
   return {
-      {"fabric.model", Style::fields, model_rows(),
+      {"fabric.model{}", model_rows(),
        "The declared problem: a mesh of a fabric, or several, to be held, moved and loaded.",
        sample + "assert(m.thickness == 0.38e-3)\n"
                 "local both = fabric.model{ bodies={ { name='front', mesh=mesh, card=fabric.card 'blend' },\n"
                 "  { name='back', mesh=mesh, card=fabric.card 'denim' } } }\n"
                 "both:fix('front.left', 'x y z')",
        make_model},
-      {"model:fix",
-       Style::positional,
+      {"model:fix()",
        {set_or_body_row(),
         value_("freedoms", text,
                "some of x y z rx ry rz rotation; rotation is both of the director's, or all three of a body"),
@@ -236,23 +224,20 @@ std::vector<Entry> model_entries() {
        "harmless.",
        sample + "m:fix('bottom', 'x y z rotation')",
        fix},
-      {"model:move",
-       Style::positional,
+      {"model:move()",
        {set_or_body_row(), motion_row(), frame_row()},
        "Prescribes displacements of a node set, or of a rigid body, as histories (number, function(t), "
        "fabric.history, fabric.ramp).",
        sample + "m:move('top', { y=fabric.ramp(0.018, 1) })",
        move},
-      {"model:force",
-       Style::positional,
+      {"model:force()",
        {set_or_body_row(), components_row("N", "{x=, y=, z=}: the total force, shared by length or area"),
         frame_row()},
        "Loads a node set with a total force; a single node takes it whole. Loads a rigid body at its centre "
        "(dynamic runs need its mass), which then moves in the directions that m:fix does not hold.",
        sample + "m:force('top', { y=fabric.ramp(10, 1) })",
        force},
-      {"model:gravity",
-       Style::positional,
+      {"model:gravity()",
        {Argument{"acceleration", table, "m/s^2", everything, "{gx, gy, gz}, each a history"}},
        "Lets gravity act on the whole cloth, and on rigid bodies that have a mass and forces place.",
        sample + "m:gravity{0, 0, -9.81}",

@@ -45,23 +45,17 @@ run::Modes<M> unchecked(const model::Model& model, int count) {
 // The components by place and by name.
 void set_vector(lua_State* L, const char* name, const Vec3& v) {
   push_numbers(L, {v.x(), v.y(), v.z()});
-  for (int i = 0; i < 3; ++i) set_number(L, std::string(1, "xyz"[i]).c_str(), v[i]);
+  for (int i = 0; i < 3; ++i) put(L, std::string(1, "xyz"[i]).c_str(), v[i]);
   lua_setfield(L, -2, name);
 }
 
 void push_mode(lua_State* L, const run::VibrationMode& mode) {
-  lua_newtable(L);
-  set_number(L, "frequency", mode.frequency);
-  set_number(L, "growth", mode.growth);
-  set_number(L, "own_mass", mode.own_mass);
+  push_record(L, "frequency", mode.frequency, "growth", mode.growth, "own_mass", mode.own_mass);
   set_vector(L, "mass", mode.mass);
   set_vector(L, "participation", mode.participation);
 }
 
-void push_mode(lua_State* L, const run::BucklingMode& mode) {
-  lua_newtable(L);
-  set_number(L, "factor", mode.factor);
-}
+void push_mode(lua_State* L, const run::BucklingMode& mode) { push_record(L, "factor", mode.factor); }
 
 template <class M>
 int push_modes(const Call& call, const run::Modes<M>& found) {
@@ -69,8 +63,7 @@ int push_modes(const Call& call, const run::Modes<M>& found) {
   say_all(call, found.words);
   push_list(L, found.modes, [&](const auto& one) {
     push_mode(L, one);
-    push_object(L, one.shape);
-    lua_setfield(L, -2, "shape");
+    put(L, "shape", [&] { push_object(L, one.shape); });
   });
   return 1;
 }
@@ -125,8 +118,7 @@ std::vector<double> shape_along(const Shape& shape, int axis) {
 
 template <int axis>
 int shape_component(Call& call) {
-  push_numbers(call.L(), shape_along(*call.self<const Shape>(), axis));
-  return 1;
+  return push_numbers(call.L(), shape_along(*call.self<const Shape>(), axis));
 }
 
 // Of a model with tearable zones, the mesh as it was made; of several bodies, that of one.
@@ -160,9 +152,8 @@ int moved_mesh(Call& call) {
     const Fields options = call.fields("options");
     if (options.has("body")) body = options.text("body");
   }
-  push_object(call.L(), std::make_shared<mesh::Mesh>(
-                            displaced_by(*call.self<const Shape>(), call.number("amplitude"), body)));
-  return 1;
+  return push_object(call.L(), std::make_shared<mesh::Mesh>(
+                                   displaced_by(*call.self<const Shape>(), call.number("amplitude"), body)));
 }
 
 // One swing of the shape about its state, frame by frame.
@@ -194,8 +185,7 @@ int write_swing(Call& call) {
     system::make_folder_for(call.text("stem"));
     write_series(*shape, call.text("stem"), amplitude, frames);
   }
-  lua_pushvalue(call.L(), 1);
-  return 1;
+  return call.itself();
 }
 
 std::string modes_sample() {
@@ -211,13 +201,11 @@ std::string modes_sample() {
 std::vector<Entry> modes_entries() {
   const std::string found = modes_sample() + "local shape = fabric.buckling{ from=a, count=1 }[1].shape\n";
   return {
-      {"fabric.modes",
-       Style::fields,
-       {object_("from", "analysis", "the state about which the cloth swings").optional(),
-        object_("model", "model", "in its place: the cloth as it is at time 0, without stress").optional(),
+      {"fabric.modes{}",
+       {object_("from?", "analysis", "the state about which the cloth swings"),
+        object_("model?", "model", "in its place: the cloth as it is at time 0, without stress"),
         integer_("count", Range{1, 400}, "how many, from the lowest on").or_else(10),
-        number_("below", "Hz", positive, "those below this frequency alone; without count all of them")
-            .optional()},
+        number_("below?", "Hz", positive, "those below this frequency alone; without count all of them")},
        "Natural frequencies of small swings about a state: a list of { frequency= (Hz), mass= {x=, y=, z=} "
        "(kg, effective), growth= (1/s, above 0 where the state is unstable), shape=, own_mass= (kg, that of "
        "the shape), participation= {x=, y=, z=} (of the shape in a motion of the supports by 1) }. The "
@@ -226,14 +214,12 @@ std::vector<Entry> modes_entries() {
            "local modes = fabric.modes{ from=a, count=3 }\n"
            "assert(#modes == 3 and modes[1].frequency < modes[2].frequency and modes[1].mass.z > 0.005)",
        find_modes},
-      {"fabric.buckling",
-       Style::fields,
+      {"fabric.buckling{}",
        {object_("from", "analysis", "a state under the loads, well below the critical ones or near them"),
-        object_("load", "model",
+        object_("load?", "model",
                 "the loads and motions that are multiplied, beyond those of the state, which stay as they "
                 "are: model:copy() with more of them, as they are at the time of the state; without it all "
-                "of the state's")
-            .optional(),
+                "of the state's"),
         integer_("count", Range{1, 400}, "how many, from the lowest on").or_else(1)},
        "Factors of the loads of a state at which cloth buckles, ascending: a list of { factor=, shape= }.",
        modes_sample() + "local first = fabric.buckling{ from=a }[1]\n"
@@ -245,28 +231,21 @@ std::vector<Entry> modes_entries() {
                         found + "assert(math.abs(shape.y[1]) < 1e-9)", shape_component<1>),
       without_arguments("shape.z", "Displacements along z, m, one for each node; the longest is 1 m.",
                         found + "assert(math.abs(shape.z[9] - 1) < 0.01)", shape_component<2>),
-      {"shape:mesh",
-       Style::positional,
+      {"shape:mesh()",
        {number_("amplitude", "m", everything, "of its longest displacement"),
-        fields_("options", {value_("body", text, "of several bodies this one alone").optional()},
-                "which part")
-            .optional()},
+        fields_("options?", {value_("body?", text, "of several bodies this one alone")}, "which part")},
        "The mesh of the model moved by the shape, without stress: a next model that begins imperfect.",
        found + "local bent = shape:mesh(1e-4)\n"
                "assert(#bent.nodes == #mesh.nodes and math.abs(bent.nodes[9][3] - 1e-4) < 1e-6)\n"
                "fabric.model{ mesh=bent, card=card }",
        moved_mesh},
-      {"shape:vtk",
-       Style::positional,
+      {"shape:vtk()",
        {value_("stem", text, "path of the files without ending"),
-        fields_(
-            "options",
-            {number_("amplitude", "m", everything,
-                     "of its longest displacement; default a tenth of the cloth's length")
-                 .optional(),
-             integer_("frames", from_one, "of one swing; 1: where it is farthest; default 24").optional()},
-            "how far, and in how many frames")
-            .optional()},
+        fields_("options?",
+                {number_("amplitude?", "m", everything,
+                         "of its longest displacement; default a tenth of the cloth's length"),
+                 integer_("frames?", from_one, "of one swing; 1: where it is farthest; default 24")},
+                "how far, and in how many frames")},
        "Writes one swing of the shape about its state as a series for ParaView and fabric.render.",
        found + "local stem = os.tmpname()\nshape:vtk(stem, { frames=1 })\nassert(io.open(stem..'.pvd'))\n"
                "os.remove(stem..'.pvd')\nos.remove(stem..'_00000.vtu')\nos.remove(stem)",

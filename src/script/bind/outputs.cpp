@@ -193,10 +193,9 @@ int record(Call& call) {
     columns.push_back(read_column(options, name, run.get()));
   check_units(options, columns);
   for (run::RecordColumn& column : columns) column.unit = unit_of(options, column);
-  lua_pushvalue(call.L(), 1);
-  if (call.session().options().check) return 1;
+  if (call.session().options().check) return call.itself();
   run->job.record(call.text("path"), columns, interval_of(options));
-  return 1;
+  return call.itself();
 }
 
 // The table of options, an empty one where the call has none.
@@ -220,12 +219,11 @@ int vtk(Call& call) {
   const auto run = call.self<DeckRun>();
   const Fields options = options_of(call, "vtk");
   const run::VtkContents contents = contents_of(options);
-  lua_pushvalue(call.L(), 1);
-  if (call.session().options().check) return 1;
+  if (call.session().options().check) return call.itself();
   std::string stem = call.text("stem");
   if (stem.ends_with(".pvd")) stem.resize(stem.size() - 4);
   run->job.vtk(stem, interval_of(options), contents);
-  return 1;
+  return call.itself();
 }
 
 bool is_vtu(const std::string& path) {
@@ -245,13 +243,12 @@ int write_output(Call& call) {
     options.refuse(contents.averaged ? "averaged" : "fields",
                    "expected a file that ends in .vtu, which holds fields, got '" + path + "'");
   run::check_fields(*run->analysis, contents, "write");
-  lua_pushvalue(call.L(), 1);
-  if (call.session().options().check) return 1;
+  if (call.session().options().check) return call.itself();
   system::make_folder_for(path);
   const run::Run& a = *run->analysis;
   if (is_vtu(path)) {
     format::write_vtu(path, run::VtkFrame(a, contents).grid());
-    return 1;
+    return call.itself();
   }
   mesh::Mesh shape = a.model().mesh();
   for (std::size_t i = 0; i < shape.nodes.size(); ++i) {
@@ -263,26 +260,24 @@ int write_output(Call& call) {
     call.session().warn("dropped", position(call.L()) + "write: " + path +
                                        " has the mesh alone: the stress-free shape of the model is left out");
   format::write_mesh(path, shape);
-  return 1;
+  return call.itself();
 }
 
 std::vector<Argument> contents_rows() {
   return {
-      value_("fields", table,
+      value_("fields?", table,
              "names of fields, or of single numbers: see the table of fields of a run; default: displacement "
              "velocity director reference reaction E S residual slack energy warp weft. Displacement and "
              "reference are always there")
-          .one_of(run::field_names())
-          .optional(),
+          .one_of(run::field_names()),
       value_("points", text,
              "where the nodes are now, or where they were: with reference, ParaView's Warp By Vector by "
              "displacement shows the sheet as it is")
           .one_of({"deformed", "reference"})
           .or_else("deformed"),
-      value_(
-          "averaged", boolean,
-          "fields of elements also on the nodes, under the same names, as a:field finds them with at='nodes'")
-          .or_else(false)};
+      flag_("averaged",
+            "fields of elements also on the nodes, under the same names, as a:field finds them with "
+            "at='nodes'")};
 }
 
 std::vector<Argument> joined(std::vector<Argument> first, std::vector<Argument> rest) {
@@ -299,8 +294,7 @@ Argument every_row() {
 std::vector<Entry> outputs_entries() {
   const std::string sample = sample_run() + "local name = os.tmpname()\nos.remove(name)\n";
   return {
-      {"analysis:record",
-       Style::positional,
+      {"analysis:record()",
        {value_("path", text, "of the CSV file"),
         fields_("options",
                 {every_row(),
@@ -308,14 +302,12 @@ std::vector<Entry> outputs_entries() {
                         "name = function(a) that returns a number; or a field's name, for its mean over all "
                         "elements or nodes, or {field, set}; {function or field, set, window=seconds} is the "
                         "mean over the last seconds of the run's own steps"),
-                 number_("window", "s", positive, "the same for all columns that have none of their own")
-                     .optional(),
-                 value_("order", table, "names in the order of the columns").optional(),
-                 value_("units", table,
+                 number_("window?", "s", positive, "the same for all columns that have none of their own"),
+                 value_("order?", table, "names in the order of the columns"),
+                 value_("units?", table,
                         "name = unit of what the function returns, '' for none; put behind the name in the "
                         "heading. Default: that of the field; N for a column called force (or force_x, "
-                        "force_y, force_z), m for displacement")
-                     .optional()},
+                        "force_y, force_z), m for displacement")},
                 "columns, and how often")},
        "Writes a table as the run goes: time, then the columns, with their units in the heading, so that "
        "fabric.lab.tensile reads it.",
@@ -324,10 +316,9 @@ std::vector<Entry> outputs_entries() {
                 "a:solve()\nassert(io.open(name..'/curve.csv'):read 'l' == 'time (s),force (N)')\n"
                 "os.remove(name..'/curve.csv') os.remove(name..'/run.json') os.remove(name)",
        record},
-      {"analysis:vtk",
-       Style::positional,
+      {"analysis:vtk()",
        {value_("stem", text, "out/drape writes out/drape.pvd and numbered .vtu files"),
-        fields_("options", joined({every_row()}, contents_rows()), "how often, and what").optional()},
+        fields_("options?", joined({every_row()}, contents_rows()), "how often, and what")},
        "Writes a series for ParaView as the run goes; the .pvd is valid at any moment. Node sets are arrays "
        "of 0 and 1 on the points, E and S symmetric tensors in material axes (11 22 33 12 23 13; those of 33 "
        "are 0), units stand with the arrays.",
@@ -336,10 +327,9 @@ std::vector<Entry> outputs_entries() {
                 "for i = 0, 2 do os.remove(name..('/pull_%05d.vtu'):format(i)) end\n"
                 "os.remove(name..'/pull.pvd') os.remove(name..'/run.json') os.remove(name)",
        vtk},
-      {"analysis:write",
-       Style::positional,
+      {"analysis:write()",
        {value_("file", text, "ends in " + format::written_endings()),
-        fields_("options", contents_rows(), "what; fields go into a .vtu alone").optional()},
+        fields_("options?", contents_rows(), "what; fields go into a .vtu alone")},
        "Writes the sheet as it is now, or as it was in the reference, for another program: with fields as a "
        "frame of a:vtk into a .vtu, else as mesh:write does.",
        sample + "a:solve()\nlocal file = name..'.stl'\na:write(file)\n"

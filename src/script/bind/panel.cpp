@@ -73,20 +73,18 @@ Argument point_(std::string name, std::string sentence) {
 }
 
 std::vector<Argument> arc_rows() {
-  return {point_("to", "its end"), point_("through", "a point on the way").optional(),
-          point_("centre", "of its circle").optional(),
-          value_("clockwise", boolean, "with a centre: around it clockwise").or_else(false)};
+  return {point_("to", "its end"), point_("through?", "a point on the way"),
+          point_("centre?", "of its circle"), flag_("clockwise", "with a centre: around it clockwise")};
 }
 
 std::vector<Argument> piece_rows() {
-  return {value_("name", text, "of the edge that the piece belongs to").optional(),
-          integer_("elements", from_one, "along the piece").optional(),
-          fields_("arc", arc_rows(), "an arc of a circle").optional(),
-          value_("spline", table, "{ {x, y}, ... }: a smooth curve through these points to the last one")
-              .optional(),
-          value_("bezier", table, "{ {x, y}, {x, y}, {x, y} }: two control points and the end").optional(),
-          point_("circle", "centre of a whole circle, the only piece of its line").optional(),
-          number_("radius", "m", positive, "of the circle").optional()};
+  return {value_("name?", text, "of the edge that the piece belongs to"),
+          integer_("elements?", from_one, "along the piece"),
+          fields_("arc?", arc_rows(), "an arc of a circle"),
+          value_("spline?", table, "{ {x, y}, ... }: a smooth curve through these points to the last one"),
+          value_("bezier?", table, "{ {x, y}, {x, y}, {x, y} }: two control points and the end"),
+          point_("circle?", "centre of a whole circle, the only piece of its line"),
+          number_("radius?", "m", positive, "of the circle")};
 }
 
 const std::vector<Argument>& known_piece() {
@@ -236,7 +234,7 @@ void each_in(const Call& call, const char* name, const Read& read) {
 }
 
 std::vector<Argument> dart_rows() {
-  return {value_("name", text, "default dart1, dart2, ...").optional(),
+  return {value_("name?", text, "default dart1, dart2, ..."),
           point_("from", "on the outline, one end of its mouth"), point_("tip", "inside"),
           point_("to", "on the outline, the other end")};
 }
@@ -250,10 +248,10 @@ mesh::Dart read_dart(lua_State* L, const std::string& path, std::size_t number) 
 }
 
 std::vector<Argument> notch_rows() {
-  return {value_("name", text, "of its set"), value_("edge", text, "on which it is").optional(),
-          number_("at", "m", not_negative, "from the start of the edge as drawn").optional(),
-          number_("share", "", Range{0, 1}, "of the length of the edge, from its start").optional(),
-          point_("point", "on the outline or the edge").optional()};
+  return {value_("name", text, "of its set"), value_("edge?", text, "on which it is"),
+          number_("at?", "m", not_negative, "from the start of the edge as drawn"),
+          number_("share?", "", Range{0, 1}, "of the length of the edge, from its start"),
+          point_("point?", "on the outline or the edge")};
 }
 
 mesh::Notch read_notch(lua_State* L, const std::string& path) {
@@ -396,47 +394,37 @@ int panel(Call& call) {
     const std::string field = call.has("file") ? "file" : "outline";
     call.session().warn("units", position(L) + "panel: field '" + field + "': " + doubt + " (write 5*mm)");
   }
-  push_object(L, std::move(made));
-  return 1;
+  return push_object(L, std::move(made));
 }
 
 Entry panel_row() {
   return {
-      "fabric.mesh.panel",
-      Style::fields,
-      {value_("outline", table,
+      "fabric.mesh.panel{}",
+      {value_("outline?", table,
               "{ {x, y}, {x, y, name=}, {arc=, name=}, {spline=, name=}, ... }: a start, then pieces, each "
-              "from where the one before it ends")
-           .optional(),
-       value_("file", text, "in place of an outline: a .dxf of a pattern program (AAMA/ASTM), or a .svg")
-           .optional(),
-       value_("piece", text, "of the file, if it has several: its name or block").optional(),
-       value_("size_name", text, "of the garment, if the file holds the piece in several: '38'").optional(),
-       number_("unit", "m", positive, "of the file's lengths (fabric.units.mm), if it does not say")
-           .optional(),
+              "from where the one before it ends"),
+       value_("file?", text, "in place of an outline: a .dxf of a pattern program (AAMA/ASTM), or a .svg"),
+       value_("piece?", text, "of the file, if it has several: its name or block"),
+       value_("size_name?", text, "of the garment, if the file holds the piece in several: '38'"),
+       number_("unit?", "m", positive, "of the file's lengths (fabric.units.mm), if it does not say"),
        number_("size", "m", positive, "of an element").usually(1e-4, 1, "is it in m? (write 5*mm)"),
        number_(
-           "grain", "degrees", everything,
-           "direction of the warp, counter-clockwise from +x, default 0; wins over the grain line of a file")
-           .optional(),
-       value_("holes", table, "{ line, ... }: closed lines like the outline").optional(),
-       value_("darts", table, "{ {from=, tip=, to=, name=}, ... }: wedges cut from the outline").optional(),
-       value_("notches", table, "{ {name=, edge=, at=|share=|point=}, ... }: places that get a node")
-           .optional(),
-       value_("triangles", boolean, "equilateral ones, in place of squares").or_else(false),
-       number_(
-           "rows", "degrees", everything,
-           "direction of the rows of elements, counter-clockwise from +x; default: the grain, or straight "
-           "sides oblique to it where that leaves less than half as many triangles")
-           .optional()},
+           "grain?", "degrees", everything,
+           "direction of the warp, counter-clockwise from +x, default 0; wins over the grain line of a file"),
+       value_("holes?", table, "{ line, ... }: closed lines like the outline"),
+       value_("darts?", table, "{ {from=, tip=, to=, name=}, ... }: wedges cut from the outline"),
+       value_("notches?", table, "{ {name=, edge=, at=|share=|point=}, ... }: places that get a node"),
+       flag_("triangles", "equilateral ones, in place of squares"),
+       number_("rows?", "degrees", everything,
+               "direction of the rows of elements, counter-clockwise from +x; default: the grain, or "
+               "straight sides oblique to it where that leaves less than half as many triangles")},
       "A panel from its outline, in the x-y plane, normal +z: rows of squares along the grain or along sides "
-      "oblique to it, and a rim of "
-      "quadrilaterals and triangles whose border nodes lie on the outline. A piece is a straight line to {x, "
-      "y}, {arc={to=, through=|centre=, clockwise=}}, {spline={ {x, y}, ... }}, {bezier={c, c, to}}, or "
-      "{name=}, which closes the line; a line {circle={x, y}, radius=} is a circle; elements= of a piece "
-      "sets their number. Named edges, the sides NAME_in and NAME_out of darts, and notches become sets; all "
-      "and boundary as usual. Edges of a file are edge1, edge2, ..., its notches notch1, notch2, .... A "
-      "model takes the warp from the grain.",
+      "oblique to it, and a rim of quadrilaterals and triangles whose border nodes lie on the outline. A "
+      "piece is a straight line to {x, y}, {arc={to=, through=|centre=, clockwise=}}, {spline={ {x, y}, ... "
+      "}}, {bezier={c, c, to}}, or {name=}, which closes the line; a line {circle={x, y}, radius=} is a "
+      "circle; elements= of a piece sets their number. Named edges, the sides NAME_in and NAME_out of darts, "
+      "and notches become sets; all and boundary as usual. Edges of a file are edge1, edge2, ..., its "
+      "notches notch1, notch2, .... A model takes the warp from the grain.",
       "local fabric = require 'fabric'\n"
       "local mesh = fabric.mesh.panel{ size=0.01, grain=90,\n"
       "  outline={ {0, 0}, {0.2, 0, name='hem'}, {0.16, 0.3, name='right'},\n"
@@ -486,17 +474,14 @@ int wrap(Call& call) {
   mesh::Wrap shape = read_surface(call.fields(field), field);
   shape.overlap = call.flag("overlap");
   mesh::wrap(*call.self<mesh::Mesh>(), shape);
-  lua_pushvalue(call.L(), 1);
-  return 1;
+  return call.itself();
 }
 
 Entry wrap_row() {
   return {
-      "mesh:wrap",
-      Style::fields,
-      {fields_("cylinder", surface_rows(false), "to go around").optional(),
-       fields_("cone", surface_rows(true), "to go around").optional(),
-       value_("overlap", boolean, "allow more than one turn").or_else(false)},
+      "mesh:wrap{}",
+      {fields_("cylinder?", surface_rows(false), "to go around"),
+       fields_("cone?", surface_rows(true), "to go around"), flag_("overlap", "allow more than one turn")},
       "Lays a mesh in the x-y plane around a cylinder or a cone, with lengths, angles and areas kept and the "
       "normal outward: the point `at` comes to lie beside `from` at the distance radius, +y runs along the "
       "axis there, +x around it counter-clockwise. The warp of a panel goes along. Errors move no node.",

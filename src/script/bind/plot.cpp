@@ -23,26 +23,21 @@ constexpr const char* curve_list =
 const std::vector<Argument>& drawn_rows() {
   static const std::vector<Argument> rows = {
       value_("x", table | text, "abscissas; with rows: the name of their field"),
-      value_("y", table | text,
+      value_("y?", table | text,
              "ordinates; a nan interrupts the curve; with rows: the name of their field; left out: the band "
-             "alone")
-          .optional(),
-      value_("rows", table, "a list of tables, such as the curve of a virtual test, or a table of lists")
-          .optional(),
+             "alone"),
+      value_("rows?", table, "a list of tables, such as the curve of a virtual test, or a table of lists"),
       value_("label", text, "in the key").or_else(""),
       value_("style", text, "how it is drawn; points for what was measured")
           .one_of({"line", "dashed", "points", "line_points"})
           .or_else("line"),
-      value_("error", table | text | number,
+      value_("error?", table | text | number,
              "{low=, high=} or half the length of error bars, of all or a list, in SI; with rows: names of "
-             "fields")
-          .optional(),
-      value_("xerror", table | text | number, "error bars along x, given like error").optional(),
-      value_("band", table, "{low=, high=}: lists in SI, a shade between them; with rows: names of fields")
-          .optional(),
-      value_("colour", text,
-             "a name or \"#rrggbb\"; default: the next of those that colour-blind readers can distinguish")
-          .optional()};
+             "fields"),
+      value_("xerror?", table | text | number, "error bars along x, given like error"),
+      value_("band?", table, "{low=, high=}: lists in SI, a shade between them; with rows: names of fields"),
+      value_("colour?", text,
+             "a name or \"#rrggbb\"; default: the next of those that colour-blind readers can distinguish")};
   return rows;
 }
 
@@ -489,8 +484,7 @@ int plot(Call& call) {
   const plot::Page page = read_page(call);
   if (call.session().options().check) return 0;
   if (call.has("file")) {
-    lua_pushboolean(call.L(), drawn(call, page));
-    return 1;
+    return push_value(call.L(), drawn(call, page));
   }
   const std::string letters = plot::drawn_in_letters(page, call.count("columns"), call.count("lines"));
   for (const std::string& words : plot::left_out(page))
@@ -508,12 +502,11 @@ std::vector<Argument> panel_rows() {
   };
   std::vector<std::string> keys;
   for (const auto& [name, key] : key_words()) keys.push_back(name);
-  return {value_("rows", table,
-                 "in the place of curves: a list of tables, a test with a curve, or a table of lists")
-              .optional(),
-          value_("x", text, "with rows: the field along x").optional(),
-          value_("y", text | table, "with rows: the field along y, or a list of fields").optional(),
-          value_("curves", table, curve_list).optional(),
+  return {value_("rows?", table,
+                 "in the place of curves: a list of tables, a test with a curve, or a table of lists"),
+          value_("x?", text, "with rows: the field along x"),
+          value_("y?", text | table, "with rows: the field along y, or a list of fields"),
+          value_("curves?", table, curve_list),
           word("title", "above the axes"),
           word("xlabel", "what x is"),
           word("ylabel", "what y is"),
@@ -523,24 +516,21 @@ std::vector<Argument> panel_rows() {
           word("yunit", "likewise"),
           range("xrange"),
           range("yrange"),
-          value_("ynames", table, "a list of names: what stands at y = 1, 2, ..., in the place of numbers")
-              .optional(),
-          value_("log", text, "logarithmic axes").one_of({"", "x", "y", "xy"}).optional(),
-          value_("key", text,
+          value_("ynames?", table, "a list of names: what stands at y = 1, 2, ..., in the place of numbers"),
+          value_("log?", text, "logarithmic axes").one_of({"", "x", "y", "xy"}),
+          value_("key?", text,
                  "where the labels of the curves stand; best: the first corner free of curves, else below")
-              .one_of(keys)
-              .optional()};
+              .one_of(keys)};
 }
 
 std::vector<Entry> plot_entries() {
   const Range letters{10, 400};
   std::vector<Argument> arguments = panel_rows();
   const std::vector<Argument> more = {
-      value_("file", text, "ends in .svg, .pdf, .eps or .png; none: drawn in letters").optional(),
-      value_("panels", table,
+      value_("file?", text, "ends in .svg, .pdf, .eps or .png; none: drawn in letters"),
+      value_("panels?", table,
              "{ {curves=, title=, xlabel=, ...}, ... }: several plots on one page; what a panel does not say "
-             "is taken from the call")
-          .optional(),
+             "is taken from the call"),
       Argument{"layout", numbers, "", everything, "{rows, columns} of the panels; default: two columns"}
           .optional(),
       value_("letters", boolean, "(a), (b), ... above the panels").or_else(true),
@@ -555,7 +545,7 @@ std::vector<Entry> plot_entries() {
       integer_("lines", letters, "height of a drawing in letters").or_else(24.0)};
   arguments.insert(arguments.end(), more.begin(), more.end());
   return {
-      {"fabric.plot", Style::fields, arguments,
+      {"fabric.plot{}", arguments,
        "Draws curves (by gnuplot) into a file, or without one returns them as text: the prompt shows it, a "
        "deck prints it by print(fabric.plot{...}). fabric.plot(rows, \"E\", \"S\", {...}) is short for "
        "fabric.plot{ rows=rows, x=\"E\", y=\"S\", ... }. With a file it returns whether it was drawn: false, "

@@ -74,7 +74,7 @@ std::span<const SampleColumn> columns_of(bool uniaxial) {
 
 void push_sample(lua_State* L, const StressPoint& s, bool uniaxial) {
   lua_createtable(L, 0, 16);
-  for (const SampleColumn& column : columns_of(uniaxial)) set_number(L, column.name.c_str(), column.value(s));
+  for (const SampleColumn& column : columns_of(uniaxial)) put(L, column.name.c_str(), column.value(s));
 }
 
 void push_rows(lua_State* L, const std::vector<StressPoint>& samples, bool uniaxial) {
@@ -122,8 +122,7 @@ int push_curve(const Call& call, bool uniaxial, Drive drive) {
 int make_point(Call& call) {
   law::Site site;
   if (call.has("size")) site.size.fill(call.number("size"));
-  push_object(call.L(), std::make_shared<DeckPoint>(call.object<card::Card>("card"), site));
-  return 1;
+  return push_object(call.L(), std::make_shared<DeckPoint>(call.object<card::Card>("card"), site));
 }
 
 std::optional<double> given(const Call& call, const char* name) {
@@ -255,17 +254,12 @@ int biaxial(Call& call) {
 }
 
 int state(Call& call) {
-  lua_State* L = call.L();
   const auto p = call.self<DeckPoint>();
   const auto inside = p->internal();
-  push_sample(L, p->now(), false);
-  set_number(L, "residual1", inside.residual1);
-  set_number(L, "residual2", inside.residual2);
-  set_number(L, "slack1", inside.slack1);
-  set_number(L, "slack2", inside.slack2);
-  set_text(L, "warp", law::name(inside.warp));
-  set_text(L, "weft", law::name(inside.weft));
-  set_text(L, "shear", law::name(inside.shear));
+  push_sample(call.L(), p->now(), false);
+  put(call.L(), "residual1", inside.residual1, "residual2", inside.residual2, "slack1", inside.slack1,
+      "slack2", inside.slack2, "warp", law::name(inside.warp), "weft", law::name(inside.weft), "shear",
+      law::name(inside.shear));
   return 1;
 }
 
@@ -273,17 +267,8 @@ int bend(Call& call) {
   const auto p = call.self<DeckPoint>();
   if (!p->bending) p->bending.emplace(*p->card);
   const auto s = p->bending->bend(given(call, "k11"), given(call, "k22"), given(call, "k12"));
-  lua_createtable(call.L(), 0, 8);
-  for (const auto& [name, value] : {std::pair{"M11", s.M11},
-                                    {"M22", s.M22},
-                                    {"M12", s.M12},
-                                    {"k11", s.k11},
-                                    {"k22", s.k22},
-                                    {"k12", s.k12},
-                                    {"stored", s.stored},
-                                    {"dissipated", s.dissipated}})
-    set_number(call.L(), name, value);
-  return 1;
+  return push_record(call.L(), "M11", s.M11, "M22", s.M22, "M12", s.M12, "k11", s.k11, "k22", s.k22, "k12",
+                     s.k12, "stored", s.stored, "dissipated", s.dissipated);
 }
 
 int reset(Call& call) {
@@ -299,8 +284,7 @@ int point_text(lua_State* L) {
   std::snprintf(words, sizeof words,
                 "<point, E11 %.4g, E22 %.4g, E12 %.4g; S11 %.4g, S22 %.4g, S12 %.4g MPa>", s.E11, s.E22,
                 s.E12, s.S11 * 1e-6, s.S22 * 1e-6, s.S12 * 1e-6);
-  lua_pushstring(L, words);
-  return 1;
+  return push_value(L, words);
 }
 
 // At the lower end the length is zero: (0 - 1) / 2. No strain reaches it.
@@ -320,24 +304,21 @@ Argument over_() {
 }
 
 Argument columns_() {
-  return value_("columns", table, "names, such as {'E11', 'S11'}: returns {E11={...}, S11={...}}").optional();
+  return value_("columns?", table, "names, such as {'E11', 'S11'}: returns {E11={...}, S11={...}}");
 }
 
 std::vector<Entry> point_entries() {
   const std::string sample = "local fabric = require 'fabric'\nlocal p = fabric.point(fabric.card 'blend')\n";
   return {
-      {"fabric.point",
-       Style::positional,
+      {"fabric.point()",
        {object_("card", "card", "the fabric"),
-        number_("size", "m", positive,
+        number_("size?", "m", positive,
                 "length of cloth that the point stands for, over which yarns that soften break (see damage "
-                "of a card); without it they hold")
-            .optional()},
+                "of a card); without it they hold")},
        "One material point of virgin cloth, to be driven by strains.",
        sample,
        make_point},
-      {"point:strain",
-       Style::fields,
+      {"point:strain{}",
        {strain_("E11", "along the warp", above_nothing).optional(),
         strain_("E22", "along the weft", above_nothing).optional(),
         strain_("E12", "shear, tensor component").optional(), over_()},
@@ -345,8 +326,7 @@ std::vector<Entry> point_entries() {
        "S11 S22 S12 E11 E22 E12 stored dissipated.",
        sample + "assert(p:strain{ E11=0.05 }.S11 > 0)",
        strain},
-      {"point:uniaxial",
-       Style::positional,
+      {"point:uniaxial()",
        {{"direction",
          number | text,
          "degrees from the warp",
@@ -362,8 +342,7 @@ std::vector<Entry> point_entries() {
        "E_lateral; for a list of strains a list of such rows, or the columns named.",
        sample + "local r = p:uniaxial('warp', 0.1)\nassert(math.abs(r.E_lateral / r.E + 0.25) < 1e-9)",
        uniaxial},
-      {"point:path",
-       Style::positional,
+      {"point:path()",
        {value_("strains", table,
                "{ {E11, E22, E12}, ... } or { E11={...}, E22={...}, E12={...} }; seconds that an increment "
                "takes as fourth number of a row, or in over={...}"),
@@ -373,16 +352,14 @@ std::vector<Entry> point_entries() {
        sample + "local r = p:path{ {0.1, 0, 0}, {0, 0, 0} }\nassert(r[2].dissipated > 0)\n"
                 "local c = p:path({ E12={0.1, 0.2} }, {'S12', 'stored'})\nassert(c.S12[2] > c.S12[1])",
        path},
-      {"point:biaxial",
-       Style::positional,
+      {"point:biaxial()",
        {number_("ratio", "", everything, "E22 over E11"),
         {"E", numbers, "", everything, "values of E11"},
         columns_()},
        "E11 = E and E22 = ratio E, for each E of a list: a list of rows, or the columns named.",
        sample + "assert(#p:biaxial(1, {0.05, 0.1}) == 2)",
        biaxial},
-      {"point:bend",
-       Style::fields,
+      {"point:bend{}",
        {curvature_("k11", "along the warp"), curvature_("k22", "along the weft"),
         curvature_("k12", "twist, tensor component")},
        "Reaches total curvatures in one straight increment and commits them, by the card's own bending; "
@@ -392,11 +369,11 @@ std::vector<Entry> point_entries() {
        "weft=12e-6, twist=7e-6 } }\nassert(math.abs(fabric.point(card):bend{ k11=100 }.M11 - 1.5e-3) < "
        "1e-15)",
        bend},
-      without_arguments(
-          "point:state",
-          "Where the point is: the row of its last commit, residual strains and slack of both yarns, and the "
-          "branch (virgin, unloading, slack) of warp, weft and shear.",
-          sample + "p:uniaxial('warp', {0.1, 0.098})\nassert(p:state().warp == 'unloading')", state),
+      without_arguments("point:state",
+                        "Where the point is: the row of its last commit, residual strains and slack of both "
+                        "yarns, and the branch (virgin, unloading, slack) of warp, weft and shear.",
+                        sample + "p:uniaxial('warp', {0.1, 0.098})\nassert(p:state().warp == 'unloading')",
+                        state),
       without_arguments("point:reset", "Back to virgin cloth at zero strain and time 0.",
                         sample + "p:reset()", reset),
   };

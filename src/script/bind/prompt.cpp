@@ -92,10 +92,7 @@ int who_text(lua_State* L) {
 int who(Call& call) {
   lua_State* L = call.L();
   push_list(L, held_by_globals(L), [&](const GlobalValue& held) {
-    lua_newtable(L);
-    set_text(L, "name", held.name);
-    set_text(L, "class", held.cls);
-    set_text(L, "text", held.words);
+    push_record(L, "name", held.name, "class", held.cls, "text", held.words);
   });
   set_text_of(L, "fabricsh.who", who_text);
   return 1;
@@ -111,29 +108,22 @@ int transcript(Call& call) {
     kept.end();
   }
   if (call.has("file")) return 0;
-  if (kept.path().empty())
-    lua_pushboolean(call.L(), 0);
-  else
-    lua_pushstring(call.L(), kept.path().c_str());
-  return 1;
+  return kept.path().empty() ? push_value(call.L(), false) : push_value(call.L(), kept.path());
 }
 
 std::vector<Entry> prompt_entries() {
   return {
-      {"fabric.who",
-       Style::positional,
+      {"fabric.who()",
        {},
        "The global variables that were set at the prompt or by the deck, objects first: rows of name, class "
        "and text, which print as a table.",
        "sheet = require 'fabric'.mesh.rectangle{ width=1, height=1, nx=2, ny=2 }\n"
        "local rows = require 'fabric'.who()\nassert(rows[1].name == 'sheet' and rows[1].class == 'mesh')",
        who},
-      {"fabric.transcript",
-       Style::positional,
-       {value_("file", text | boolean,
+      {"fabric.transcript()",
+       {value_("file?", text | boolean,
                "a new Lua file that holds all input at the prompt, from the start of the session on; false "
-               "ends it")
-            .optional()},
+               "ends it")},
        "Writes the session as a deck that can be run; without an argument returns the file's name or false. "
        "The file is complete at any moment; inputs that failed are comments in it.",
        "local fabric = require 'fabric'\nlocal name = os.tmpname()..'.lua'\nfabric.transcript(name)\n"

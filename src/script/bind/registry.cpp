@@ -30,33 +30,23 @@ void push_kinds(lua_State* L, unsigned kinds) {
 
 void push_row_default(lua_State* L, const Argument& row) {
   if (const double* x = std::get_if<double>(&row.fallback))
-    set_text(L, "default", exact_number(*x));
+    put(L, "default", exact_number(*x));
   else if (const std::string* word = std::get_if<std::string>(&row.fallback))
-    set_text(L, "default", "\"" + *word + "\"");
+    put(L, "default", "\"" + *word + "\"");
   else if (const bool* flag = std::get_if<bool>(&row.fallback))
-    set_text(L, "default", *flag ? "true" : "false");
+    put(L, "default", *flag ? "true" : "false");
 }
 
 void push_rows(lua_State* L, const std::vector<Argument>& rows);
 
 void push_row(lua_State* L, const Argument& row) {
   luaL_checkstack(L, 10, "registry");
-  lua_newtable(L);
-  set_text(L, "name", row.name);
-  set_text(L, "unit", row.unit);
-  set_text(L, "sentence", row.sentence);
-  set_text(L, "expected", expected(row));
-  set_text(L, "of", row.of);
-  set_flag(L, "required", row.required);
-  set_number(L, "low", row.range.low);
-  set_number(L, "high", row.range.high);
+  push_record(L, "name", row.name, "unit", row.unit, "sentence", row.sentence, "expected", expected(row),
+              "of", row.of, "required", row.required, "low", row.range.low, "high", row.range.high);
   push_row_default(L, row);
-  push_kinds(L, row.kinds);
-  lua_setfield(L, -2, "kinds");
-  push_texts(L, row.choices);
-  lua_setfield(L, -2, "choices");
-  push_rows(L, row.rows);
-  lua_setfield(L, -2, "rows");
+  put(
+      L, "kinds", [&] { push_kinds(L, row.kinds); }, "choices", row.choices, "rows",
+      [&] { push_rows(L, row.rows); });
 }
 
 void push_rows(lua_State* L, const std::vector<Argument>& rows) {
@@ -69,14 +59,9 @@ int registry_rows(lua_State* L) {
   for (const Entry& entry : Session::of(L).registry().entries()) entries.push_back(&entry);
   std::sort(entries.begin(), entries.end(), [](const Entry* a, const Entry* b) { return a->name < b->name; });
   push_list(L, entries, [&](const Entry* entry) {
-    lua_newtable(L);
-    set_text(L, "name", entry->name);
-    set_text(L, "style", style_word(*entry));
-    set_text(L, "owner", entry->owner());
-    set_text(L, "sentence", entry->sentence);
-    set_text(L, "example", entry->example);
-    push_rows(L, entry->arguments);
-    lua_setfield(L, -2, "arguments");
+    push_record(L, "name", entry->name, "style", style_word(*entry), "owner", entry->owner(), "sentence",
+                entry->sentence, "example", entry->example, "arguments",
+                [&] { push_rows(L, entry->arguments); });
   });
   return 1;
 }
@@ -86,15 +71,9 @@ int result_fields(lua_State* L) {
   lua_newtable(L);
   lua_Integer place = 0;
   for (const auto& field : run::result_fields()) {
-    lua_newtable(L);
-    set_text(L, "name", field.name);
-    set_text(L, "unit", field.unit);
-    set_text(L, "shape", run::name(field.shape));
-    set_text(L, "place", run::name(field.place));
-    set_text(L, "sentence", field.sentence);
-    set_flag(L, "usual", field.usual);
-    push_texts(L, field.components);
-    lua_setfield(L, -2, "components");
+    push_record(L, "name", field.name, "unit", field.unit, "shape", run::name(field.shape), "place",
+                run::name(field.place), "sentence", field.sentence, "usual", field.usual, "components",
+                field.components);
     lua_rawseti(L, -2, ++place);
   }
   return 1;
@@ -105,8 +84,7 @@ int name_of(lua_State* L) {
   luaL_checkany(L, 1);
   const Entry* entry = entry_of(L, 1);
   if (entry == nullptr) return 0;
-  lua_pushstring(L, entry->name.c_str());
-  return 1;
+  return push_value(L, entry->name);
 }
 
 // class_of(x): the class of a fabricsh object, or nil.
@@ -135,8 +113,7 @@ int nearest_name(lua_State* L) {
   }
   const std::string found = nearest(word, names);
   if (found.empty()) return 0;
-  lua_pushstring(L, found.c_str());
-  return 1;
+  return push_value(L, found);
 }
 
 int show_value(lua_State* L) {

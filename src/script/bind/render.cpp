@@ -288,8 +288,7 @@ int no_picture(Call& call) {
   const std::string words = "render: no picture '" + call.text("file") +
                             "': not available under --safe; draw from the .vtu files afterwards";
   call.session().notices().once(words, "warning: " + words);
-  lua_pushboolean(call.L(), 0);
-  return 1;
+  return push_value(call.L(), false);
 }
 
 // The run of the call, or the runs of a list.
@@ -333,8 +332,7 @@ int render(Call& call) {
     const std::string words = "render: picture '" + picture.png + "': " + message;
     call.session().notices().once(words, "warning: " + words);
   }
-  lua_pushboolean(call.L(), 1);
-  return 1;
+  return push_value(call.L(), true);
 }
 
 Argument many(std::string name, unsigned kinds, std::string sentence) {
@@ -346,15 +344,13 @@ std::vector<Argument> render_rows() {
   return {
       value_("file", text, "to write; ends in .png"),
       many("vtu", text | table, "file of a:vtk, or a list of them: panels of one scale"),
-      object_("run", "analysis",
-              "in place of files: the run as it stands, with its rigid bodies, or a list of runs", table)
-          .optional(),
+      object_("run?", "analysis",
+              "in place of files: the run as it stands, with its rigid bodies, or a list of runs", table),
       value_("field", text, "what the colours show").or_else("none").one_of(field_words()).owned(),
       value_("title", text, "on top").or_else(""),
       many("labels", text | table, "above the panels"),
       many("bar", text, "title of the colour bar; default: the field with its unit (MPa, mm)"),
-      number_("factor", "", everything, "the bar shows that much times the SI value; default: to the unit")
-          .optional(),
+      number_("factor?", "", everything, "the bar shows that much times the SI value; default: to the unit"),
       many("range", numbers, "{low, high} of the bar; default: those of all panels"),
       many("view", text | numbers,
            "above (from +z, y up), front (along +y), side (along -x), oblique, or {azimuth, elevation} in "
@@ -364,7 +360,7 @@ std::vector<Argument> render_rows() {
       many("views", table,
            "{ 'front', 'side', 'above', 'oblique', {30, 25}, ... }: several views in one picture, in one "
            "scale"),
-      integer_("columns", from_one, "of panels").optional(),
+      integer_("columns?", from_one, "of panels"),
       integer_("width", pixels, "pixels").or_else(1200),
       integer_("height", pixels, "pixels").or_else(900),
       Argument{"size", numbers, "m", everything,
@@ -372,12 +368,10 @@ std::vector<Argument> render_rows() {
           .optional(),
       number_("dpi", "", Range{50, 1200}, "with size: pixels per inch").or_else(300.0),
       number_("font_size", "points", Range{4, 40}, "with size: of all letters").or_else(7.0),
-      value_("smooth", boolean,
-             "colours and shading that change evenly between the nodes; else each element has its own")
-          .or_else(false),
+      flag_("smooth",
+            "colours and shading that change evenly between the nodes; else each element has its own"),
       value_("edges", boolean, "of the elements").or_else(true),
-      value_("fit", boolean, "the picture is no wider than its one panel needs: for tall things")
-          .or_else(false),
+      flag_("fit", "the picture is no wider than its one panel needs: for tall things"),
       value_("bodies", text,
              "rigid bodies of a run: clear lets the cloth behind them be seen, none leaves them out, and the "
              "picture is as large as the cloth")
@@ -392,7 +386,7 @@ std::vector<Argument> render_rows() {
 void bind_render(Session& session) {
   install(
       session,
-      {{"fabric.render", Style::fields, render_rows(),
+      {{"fabric.render{}", render_rows(),
         "Draws deformed sheets with a field and its colour bar into a PNG, off-screen: on the virtual "
         "display Xvfb, or where that is not installed on the display of DISPLAY. Returns whether it was "
         "drawn: false, with a warning, under --safe.",

@@ -130,7 +130,7 @@ int sample(Call& call) {
     push_object(L, drawn_card(*card, random, refused));
     lua_rawseti(L, -2, i);
   }
-  set_integer(L, "refused", refused.count);
+  put(L, "refused", refused.count);
   tell(call, n, refused);
   return 1;
 }
@@ -139,8 +139,7 @@ int sample(Call& call) {
 
 void bind_sample(Session& session) {
   install(session,
-          {{"card:sample",
-            Style::positional,
+          {{"card:sample()",
             {integer_("n", Range{1, 1e5}, "of cards"),
              integer_("seed", not_negative, "of the draw").or_else(1.0)},
             "Cards drawn from the card's confidence bands, for the uncertainty of any answer, a list; a "

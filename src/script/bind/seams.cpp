@@ -60,8 +60,7 @@ std::vector<Entry> seams_entries() {
                            "{ first, second, ... }: the sets of the nodes of two edges");
   given.kinds |= table;
   return {
-      {"model:seam",
-       Style::positional,
+      {"model:seam()",
        {given},
        "Sews two edges of the cloth together: threads draw them together, then they are one. The edge with "
        "more nodes follows the other, matched by the length along each.",
@@ -74,7 +73,7 @@ std::vector<Entry> seams_entries() {
        "m:seam{ 'front.right', 'back.left', over=0.1 }\n"
        "assert(m:list()[3].kind == 'seam')",
        seam},
-      {"model:band", Style::fields, arguments_of(model::band_rows()),
+      {"model:band{}", arguments_of(model::band_rows()),
        "Puts a band along an edge: elastic in a hem, or with a high stiffness a cord that is drawn tight. It "
        "pulls and never pushes.",
        "local fabric = require 'fabric'\n"

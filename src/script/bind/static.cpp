@@ -32,7 +32,7 @@ int make_static(Call& call) {
 
 std::vector<Entry> static_entries() {
   return {
-      {"fabric.static", Style::fields, with_beginning(arguments_of(run::static_options())),
+      {"fabric.static{}", with_beginning(arguments_of(run::static_options())),
        "A quasi-static run: Newton's method through the histories' time.",
        sample_run() + "assert(a.duration == 1)", make_static},
   };

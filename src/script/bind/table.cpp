@@ -37,35 +37,28 @@ int table_text(lua_State* L) {
 }
 
 void push_column(lua_State* L, const format::TableColumn& column) {
-  lua_createtable(L, 0, 5);
-  set_text(L, "name", column.name);
-  set_text(L, "unit", column.unit);
-  set_numbers(L, "values", column.values);
-  if (!column.error.empty()) set_text(L, "trouble", column.error);
-  if (!column.doubt.empty()) set_text(L, "doubt", column.doubt);
+  push_record(L, "name", column.name, "unit", column.unit, "values", column.values);
+  if (!column.error.empty()) put(L, "trouble", column.error);
+  if (!column.doubt.empty()) put(L, "doubt", column.doubt);
   if (!column.heads.empty()) {
-    push_texts(L, column.heads);
-    lua_setfield(L, -2, "heads");
+    put(L, "heads", column.heads);
   }
   if (!column.words.empty()) {
-    push_texts(L, column.words);
-    lua_setfield(L, -2, "words");
+    put(L, "words", column.words);
   }
 }
 
 void push_lines(lua_State* L, const format::Table& table) {
-  push_list(L, table.lines, [&](const auto& one) { lua_pushinteger(L, static_cast<lua_Integer>(one)); });
-  lua_setfield(L, -2, "lines");
+  put(L, "lines", [&] {
+    push_list(L, table.lines, [&](const auto& one) { lua_pushinteger(L, static_cast<lua_Integer>(one)); });
+  });
 }
 
 void push_left_out(lua_State* L, const format::Table& table) {
   lua_createtable(L, static_cast<int>(table.left_out.size()), 0);
   lua_Integer place = 0;
   for (const format::LeftOut& one : table.left_out) {
-    lua_createtable(L, 0, 3);
-    set_text(L, "text", one.text);
-    set_integer(L, "line", static_cast<lua_Integer>(one.line));
-    set_flag(L, "numbers", one.numbers);
+    push_record(L, "text", one.text, "line", one.line, "numbers", one.numbers);
     lua_rawseti(L, -2, ++place);
   }
   lua_setfield(L, -2, "left_out");
@@ -73,17 +66,15 @@ void push_left_out(lua_State* L, const format::Table& table) {
 
 void push_table(lua_State* L, const std::string& file, const format::Table& table) {
   lua_createtable(L, static_cast<int>(table.columns.size()), 6);
-  set_text(L, "file", file);
-  set_text(L, "name", table.name);
-  if (!table.sheet.empty()) set_text(L, "sheet", table.sheet);
-  set_flag(L, "header", table.header);
+  put(L, "file", file, "name", table.name);
+  if (!table.sheet.empty()) put(L, "sheet", table.sheet);
+  put(L, "header", table.header);
   lua_Integer place = 0;
   for (const format::TableColumn& column : table.columns) {
     push_column(L, column);
     lua_rawseti(L, -2, ++place);
   }
-  push_texts(L, table.preamble);
-  lua_setfield(L, -2, "preamble");
+  put(L, "preamble", table.preamble);
   push_lines(L, table);
   push_left_out(L, table);
   set_text_of(L, "fabricsh.table", table_text);
@@ -136,15 +127,11 @@ int table_of(Call& call) {
   return 1;
 }
 
-int folder(Call& call) {
-  push_texts(call.L(), system::Gate::of_process().names(call.text("path")));
-  return 1;
-}
+int folder(Call& call) { return push_texts(call.L(), system::Gate::of_process().names(call.text("path"))); }
 
 std::vector<Entry> table_entries() {
   return {
-      {"fabric.table",
-       Style::fields,
+      {"fabric.table{}",
        {value_("file", text, "of numbers in columns"),
         value_("separator", text, "between cells; auto: found from the file")
             .one_of({"auto", ",", ";", "tab", "blank"})
@@ -157,11 +144,9 @@ std::vector<Entry> table_entries() {
                "no sign stands there")
             .one_of({"auto", ".", ",", "none"})
             .or_else("auto"),
-        value_("blocks", boolean,
-               "a list of the tables in the file, one for each heading or sheet; false: there is one")
-            .or_else(false),
-        value_("lenient", boolean, "a bad cell is no error but nan, and the column has trouble, the message")
-            .or_else(false)},
+        flag_("blocks",
+              "a list of the tables in the file, one for each heading or sheet; false: there is one"),
+        flag_("lenient", "a bad cell is no error but nan, and the column has trouble, the message")},
        "Reads a CSV or the like, with or without heading, units, comments, byte-order mark. Returns a list "
        "of columns {name, unit, values} with file, header (whether there is one) and preamble (lines above "
        "the numbers), lines (of the file, of each row) and left_out, the lines of words and totals below the "
@@ -172,8 +157,7 @@ std::vector<Entry> table_entries() {
        "local t = require 'fabric'.table{ file=path }\nos.remove(path)\n"
        "assert(#t == 2 and t[2].unit == 'N' and t[2].values[2] == 1.25)",
        table_of},
-      {"fabric.folder",
-       Style::positional,
+      {"fabric.folder()",
        {value_("path", text, "of a folder")},
        "Names in a folder, sorted.",
        "assert(#require 'fabric'.folder '.' >= 0)",

@@ -55,19 +55,17 @@ int tie(Call& call) {
 
 std::vector<Entry> ties_entries() {
   return {
-      {"model:tie",
-       Style::positional,
+      {"model:tie()",
        {value_("kind", text,
                "\"equal\": the set's nodes share displacements; \"straight\": they stay on the line between "
                "its ends; \"rigid\": nodes and directors move as one body; \"periodic\": two sets whose "
                "pairs of nodes keep one common relative displacement; the second follows the first"),
         value_("set", text, "name of a node set"),
-        object_("second", "body",
+        object_("second?", "body",
                 "periodic: the set that follows; rigid: nothing, or a rigid body with a name, along with "
                 "which the nodes go; else freedoms, some of x y z",
-                text)
-            .optional(),
-        value_("freedoms", text, "periodic: some of x y z rotation; default all").optional()},
+                text),
+        value_("freedoms?", text, "periodic: some of x y z rotation; default all")},
        "Ties nodes to each other exactly, by elimination. To a rigid body they are tied by springs that are "
        "stiff beside the cloth, and turn freely there.",
        "local fabric = require 'fabric'\n"

@@ -46,10 +46,7 @@ void push_doubts(lua_State* L, const std::vector<lab::DoubtfulMarker>& doubts) {
   lua_createtable(L, static_cast<int>(doubts.size()), 0);
   lua_Integer place = 0;
   for (const lab::DoubtfulMarker& doubt : doubts) {
-    lua_createtable(L, 0, 3);
-    set_integer(L, "frame", static_cast<lua_Integer>(doubt.frame + 1));
-    set_integer(L, "marker", static_cast<lua_Integer>(doubt.marker + 1));
-    set_flag(L, "lost", doubt.lost);
+    push_record(L, "frame", doubt.frame + 1, "marker", doubt.marker + 1, "lost", doubt.lost);
     lua_rawseti(L, -2, ++place);
   }
 }
@@ -66,15 +63,11 @@ int track(Call& call) {
   for (std::size_t i = 1; i < names.size(); ++i) tracker.add(dots_of(call, names[i], options));
   const lab::Tracks& t = tracker.tracks();
   const double scale = scale_of(call, t);
-  lua_newtable(L);
-  set_number(L, "rows", static_cast<double>(t.rows));
-  set_number(L, "columns", static_cast<double>(t.columns));
-  set_number(L, "frames", static_cast<double>(t.frames));
-  set_number(L, "scale", scale);
+  push_record(L, "rows", static_cast<double>(t.rows), "columns", static_cast<double>(t.columns), "frames",
+              static_cast<double>(t.frames), "scale", scale);
   set_scaled(L, "x", t.x, scale);
   set_scaled(L, "y", t.y, scale);
-  push_doubts(L, tracker.doubts());
-  lua_setfield(L, -2, "doubtful");
+  put(L, "doubtful", [&] { push_doubts(L, tracker.doubts()); });
   return 1;
 }
 
@@ -118,28 +111,25 @@ std::vector<Entry> track_entries() {
       "height=200,\n"
       "    F={1, 0, 0, 1 + 0.1*(i - 1)} }\nend\n";
   return {
-      {"fabric.lab.track",
-       Style::fields,
+      {"fabric.lab.track{}",
        {value_("files", table, "photographs in order: PNG, JPEG, TIFF or BMP"), rows_row, columns_row,
-        region_(), number_("scale", "m", positive, "of a pixel").optional(),
-        fields_("known",
+        region_(), number_("scale?", "m", positive, "of a pixel"),
+        fields_("known?",
                 {integer_("from", from_one, "a marker"), integer_("to", from_one, "another"),
                  number_("distance", "m", positive, "between them on the first photograph")},
-                "a known distance, instead of the scale")
-            .optional(),
+                "a known distance, instead of the scale"),
         value_("dark", boolean, "dots on lighter cloth").or_else(true),
         number_("largest", "", positive, "area of a dot, pixels").or_else(1e5),
         number_("contrast", "", Range{0, 1}, "least, black on white being 1").or_else(0.1)},
        "Follows a grid of dots through photographs: rows, columns, frames, x, y (m, or pixels without a "
-       "scale; y upwards; nan: lost), scale, "
-       "doubtful = { {frame, marker, lost}, ... }; lost ones are looked for again.",
+       "scale; y upwards; nan: lost), scale, doubtful = { {frame, marker, lost}, ... }; lost ones are looked "
+       "for again.",
        name + "local t = lab.track{ files={name..'1.png', name..'2.png'}, rows=3, columns=2 }\n"
               "for i = 1, 2 do os.remove(name..i..'.png') end\nos.remove(name)\n"
               "assert(t.frames == 2 and #t.doubtful == 0 and math.abs((t.y[11] - t.y[9]) / 44 - 1) < 0.01)",
        track,
        {"smallest"}},
-      {"fabric.lab.photograph",
-       Style::fields,
+      {"fabric.lab.photograph{}",
        {value_("file", text, "ends in .png"), rows_row, columns_row,
         number_("pitch", "pixels", positive, "of the undeformed grid"),
         number_("radius", "pixels", positive, "of an undeformed dot"),

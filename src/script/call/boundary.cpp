@@ -50,15 +50,12 @@ int failure_text(lua_State* L) {
 }
 
 void push_failure(lua_State* L, const std::string& call, const NumericalFailure& failure) {
-  lua_newtable(L);
-  set_text(L, "kind", "numerical");
-  set_text(L, "message", call + ": " + failure.what());
-  set_number(L, "time", failure.time);
+  push_record(L, "kind", "numerical", "message", call + ": " + failure.what(), "time", failure.time);
   if (failure.element >= 0) {
-    set_integer(L, "element", failure.element + 1);
+    put(L, "element", failure.element + 1);
   }
   if (!failure.yarn.empty()) {
-    set_text(L, "yarn", failure.yarn);
+    put(L, "yarn", failure.yarn);
   }
   if (!failure.why.empty()) {
     lua_pushstring(L, failure.why.c_str());
@@ -66,12 +63,11 @@ void push_failure(lua_State* L, const std::string& call, const NumericalFailure&
     lua_setfield(L, LUA_REGISTRYINDEX, why_key);
     lua_setfield(L, -2, "why");
   }
-  set_text(L, "where", position(L));
+  put(L, "where", position(L));
   if (luaL_newmetatable(L, "fabricsh.failure") != 0) {
     lua_pushcfunction(L, failure_text);
     lua_setfield(L, -2, "__tostring");
-    set_text(L, "__name", "numerical failure");
-    set_flag(L, "__metatable", false);
+    put(L, "__name", "numerical failure", "__metatable", false);
   }
   lua_setmetatable(L, -2);
 }
@@ -197,7 +193,7 @@ void watch_module(lua_State* L, const std::string& name) {
   lua_pushstring(L, name.c_str());
   lua_pushcclosure(L, call_module, 1);
   lua_setfield(L, -2, "__call");
-  set_flag(L, "__metatable", false);
+  put(L, "__metatable", false);
   lua_setmetatable(L, -2);
 }
 
@@ -227,7 +223,11 @@ void push_home(lua_State* L, const std::string& name) {
 
 void place(lua_State* L, const Entry& entry) {
   const std::string word = last_word(entry.name);
-  if (entry.owner().empty()) {
+  if (entry.is_private()) {
+    luaL_getsubtable(L, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);
+    luaL_getsubtable(L, -1, "fabric.kernels");
+    lua_remove(L, -2);
+  } else if (entry.owner().empty()) {
     push_home(L, entry.name);
   } else {
     push_class(L, entry.owner(), nullptr);
@@ -265,8 +265,7 @@ void push_class(lua_State* L, const std::string& name, lua_CFunction gc) {
     lua_pushstring(L, name.c_str());
     lua_pushcclosure(L, refuse_assignment, 1);
     lua_setfield(L, -2, "__newindex");
-    set_text(L, "__name", name);
-    set_text(L, "__metatable", name);
+    put(L, "__name", name, "__metatable", name);
   }
   if (gc != nullptr) {
     lua_pushcfunction(L, gc);
@@ -275,6 +274,12 @@ void push_class(lua_State* L, const std::string& name, lua_CFunction gc) {
 }
 
 namespace {
+
+void read_style(Entry& entry) {
+  const bool fields = entry.name.ends_with("{}"), in_order = entry.name.ends_with("()");
+  if (fields || in_order) entry.name.resize(entry.name.size() - 2);
+  entry.style = fields ? Style::fields : in_order || entry.method() ? Style::positional : Style::property;
+}
 
 Touches touched_by(const Entry& entry) {
   constexpr const char* own[] = {"solve",    "advance",  "step",   "reach", "restore",     "stop",    "set",
@@ -299,6 +304,7 @@ bool weighs(const std::string& name) {
 
 void install(Session& session, std::vector<Entry> entries) {
   for (Entry& entry : entries) {
+    read_style(entry);
     entry.touches = touched_by(entry);
     entry.weighs = weighs(entry.name);
     place(session.lua(), session.registry().add(std::move(entry)));

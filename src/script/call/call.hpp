@@ -82,7 +82,11 @@ class Call : public Fields {
   std::shared_ptr<T> self() const {
     return to_object<T>(L_, 1);
   }
-  int none() const { return 0; }
+  // The result of a method that returns its object.
+  int itself() const {
+    lua_pushvalue(L_, 1);
+    return 1;
+  }
 
  private:
   const Entry& entry_;

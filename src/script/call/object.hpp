@@ -28,12 +28,14 @@ int collect(lua_State* L) {
   return 0;
 }
 
+// Returns 1, as a function with this one result.
 template <class T>
-void push_object(lua_State* L, std::shared_ptr<T> value) {
+int push_object(lua_State* L, std::shared_ptr<T> value) {
   void* memory = lua_newuserdatauv(L, sizeof(std::shared_ptr<T>), 1);
   new (memory) std::shared_ptr<T>(std::move(value));
   push_class(L, ClassName<T>::name, collect<T>);
   lua_setmetatable(L, -2);
+  return 1;
 }
 
 // The object at index, or null if it is something else.

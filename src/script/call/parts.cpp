@@ -66,8 +66,7 @@ int part_index(lua_State* L) {
 int part_length(lua_State* L) {
   constexpr int shown = lua_upvalueindex(1);
   const bool points = lua_type(L, shown) == LUA_TUSERDATA;
-  lua_pushinteger(L, points ? points_in(L, shown) : static_cast<lua_Integer>(lua_rawlen(L, shown)));
-  return 1;
+  return push_value(L, points ? points_in(L, shown) : static_cast<lua_Integer>(lua_rawlen(L, shown)));
 }
 
 // Copies to the table at `to`, which has no metatable, the values shown at `shown` that it does not have yet.
@@ -165,7 +164,7 @@ void make_metatable(lua_State* L, const std::string& name) {
   lua_setfield(L, -2, "__newindex");
   lua_pushcfunction(L, part_pairs);
   lua_setfield(L, -2, "__pairs");
-  set_flag(L, "__metatable", false);
+  put(L, "__metatable", false);
   lua_pushvalue(L, shown);
   lua_rawsetp(L, -2, &shown_key);
   lua_pushvalue(L, 1);
@@ -189,8 +188,7 @@ void push_absent(lua_State* L) { lua_pushlightuserdata(L, &shown_key); }
 
 void remember_part(lua_State* L, int part, int card) {
   if (luaL_getsubtable(L, LUA_REGISTRYINDEX, parts_key) == 0) {
-    lua_createtable(L, 0, 1);
-    set_text(L, "__mode", "k");
+    push_record(L, "__mode", "k");
     lua_setmetatable(L, -2);
   }
   lua_pushvalue(L, part);

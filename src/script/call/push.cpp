@@ -5,59 +5,37 @@
 
 namespace fabricsh::script {
 
-void push_numbers(lua_State* L, const std::vector<double>& values) {
+int push_numbers(lua_State* L, const std::vector<double>& values) {
   lua_createtable(L, static_cast<int>(values.size()), 0);
   for (std::size_t i = 0; i < values.size(); ++i) {
     lua_pushnumber(L, values[i]);
     lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
   }
+  return 1;
 }
 
-void push_texts(lua_State* L, const std::vector<std::string>& texts) {
+int push_texts(lua_State* L, const std::vector<std::string>& texts) {
   lua_createtable(L, static_cast<int>(texts.size()), 0);
   lua_Integer place = 0;
   for (const std::string& one : texts) {
     lua_pushlstring(L, one.data(), one.size());
     lua_rawseti(L, -2, ++place);
   }
+  return 1;
 }
 
-void push_ids(lua_State* L, const std::vector<mesh::Index>& ids) {
+int push_ids(lua_State* L, const std::vector<mesh::Index>& ids) {
   lua_createtable(L, static_cast<int>(ids.size()), 0);
   for (std::size_t i = 0; i < ids.size(); ++i) {
     lua_pushinteger(L, ids[i] + 1);
     lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
   }
-}
-
-void set_numbers(lua_State* L, const char* name, const std::vector<double>& values) {
-  push_numbers(L, values);
-  lua_setfield(L, -2, name);
-}
-
-void set_integer(lua_State* L, const char* name, lua_Integer value) {
-  lua_pushinteger(L, value);
-  lua_setfield(L, -2, name);
-}
-
-void set_flag(lua_State* L, const char* name, bool value) {
-  lua_pushboolean(L, value ? 1 : 0);
-  lua_setfield(L, -2, name);
+  return 1;
 }
 
 int push_text(lua_State* L, const std::string& text) {
   lua_pushlstring(L, text.data(), text.size());
   return 1;
-}
-
-void set_number(lua_State* L, const char* name, double value) {
-  lua_pushnumber(L, value);
-  lua_setfield(L, -2, name);
-}
-
-void set_text(lua_State* L, const char* name, const std::string& value) {
-  lua_pushlstring(L, value.data(), value.size());
-  lua_setfield(L, -2, name);
 }
 
 int report_text(lua_State* L) {

@@ -2,6 +2,7 @@
 #pragma once
 #include <lua.hpp>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "mesh/mesh.hpp"
@@ -10,26 +11,61 @@ namespace fabricsh::script {
 
 class Session;
 
-// Arrays as Lua tables; ids count from 0 in C++ and from 1 in Lua.
-void push_numbers(lua_State* L, const std::vector<double>& values);
-void push_texts(lua_State* L, const std::vector<std::string>& texts);
-void push_ids(lua_State* L, const std::vector<mesh::Index>& ids);
+// Arrays as Lua tables; ids count from 0 in C++ and from 1 in Lua. What pushes returns 1, as a function of
+// Lua with this one result.
+int push_numbers(lua_State* L, const std::vector<double>& values);
+int push_text(lua_State* L, const std::string& text);
+int push_texts(lua_State* L, const std::vector<std::string>& texts);
+int push_ids(lua_State* L, const std::vector<mesh::Index>& ids);
 // A list of what `push` leaves on the stack for each.
 template <class All, class Push>
-void push_list(lua_State* L, const All& all, Push push) {
+int push_list(lua_State* L, const All& all, Push push) {
   lua_newtable(L);
   lua_Integer place = 0;
   for (const auto& one : all) {
     push(one);
     lua_rawseti(L, -2, ++place);
   }
+  return 1;
 }
-void set_numbers(lua_State* L, const char* name, const std::vector<double>& values);
-void set_number(lua_State* L, const char* name, double value);
-void set_integer(lua_State* L, const char* name, lua_Integer value);
-void set_flag(lua_State* L, const char* name, bool value);
-void set_text(lua_State* L, const char* name, const std::string& value);
-int push_text(lua_State* L, const std::string& text);  // as the one result of a function: returns 1
+// A value of C++ as one of Lua: what counts is an integer, a double a number; a function without arguments
+// leaves what it pushes.
+template <class Value>
+int push_value(lua_State* L, const Value& value) {
+  if constexpr (std::is_same_v<Value, bool>)
+    lua_pushboolean(L, value ? 1 : 0);
+  else if constexpr (std::is_integral_v<Value>)
+    lua_pushinteger(L, static_cast<lua_Integer>(value));
+  else if constexpr (std::is_floating_point_v<Value>)
+    lua_pushnumber(L, value);
+  else if constexpr (std::is_same_v<Value, std::vector<double>>)
+    push_numbers(L, value);
+  else if constexpr (std::is_same_v<Value, std::vector<std::string>>)
+    push_texts(L, value);
+  else if constexpr (std::is_same_v<Value, std::vector<mesh::Index>>)
+    push_ids(L, value);
+  else if constexpr (std::is_function_v<Value>)
+    lua_pushcfunction(L, value);
+  else if constexpr (std::is_invocable_v<Value>)
+    value();
+  else
+    push_text(L, value);
+  return 1;
+}
+// Fields of the table on top of the stack: put(L, "time", 0.5, "warp", "loading").
+template <class Value, class... More>
+void put(lua_State* L, const char* name, const Value& value, const More&... more) {
+  push_value(L, value);
+  lua_setfield(L, -2, name);
+  if constexpr (sizeof...(More) > 0) put(L, more...);
+}
+// A new table with these fields.
+template <class... All>
+int push_record(lua_State* L, const All&... all) {
+  lua_createtable(L, 0, sizeof...(All) / 2);
+  put(L, all...);
+  return 1;
+}
 // Gives the result table on top of the stack a protected metatable with a __tostring, one per name. The deck
 // may change the table, so the function must not rely on its entries.
 void set_text_of(lua_State* L, const char* name, lua_CFunction text);

@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include "script/bind/rooms.hpp"
+#include "script/call/push.hpp"
 #include "script/call/unset.hpp"
 #include "script/runs/checkpoint.hpp"
 #include "script/runs/replay.hpp"
@@ -21,7 +22,7 @@ void set_module_path(lua_State* L) {
   lua_getfield(L, -1, "path");
   path += lua_tostring(L, -1);
   lua_pop(L, 1);
-  set_text(L, "path", path);
+  put(L, "path", path);
   lua_pop(L, 1);
 }
 

@@ -53,7 +53,7 @@ std::string key_of(const DeckRun& run, std::string name, std::string arguments) 
 // Results as a packed table: a list with their number as `n`; `self` is the place of the object itself.
 std::string pack_results(lua_State* L, int first, int results) {
   lua_createtable(L, results, 2);
-  set_integer(L, "n", results);
+  put(L, "n", results);
   for (int i = 1; i <= results; ++i) {
     const bool self = lua_rawequal(L, first + i - 1, 1) != 0;
     if (self)

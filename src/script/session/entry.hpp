@@ -82,23 +82,34 @@ struct Argument {
   }
 };
 
-// A row reads, for example: number_("width", "m", positive, "size along x").
+// A row reads, for example: number_("width", "m", positive, "size along x"). A name that ends in ? is that of
+// an argument which may be left out.
+inline Argument argument_(std::string name, unsigned kinds, std::string unit, Range range,
+                          std::string sentence) {
+  const bool optional = name.ends_with('?');
+  if (optional) name.pop_back();
+  return {std::move(name), kinds, std::move(unit), range, std::move(sentence), !optional};
+}
 inline Argument number_(std::string name, std::string unit, Range range, std::string sentence) {
-  return {std::move(name), number, std::move(unit), range, std::move(sentence)};
+  return argument_(std::move(name), number, std::move(unit), range, std::move(sentence));
 }
 inline Argument integer_(std::string name, Range range, std::string sentence) {
-  return {std::move(name), integer, "", range, std::move(sentence)};
+  return argument_(std::move(name), integer, "", range, std::move(sentence));
 }
 inline Argument value_(std::string name, unsigned kinds, std::string sentence, std::string unit = "") {
-  return {std::move(name), kinds, std::move(unit), {}, std::move(sentence)};
+  return argument_(std::move(name), kinds, std::move(unit), {}, std::move(sentence));
+}
+// True or false, which is what it is where it is left out.
+inline Argument flag_(std::string name, std::string sentence) {
+  return value_(std::move(name), boolean, std::move(sentence)).or_else(false);
 }
 inline Argument object_(std::string name, std::string of, std::string sentence, unsigned others = 0) {
-  Argument row{std::move(name), object | others, "", {}, std::move(sentence)};
+  Argument row = argument_(std::move(name), object | others, "", {}, std::move(sentence));
   row.of = std::move(of);
   return row;
 }
 inline Argument fields_(std::string name, std::vector<Argument> rows, std::string sentence) {
-  Argument row{std::move(name), fields, "", {}, std::move(sentence)};
+  Argument row = argument_(std::move(name), fields, "", {}, std::move(sentence));
   row.rows = std::move(rows);
   return row;
 }
@@ -117,16 +128,21 @@ enum class Touches {
 };
 
 struct Entry {
-  std::string name;  // fabric.mesh.rectangle (function), mesh:set (method), mesh.nodes (property)
-  Style style = Style::positional;
+  // fabric.mesh.rectangle (function), mesh:set (method), mesh.nodes (property). In the rows of bindings it
+  // says how it is called, "fabric.mesh.rectangle{}", "mesh:set()", which install() takes off.
+  std::string name;
   std::vector<Argument> arguments = {};
   std::string sentence = {};
   std::string example = {};  // a chunk that runs without anything else
   int (*run)(Call&) = nullptr;
   std::vector<std::string> retired = {};  // named arguments of earlier releases: a warning, and no effect
   // Set by install():
+  Style style = Style::positional;
   Touches touches = Touches::nothing;
   bool weighs = false;  // makes an object of the core that may take much memory
+
+  // Of the module fabric.kernels, which the Lua library uses: neither in help nor in the reference.
+  bool is_private() const { return name.starts_with("kernels."); }
 
   bool method() const { return name.find(':') != std::string::npos; }
   // The class of a method or property; empty for a function.
@@ -139,13 +155,19 @@ struct Entry {
 // The entry of a property, mesh.nodes, or of a method that takes nothing, model:list.
 inline Entry without_arguments(const std::string& name, std::string sentence, std::string example,
                                int (*run)(Call&)) {
-  const Style style = name.find(':') == std::string::npos ? Style::property : Style::positional;
-  return {name, style, {}, std::move(sentence), std::move(example), run};
+  return {name, {}, std::move(sentence), std::move(example), run};
+}
+
+// The entry of a function that only the Lua library calls, in the module fabric.kernels.
+inline Entry kernel(const std::string& name, std::vector<Argument> arguments, int (*run)(Call&)) {
+  return {"kernels." + name, std::move(arguments), {}, {}, run};
 }
 
 class Registry {
  public:
-  const Entry& add(Entry entry) { return entries_.emplace_back(std::move(entry)); }
+  const Entry& add(Entry entry) {
+    return (entry.is_private() ? kernels_ : entries_).emplace_back(std::move(entry));
+  }
   const std::deque<Entry>& entries() const { return entries_; }
   const Entry* find(std::string_view name) const {
     for (const Entry& entry : entries_)
@@ -154,7 +176,7 @@ class Registry {
   }
 
  private:
-  std::deque<Entry> entries_;  // a deque, because closures hold the addresses of rows
+  std::deque<Entry> entries_, kernels_;  // deques, because closures hold the addresses of rows
 };
 
 // "a positive number in m", "one of 'static', 'dynamic'".

@@ -300,11 +300,10 @@ void name_result(lua_State* L, const std::string& name) {
   luaL_getsubtable(L, LUA_REGISTRYINDEX, "fabricsh.results");
   if (lua_getfield(L, -1, name.c_str()) == LUA_TNIL) {
     lua_pop(L, 1);
-    lua_newtable(L);
-    set_text(L, result_name, name);
+    push_record(L, result_name, name);
     lua_pushcfunction(L, result_text);
     lua_setfield(L, -2, "__tostring");
-    set_flag(L, "__metatable", false);
+    put(L, "__metatable", false);
     lua_pushvalue(L, -1);
     lua_setfield(L, -3, name.c_str());
   }

@@ -36,13 +36,16 @@ const double* flat(const Points& points) {
 }
 
 void push_plain(lua_State* L, const Value& value) {
-  if (const auto* x = std::get_if<double>(&value)) return lua_pushnumber(L, *x);
-  if (const auto* flag = std::get_if<bool>(&value)) return lua_pushboolean(L, *flag);
-  if (const auto* many = std::get_if<std::vector<double>>(&value)) return push_numbers(L, *many);
   if (const auto* points = std::get_if<Points>(&value))
     return push_points(L, flat(*points), static_cast<lua_Integer>(points->size()));
-  if (const auto* words = std::get_if<std::string>(&value))
-    lua_pushlstring(L, words->data(), words->size());
+  if (const auto* x = std::get_if<double>(&value))
+    push_value(L, *x);
+  else if (const auto* flag = std::get_if<bool>(&value))
+    push_value(L, *flag);
+  else if (const auto* many = std::get_if<std::vector<double>>(&value))
+    push_value(L, *many);
+  else if (const auto* words = std::get_if<std::string>(&value))
+    push_value(L, *words);
   else
     lua_pushnil(L);
 }
@@ -89,12 +92,11 @@ void push_shown(lua_State* L, const FieldTable& table, const Card& card, const s
 
 // Sets kind, source and the origins of fields.
 void set_origins(lua_State* L, const Card& card) {
-  set_text(L, "kind", card::kind(card));
-  set_text(L, "source", card.source);
+  put(L, "kind", card::kind(card), "source", card.source);
   const auto& provenance = card.provenance;
   if (provenance.empty()) return;
   lua_newtable(L);
-  for (const auto& [field, words] : provenance) set_text(L, field.c_str(), words);
+  for (const auto& [field, words] : provenance) put(L, field.c_str(), words);
   lua_setfield(L, -2, "provenance");
   if (card.ranges.empty()) return;
   lua_newtable(L);

@@ -1,19 +1,4 @@
 -- Wrong calls and their messages: lab fit. Read by tests/lua/errors.lua.
--- fabric.lab.averaged
-wrong("fabric.lab.averaged", "fabric.lab.averaged{ curvse={} }",
-  "deck.lua:1: averaged: unknown field 'curvse', did you mean 'curves'?")
-wrong("fabric.lab.averaged", "fabric.lab.averaged{ curves=curves_ }",
-  "deck.lua:1: averaged: field 'curves': expected a table { {E=, S=}, ... }, got nil (missing, or a misspelt variable)")
-wrong("fabric.lab.averaged", "fabric.lab.averaged{ curves=5 }",
-  "deck.lua:1: averaged: field 'curves': expected a table { {E=, S=}, ... }, got 5")
-wrong("fabric.lab.averaged", "fabric.lab.averaged{ curves={}, degrees={1, 'two'} }",
-  "deck.lua:1: averaged: field 'degrees': expected a table of numbers, got 'two' at place 2")
-wrong("fabric.lab.averaged", "fabric.lab.averaged{ curves={}, earliest='0' }",
-  "deck.lua:1: averaged: field 'earliest': expected a number from -0.5 to 0, got '0'")
-wrong("fabric.lab.averaged", "fabric.lab.averaged{ curves={}, none=1.5 }",
-  "deck.lua:1: averaged: field 'none': expected a number from 0 to 1, got 1.5")
-wrong("fabric.lab.averaged", "fabric.lab.averaged{ curves={}, strains=2.5 }",
-  "deck.lua:1: averaged: field 'strains': expected an integer from 5 to 1000, got 2.5")
 
 -- fabric.lab.backbone
 wrong("fabric.lab.backbone", "fabric.lab.backbone{ curvse={} }",
@@ -88,13 +73,6 @@ wrong("fabric.lab.fit", "fabric.lab.fit{ tests={}, count=2.5 }",
 wrong("fabric.lab.fit", "fabric.lab.fit{ tests={}, kept='1' }",
   "deck.lua:1: fit: field 'kept': expected a number above 0 to 1, got '1'")
 
--- fabric.lab.identifiability
-wrong("fabric.lab.identifiability", "fabric.lab.identifiability{ jacobina={0.01, 0.01} }",
-  "deck.lua:1: identifiability: unknown field 'jacobina', did you mean 'jacobian'?")
-wrong("fabric.lab.identifiability", "fabric.lab.identifiability{ jacobian=jacobian_ }",
-  "deck.lua:1: identifiability: field 'jacobian': expected a table of numbers, got nil (missing, or a misspelt variable)")
-wrong("fabric.lab.identifiability", "fabric.lab.identifiability{ jacobian={1, 'two'} }",
-  "deck.lua:1: identifiability: field 'jacobian': expected a table of numbers, got 'two' at place 2")
 
 -- fabric.lab.identify
 wrong("fabric.lab.identify", "fabric.lab.identify{ parametesr={} }",
@@ -120,45 +98,8 @@ wrong("fabric.lab.identify", "fabric.lab.identify{ parameters={}, tests={}, tole
 wrong("fabric.lab.identify", "fabric.lab.identify{ parameters={}, tests={}, progress='yes' }",
   "deck.lua:1: identify: field 'progress': expected true or false, got 'yes'")
 
--- fabric.lab.least_squares
-wrong("fabric.lab.least_squares", "fabric.lab.least_squares{ statr={0.01, 0.01} }",
-  "deck.lua:1: least_squares: unknown field 'statr', did you mean 'start'?")
-wrong("fabric.lab.least_squares", "fabric.lab.least_squares{ start=start_ }",
-  "deck.lua:1: least_squares: field 'start': expected a table of numbers, got nil (missing, or a misspelt variable)")
-wrong("fabric.lab.least_squares", "fabric.lab.least_squares{ start={1, 'two'} }",
-  "deck.lua:1: least_squares: field 'start': expected a table of numbers, got 'two' at place 2")
-wrong("fabric.lab.least_squares", "fabric.lab.least_squares{ start={0.01, 0.01}, low={0.01, 0.01}, high={0.01, 0.01}, evaluate='f' }",
-  "deck.lua:1: least_squares: field 'evaluate': expected a function, got 'f'")
-wrong("fabric.lab.least_squares", "fabric.lab.least_squares{ start={0.01, 0.01}, low={0.01, 0.01}, high={0.01, 0.01}, evaluate=print, iterations=2.5 }",
-  "deck.lua:1: least_squares: field 'iterations': expected an integer of at least 1, got 2.5")
-wrong("fabric.lab.least_squares", "fabric.lab.least_squares{ start={0.01, 0.01}, low={0.01, 0.01}, high={0.01, 0.01}, evaluate=print, iterations=0 }",
-  "deck.lua:1: least_squares: field 'iterations': expected an integer of at least 1, got 0")
-wrong("fabric.lab.least_squares", "fabric.lab.least_squares{ start={0.01, 0.01}, low={0.01, 0.01}, high={0.01, 0.01}, evaluate=print, tolerance='1' }",
-  "deck.lua:1: least_squares: field 'tolerance': expected a positive number, got '1'")
 
--- fabric.lab.marks
-wrong("fabric.lab.marks", "fabric.lab.marks{ Ex={0.01, 0.01} }",
-  "deck.lua:1: marks: unknown field 'Ex', did you mean 'E'?")
-wrong("fabric.lab.marks", "fabric.lab.marks{ E=E_ }",
-  "deck.lua:1: marks: field 'E': expected a table of numbers, got nil (missing, or a misspelt variable)")
-wrong("fabric.lab.marks", "fabric.lab.marks{ E={1, 'two'} }",
-  "deck.lua:1: marks: field 'E': expected a table of numbers, got 'two' at place 2")
-wrong("fabric.lab.marks", "fabric.lab.marks{ E={0.01, 0.01}, S={1000000, 1000000}, kept='1' }",
-  "deck.lua:1: marks: field 'kept': expected a number above 0 to below 1, got '1'")
-wrong("fabric.lab.marks", "fabric.lab.marks{ E={0.01, 0.01}, S={1000000, 1000000}, kept=0 }",
-  "deck.lua:1: marks: field 'kept': expected a number above 0 to below 1, got 0")
 
--- fabric.lab.monotone
-wrong("fabric.lab.monotone", "fabric.lab.monotone{ curvse={} }",
-  "deck.lua:1: monotone: unknown field 'curvse', did you mean 'curves'?")
-wrong("fabric.lab.monotone", "fabric.lab.monotone{ curves=curves_ }",
-  "deck.lua:1: monotone: field 'curves': expected a table { {E=, S=}, ... }, got nil (missing, or a misspelt variable)")
-wrong("fabric.lab.monotone", "fabric.lab.monotone{ curves=5 }",
-  "deck.lua:1: monotone: field 'curves': expected a table { {E=, S=}, ... }, got 5")
-wrong("fabric.lab.monotone", "fabric.lab.monotone{ curves={}, bins=2.5 }",
-  "deck.lua:1: monotone: field 'bins': expected an integer from 2 to 1000, got 2.5")
-wrong("fabric.lab.monotone", "fabric.lab.monotone{ curves={}, bins=1 }",
-  "deck.lua:1: monotone: field 'bins': expected an integer from 2 to 1000, got 1")
 
 -- fabric.lab.parallel
 wrong("fabric.lab.parallel", "fabric.lab.parallel{ coutn=2 }",
@@ -201,8 +142,6 @@ wrong("fabric.lab.backbone", "fabric.lab.backbone{ curves={ {E={1}, S={1, 2}} } 
   "deck.lua:1: backbone: field 'curves[1]': expected E and S of one length")
 wrong("fabric.lab.band", "fabric.lab.band{ specimens={ {1, 'x'} } }",
   "deck.lua:1: band: field 'specimens[1]': expected a table of numbers, got 'x' at place 2")
-wrong("fabric.lab.least_squares", "fabric.lab.least_squares{ start={1}, low={0, 1}, high={2}, evaluate=print }",
-  "deck.lua:1: least_squares: field 'low': expected low and high for each of 1 parameters")
 
 -- fabric.lab.spread
 wrong("fabric.lab.spread", "fabric.lab.spread{ tesst={} }",

@@ -1,17 +1,4 @@
 -- Wrong calls and their messages: lab record. Read by tests/lua/errors.lua.
--- fabric.lab.boxes
-wrong("fabric.lab.boxes", "fabric.lab.boxes{ rosw=2 }",
-  "deck.lua:1: boxes: unknown field 'rosw', did you mean 'rows'?")
-wrong("fabric.lab.boxes", "fabric.lab.boxes{ rows=rows_ }",
-  "deck.lua:1: boxes: field 'rows': expected an integer of at least 2, got nil (missing, or a misspelt variable)")
-wrong("fabric.lab.boxes", "fabric.lab.boxes{ rows=2.5 }",
-  "deck.lua:1: boxes: field 'rows': expected an integer of at least 2, got 2.5")
-wrong("fabric.lab.boxes", "fabric.lab.boxes{ rows=1 }",
-  "deck.lua:1: boxes: field 'rows': expected an integer of at least 2, got 1")
-wrong("fabric.lab.boxes", "fabric.lab.boxes{ rows=2, columns=2, x=5 }",
-  "deck.lua:1: boxes: field 'x': expected a table, got 5")
-wrong("fabric.lab.boxes", "fabric.lab.boxes{ rows=2, columns=2, x={}, y={}, warp='1' }",
-  "deck.lua:1: boxes: field 'warp': expected a number in degrees, got '1'")
 
 -- fabric.lab.branches
 wrong("fabric.lab.branches", "fabric.lab.branches{ displacemetn={0.01, 0.01} }",

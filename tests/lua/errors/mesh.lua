@@ -97,19 +97,6 @@ wrong("mesh:slit", "mesh:slit{ from={0, 'x'}, to={0, 1} }",
 wrong("mesh:slit", "mesh:slit{ from={0, 0}, to={0, 1}, left=7 }",
   "deck.lua:1: slit: field 'left': expected a string, got 7")
 
--- mesh:deck_lines
-wrong("mesh:deck_lines", "mesh:deck_lines()",
-  "deck.lua:1: deck_lines: argument 'format': expected 'inp' or 'k' or 'rad', got nil (missing, or a misspelt variable)")
-wrong("mesh:deck_lines", "mesh:deck_lines 'dyn'",
-  "deck.lua:1: deck_lines: argument 'format': expected 'inp' or 'k' or 'rad', got 'dyn'")
-wrong("mesh:deck_lines", "mesh:deck_lines('k', 'mm')",
-  "deck.lua:1: deck_lines: argument 'length': expected a positive number, got 'mm'")
-wrong("mesh:deck_lines", "mesh:deck_lines('k', 0)",
-  "deck.lua:1: deck_lines: argument 'length': expected a positive number, got 0")
-wrong("mesh:deck_lines", "mesh:deck_lines('inp', 1, 'yes')",
-  "deck.lua:1: deck_lines: argument 'membrane': expected true or false, got 'yes'")
-wrong("mesh:deck_lines", "mesh:deck_lines('inp', 1, true, 7)",
-  "deck.lua:1: deck_lines: argument 'elements': expected a string, got 7")
 
 -- mesh:elements
 wrong("mesh:elements", "mesh:elements()",

@@ -240,12 +240,6 @@ wrong("fabric.lab.normal", "fabric.lab.normal('x')",
   "deck.lua:1: normal: argument 'probability': expected a number above 0 to below 1, got 'x'")
 wrong("fabric.lab.normal", "fabric.lab.normal(1)",
   "deck.lua:1: normal: argument 'probability': expected a number above 0 to below 1, got 1")
-wrong("fabric.lab.sobol_points", "fabric.lab.sobol_points()",
-  "deck.lua:1: sobol_points: argument 'count': expected an integer from 1 to 1e+07, got nil (missing, or a misspelt variable)")
-wrong("fabric.lab.sobol_points", "fabric.lab.sobol_points(2.5, 1)",
-  "deck.lua:1: sobol_points: argument 'count': expected an integer from 1 to 1e+07, got 2.5")
-wrong("fabric.lab.sobol_points", "fabric.lab.sobol_points(0, 1)",
-  "deck.lua:1: sobol_points: argument 'count': expected an integer from 1 to 1e+07, got 0")
 wrong("fabric.sobol", "fabric.sobol()",
   "deck.lua:1: sobol: argument 'inputs': expected a table { name={low, high} or {mean=, deviation=}, ..., n=cases, seed=1 }, got nil (missing, or a misspelt variable)")
 wrong("fabric.sobol", "fabric.sobol(7)",

@@ -1,7 +1,8 @@
--- The loading of fabric.lab.fit where first contact is uncertain: curves averaged over laws and over places of contact (fabric.lab.averaged), as a polynomial or points of a card with the
+-- The loading of fabric.lab.fit where first contact is uncertain: curves averaged over laws and over places of contact (kernels.averaged), as a polynomial or points of a card with the
 -- band that follows from both, from the noise and from the differences of specimens.
 local fabric = require "fabric"
 local define = require "fabric.define"
+local kernels = require "fabric.kernels"
 local linear = require "fabric.lab.common.linear"
 local fail = define.fail
 
@@ -258,7 +259,7 @@ end
 
 -- The loading of the curves {E, S}: nil where no law rises; else { text, degree, tested, specimens, complete(unloading_of) -> loading, band }.
 function averaged.of(t, curves, earliest)
-  local a = fabric.lab.averaged { curves = curves, none = t.find_slack == "either" and 0.1 or 0, earliest = earliest, strains = strains }
+  local a = kernels.averaged { curves = curves, none = t.find_slack == "either" and 0.1 or 0, earliest = earliest, strains = strains }
   if #a.E == 0 then
     if type(t.degree) == "number" then fail "fit: expected a positive tangent from zero to the end of the test" end
     return

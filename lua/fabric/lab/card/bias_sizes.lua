@@ -10,6 +10,7 @@
 -- (none for h = 2w), so two sizes determine e. A negative e means that the edges bear more than their part.
 local fabric = require "fabric"
 local define = require "fabric.define"
+local kernels = require "fabric.kernels"
 local linear = require "fabric.lab.common.linear"
 local origin = require "fabric.lab.card.origin"
 local check = require "fabric.lab.common.check"
@@ -277,7 +278,7 @@ end
 
 -- The curve as the shear part of a card, made increasing.
 local function card_part(t, state, out)
-  local points = fabric.lab.monotone { curves = { { E = table.move(out.curve.E12, 2, #out.curve.E12, 1, {}), S = table.move(out.curve.S12, 2, #out.curve.S12, 1, {}) } },
+  local points = kernels.monotone { curves = { { E = table.move(out.curve.E12, 2, #out.curve.E12, 1, {}), S = table.move(out.curve.S12, 2, #out.curve.S12, 1, {}) } },
     bins = math.max(2, state.knots) }
   local part = { loading = points, tested = points[#points][1], band = band_of(out.curve, points, t.thickness), level = 0.95 }
   origin.remember(part, { loading = ("fitted to %d bias pulls of %s together, monotone curve up to %g degrees%s"):format(#t.specimens, out.names, t.limit,

@@ -1,6 +1,7 @@
 -- fabric.lab.fit: loading curve and unloading modulus of replicate specimens, with confidence bands.
 local fabric = require "fabric"
 local define = require "fabric.define"
+local kernels = require "fabric.kernels"
 local check = require "fabric.lab.common.check"
 local curve = require "fabric.lab.common.curve"
 local origin = require "fabric.lab.card.origin"
@@ -153,7 +154,7 @@ local function with_points(out, curves, t)
     curves = taut
     out.text = (out.text and out.text .. "\n" or "") .. ("slack up to where the stress leaves %g %% of its largest value"):format(100 * contact)
   end
-  out.loading = fabric.lab.monotone { curves = curves }
+  out.loading = kernels.monotone { curves = curves }
   out.tested = out.loading[#out.loading][1]
   if #curves > 1 then band_of_points(out, curves, t) end
 end

@@ -2,6 +2,7 @@
 -- SI; the numbers have the instruments' units: gf/(cm deg), gf/cm, gf cm^2/cm, gf cm/cm, gf cm/cm^2, per cent.
 local fabric = require "fabric"
 local define = require "fabric.define"
+local kernels = require "fabric.kernels"
 local filled = require "fabric.lab.card.filled"
 
 local gf, cm = 9.80665e-3, 1e-2
@@ -311,7 +312,7 @@ end
 
 -- Below the lightest pressure nothing is measured, and a soft beginning runs out far beyond T.
 local function warn_far(card, c)
-  local free, T = card:free_thickness(), card.thickness
+  local free, T = kernels.free_thickness(card), card.thickness
   if free > 1.5 * T then
     fabric.warn(("kes_card: field 'compression': contact begins at %.3g mm, %.2g times T: as soft as LC %.3g and WC %.3g have it at 0.5 gf/cm^2, pressure runs out only there"):format(
       free * 1e3, free / T, c.LC, c.WC))
@@ -447,7 +448,7 @@ define {
     fields.source = "from KES numbers; Poisson ratios " .. (t.poisson and "given" or "assumed") .. loop_words .. compression_words(t.compression) .. assumed_words
     local card = fabric.woven(fields)
     if not t.compression then return card end
-    local _, fibres = card:free_thickness()
+    local _, fibres = kernels.free_thickness(card)
     fields.compression = compression_of(t.compression, t.thickness, fibres)
     card = fabric.woven(fields)
     warn_far(card, t.compression)

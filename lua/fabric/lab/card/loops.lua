@@ -4,6 +4,7 @@
 -- that slip (share/doc/law.md, Loops). The peak's stress is the one that was measured there, so that only the shape of the way back counts.
 local fabric = require "fabric"
 local define = require "fabric.define"
+local kernels = require "fabric.kernels"
 local check = require "fabric.lab.common.check"
 local curve = require "fabric.lab.common.curve"
 local linear = require "fabric.lab.common.linear"
@@ -169,7 +170,7 @@ end
 
 -- The straight law that fits best: its unloading modulus alone is free.
 local function best_line(specimen, start, least)
-  local found = fabric.lab.least_squares {
+  local found = kernels.least_squares {
     start = { math.max(1, least / start) }, low = { math.max(0.2, least / start) }, high = { math.max(10, 2 * least / start) },
     evaluate = function(points)
       local out = {}
@@ -192,7 +193,7 @@ local function best_loop(specimen, start, least, initial)
   local low, high = { math.max(0.2, least / start), 0, 0.05, 0 }, { math.max(10, 2 * least / start), 0.9, 1, 1 }
   local function try(x)
     for i = 1, 4 do x[i] = math.min(math.max(x[i], low[i] + 1e-3 * (high[i] - low[i])), high[i] - 1e-3 * (high[i] - low[i])) end
-    local found = fabric.lab.least_squares {
+    local found = kernels.least_squares {
       start = x, low = low, high = high,
       evaluate = function(points)
         local out = {}
@@ -210,7 +211,7 @@ local function best_loop(specimen, start, least, initial)
   for _, part in ipairs { 0.9, 1.1 } do try { best.x[1], part * best.x[2], part * best.x[3], best.x[4] } end
   local p = parameters(best.x, start, initial)
   p.chi2, p.at_reach = best.chi2, function(reach, x)
-    local found = fabric.lab.least_squares {
+    local found = kernels.least_squares {
       start = { x[1], x[2], x[4] }, low = { low[1], low[2], low[4] }, high = { high[1], high[2], high[4] },
       evaluate = function(points)
         local out = {}

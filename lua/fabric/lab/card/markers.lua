@@ -1,6 +1,7 @@
 -- fabric.lab.tracks, poisson, shear_from_bias: evaluation of marker grids on the cloth.
 local fabric = require "fabric"
 local define = require "fabric.define"
+local kernels = require "fabric.kernels"
 local check = require "fabric.lab.common.check"
 local origin = require "fabric.lab.card.origin"
 local fail = define.fail
@@ -111,7 +112,7 @@ end
 
 local function shear_from_bias(t)
   local grid = t.markers
-  local boxes = fabric.lab.boxes { rows = grid.rows, columns = grid.columns, x = grid.x, y = grid.y, warp = t.warp }
+  local boxes = kernels.boxes { rows = grid.rows, columns = grid.columns, x = grid.x, y = grid.y, warp = t.warp }
   if #t.force ~= boxes.frames or #t.displacement ~= boxes.frames then
     fail(("shear_from_bias: %sfield 'force': expected a force and a displacement for each of %d frames, got %d and %d"):format(
       grid.file and grid.file .. ": " or "", boxes.frames, #t.force, #t.displacement))

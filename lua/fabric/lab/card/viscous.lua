@@ -8,6 +8,7 @@
 -- deviation `scatter` and b' of half of it, so that two specimens at two speeds differ by more than noise.
 local fabric = require "fabric"
 local define = require "fabric.define"
+local kernels = require "fabric.kernels"
 local check = require "fabric.lab.common.check"
 local linear = require "fabric.lab.common.linear"
 local origin = require "fabric.lab.card.origin"
@@ -632,7 +633,7 @@ local function card_part(state, t, out)
   local E, S = {}, {}
   for k = 1, state.knots do E[k], S[k] = k * state.spacing, curve_at(state, k * state.spacing) end
   out.elastic = { E = E, S = S }
-  local part = { loading = fabric.lab.monotone { curves = { { E = E, S = S } }, bins = state.knots } }
+  local part = { loading = kernels.monotone { curves = { { E = E, S = S } }, bins = state.knots } }
   part.tested = part.loading[#part.loading][1]
   local moduli = {}
   for i, test in ipairs(t.tests) do

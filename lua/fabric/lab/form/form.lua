@@ -12,6 +12,7 @@
 -- Tools from files keep their shape; form_files mends and compares them.
 -- An L and a Z profile have a wall in place of the opening; form_profile has what is their own.
 local define = require "fabric.define"
+local kernels = require "fabric.kernels"
 local fabric = require "fabric"
 local files = require "fabric.lab.form.files"
 local profile = require "fabric.lab.form.profile"
@@ -237,7 +238,7 @@ local function prepare(t)
   if t.punch.shape == "box" or tools.is_profile(t.punch.shape) then names[#names + 1] = "edge" end
   want("punch", t.punch, names)
   if tools.is_profile(t.punch.shape) or tools.is_profile(t.die.shape) then profile.check_pair(t) end
-  local thick = t.card:free_thickness()
+  local thick = kernels.free_thickness(t.card)
   if t.punch.file then want("die", t.die, lengths_of(t.die.shape)) end
   complete(t, thick)
   want("die", t.die, lengths_of(t.die.shape))
@@ -322,7 +323,7 @@ local function add_holder(t, m, top, ramp, mass, share)
   if not h then return end
   local given = copy(t.die_body)
   given.facing, given.name = "down", "holder"
-  local thick = t.card:free_thickness()
+  local thick = kernels.free_thickness(t.card)
   local z = top + t.contact / 2 + (h.gap and h.gap - #t.stack * thick or 0)
   given.at = { tools.is_profile(t.punch.shape) and profile.holder_place(t) or 0, 0, z }
   if not h.gap then given.mass = (h.mass or heavy * mass / share) * share end

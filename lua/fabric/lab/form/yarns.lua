@@ -1,5 +1,6 @@
 -- A formed ply for the next program: its nodes, its elements, and the directions of its yarns element by element, lengths in m.
 local fabric = require "fabric"
+local kernels = require "fabric.kernels"
 local units = require "fabric.export.units"
 
 local yarns = {}
@@ -17,7 +18,7 @@ end
 -- Abaqus and CalculiX: a distribution of orientations, whose first axis is the warp. A section names it.
 local function inp(name, mesh, rows)
   local out = { "** " .. name .. ", formed; lengths in m. A section takes the warp of each element: *SHELL SECTION, ELSET=" .. name .. ", MATERIAL=..., ORIENTATION=yarns_" .. name,
-                (mesh:deck_lines("inp", 1, false, name):gsub("\n$", "")),
+                (kernels.deck_lines(mesh, "inp", 1, false, name):gsub("\n$", "")),
                 "*DISTRIBUTION TABLE, NAME=axes_" .. name, "COORD3D, COORD3D",
                 ("*DISTRIBUTION, NAME=warp_%s, LOCATION=ELEMENT, TABLE=axes_%s"):format(name, name), ", 1, 0, 0, 0, 1, 0" }
   for i, row in ipairs(rows) do out[#out + 1] = ("%d, %s, %s"):format(i, vector(row.warp), vector(across(row.warp, row.weft))) end
@@ -27,7 +28,7 @@ end
 
 -- OpenRadioss: the warp as the reference vector of each shell, and the angle from it to the weft, which /PROP/TYPE16 takes.
 local function rad(name, mesh, rows)
-  local out = { "# " .. name .. ", formed; lengths in m. Part 1 with /PROP/TYPE16 (of one integration point) takes the yarns of each element", (mesh:deck_lines("rad", 1):gsub("\n$", "")) }
+  local out = { "# " .. name .. ", formed; lengths in m. Part 1 with /PROP/TYPE16 (of one integration point) takes the yarns of each element", (kernels.deck_lines(mesh, "rad", 1):gsub("\n$", "")) }
   for corners, keyword in pairs { [3] = "/INISH3/ORTHO", [4] = "/INISHE/ORTHO" } do
     local lines = {}
     for i, row in ipairs(rows) do

@@ -1,6 +1,7 @@
 -- fabric.lab.identify: card parameters from measured curves by simulating the tests, for parameters without a formula.
 local fabric = require "fabric"
 local define = require "fabric.define"
+local kernels = require "fabric.kernels"
 local card_bands = require "fabric.lab.identify.card_bands"
 local discrepancy = require "fabric.lab.identify.discrepancy"
 local store, check, text_of = require "fabric.lab.identify.store", require "fabric.lab.identify.check", require "fabric.lab.identify.text"
@@ -187,7 +188,7 @@ local function rank_further(t, found, scale)
     local jacobian = table.move(found.jacobian, 1, #found.jacobian, 1, {})
     local rows = further_rows(t, test, found.x, scale)
     table.move(rows, 1, #rows, #jacobian + 1, jacobian)
-    local known = fabric.lab.identifiability { jacobian = jacobian, scale = scale }
+    local known = kernels.identifiability { jacobian = jacobian, scale = scale }
     for k, d in ipairs(known.deviation) do known.deviation[k] = math.min(d, scale[k]) end
     ranked[i] = { name = test.name, weakest_deviation = math.min(1, known.weakest_deviation), deviation = known.deviation }
   end
@@ -281,9 +282,9 @@ local function identify(t)
   local cache = store.open(t.checkpoint, store.signature(t), count)
   check_stored(t, cache)
   local scale = widths(t)
-  local found = fabric.lab.least_squares { start = column(t, "start"), low = column(t, "low"), high = column(t, "high"),
+  local found = kernels.least_squares { start = column(t, "start"), low = column(t, "low"), high = column(t, "high"),
     evaluate = evaluator(t, cache), iterations = t.iterations, tolerance = t.tolerance, difference = t.difference, settle = t.settle }
-  local out = fabric.lab.identifiability { jacobian = found.jacobian, scale = scale }
+  local out = kernels.identifiability { jacobian = found.jacobian, scale = scale }
   local squares = 0
   for _, r in ipairs(found.residuals) do squares = squares + r * r end
   out.chi2, out.on_bound = squares / math.max(1, #found.residuals - #t.parameters), on_bound(t, found, scale)

@@ -1,6 +1,7 @@
 -- fabric.lab.tensile: evaluates the file of a tensile test: stress and strain, branches, yield and failure.
 local fabric = require "fabric"
 local define = require "fabric.define"
+local kernels = require "fabric.kernels"
 local check = require "fabric.lab.common.check"
 local doubts = require "fabric.lab.record.doubts"
 local outliers = require "fabric.lab.record.outliers"
@@ -51,7 +52,7 @@ local function mark(test, t)
     end
   end
   test.loading = { first = rows[1], last = rows[#rows] }
-  local marks = fabric.lab.marks { E = E, S = S, kept = t.kept }
+  local marks = kernels.marks { E = E, S = S, kept = t.kept }
   test.failure, test.yield = stays_down(S, t.kept) and rows[marks.failure] or nil, rows[marks.yield]
 end
 

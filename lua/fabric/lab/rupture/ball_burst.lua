@@ -6,6 +6,7 @@
 -- The cloth is a membrane: it folds about the ball, and yarns break where they reach their strength, warp and weft.
 local fabric = require "fabric"
 local define = require "fabric.define"
+local kernels = require "fabric.kernels"
 local rupture = require "fabric.lab.rupture.rupture"
 local sheet = require "fabric.lab.virtual.sheet"
 local mm = fabric.units.mm
@@ -20,7 +21,7 @@ local function setup(t, side, fine)
   local lines = rupture.lines(side, low, high, t.h, t.most or t.h, 1.25)
   local mesh = fabric.mesh.rectangle { width = side, height = side, grading = { x = lines, y = lines } }
   local model = fabric.model { mesh = mesh, card = t.card, warp = 0, membrane = true }
-  local above = t.card:free_thickness() / 2 + 1e-2 * t.h
+  local above = kernels.free_thickness(t.card) / 2 + 1e-2 * t.h
   local ball = fabric.rigid.sphere { radius = t.ball / 2, centre = { side / 2, side / 2, t.ball / 2 + above }, mass = t.mass, name = "ball" }
   model:contact { between = { ball, "all" }, friction = t.friction, stiffness = t.stiffness }
   return mesh, model, ball
@@ -59,7 +60,7 @@ local function impact(t)
   both("impact", t.card)
   rupture.check_lengths("impact", t)
   -- Contact that stops cloth at twice the speed within half of its thickness.
-  t.stiffness = t.stiffness or 4 * t.card.density * t.card.thickness * (2 * t.speed / t.card:free_thickness()) ^ 2
+  t.stiffness = t.stiffness or 4 * t.card.density * t.card.thickness * (2 * t.speed / kernels.free_thickness(t.card)) ^ 2
   local mesh, model, ball = setup(t, t.side, t.ball)
   model:fix("boundary", "x y z"):tearable("all", { coarse = t.coarse, seed = t.seed })
   model:velocity(ball, { z = -t.speed })

@@ -8,6 +8,7 @@
 -- What lies between the plates does not move and is left out of the mesh. The weight of the cloth rises slowly from zero, along half a cosine, as
 -- where a table sinks away under it. Where it comes at once, the sheet buckles into many small folds, and friction keeps them.
 local define = require "fabric.define"
+local kernels = require "fabric.kernels"
 local random = require "fabric.lab.random"
 local shadow = require "fabric.lab.virtual.shadow"
 local fabric = require "fabric"
@@ -39,7 +40,7 @@ end
 
 -- The cloth's middle surface lies where contact with the face begins.
 local function pedestal(t, model)
-  local top = -t.card:free_thickness() / 2
+  local top = -kernels.free_thickness(t.card) / 2
   local disc = fabric.rigid.disc { radius = t.support / 2, centre = { 0, 0, top - t.edge }, normal = { 0, 0, 1 }, edge = t.edge, name = "pedestal" }
   model:contact { between = { disc, "all" }, friction = t.friction }
   if t.side > 0 then
