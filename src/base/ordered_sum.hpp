@@ -7,21 +7,35 @@
 
 namespace fabricsh {
 
-// term(i): of the i-th term, in any order. Four blocks are summed side by side, since each addition of a
-// block has to wait for the one before.
+inline constexpr std::size_t ordered_block = 1024;
+
+// The sums of so many blocks from term `from` on, side by side, since each addition of a block has to wait
+// for the one before.
+template <std::size_t blocks, class Term>
+void sum_side_by_side(std::size_t from, Term& term, double* part) {
+  std::array<double, blocks> sum{};
+  for (std::size_t i = from; i < from + ordered_block; ++i)
+    for (std::size_t k = 0; k < blocks; ++k) sum[k] += term(i + k * ordered_block);
+  std::copy(sum.begin(), sum.end(), part);
+}
+
+// term(i): of the i-th term, in any order.
 template <class Term>
 double ordered_sum(std::size_t n, Term term) {
-  constexpr std::size_t block = 1024, side_by_side = 4, group = block * side_by_side;
-  const std::size_t blocks = (n + block - 1) / block, groups = n / group;
+  constexpr std::size_t side_by_side = 4, group = ordered_block * side_by_side;
+  const std::size_t blocks = (n + ordered_block - 1) / ordered_block, groups = n / group;
   std::vector<double> part(blocks, 0);
 #pragma omp parallel for schedule(static) if (blocks >= 16)
-  for (std::size_t g = 0; g < groups; ++g) {
-    std::array<double, side_by_side> sum{};
-    for (std::size_t i = g * group; i < g * group + block; ++i)
-      for (std::size_t k = 0; k < side_by_side; ++k) sum[k] += term(i + k * block);
-    std::copy(sum.begin(), sum.end(), part.begin() + static_cast<std::ptrdiff_t>(g * side_by_side));
-  }
-  for (std::size_t i = groups * group; i < n; ++i) part[i / block] += term(i);
+  for (std::size_t g = 0; g < groups; ++g)
+    sum_side_by_side<side_by_side>(g * group, term, part.data() + g * side_by_side);
+  double* const rest = part.data() + groups * side_by_side;
+  const std::size_t whole = (n - groups * group) / ordered_block;
+  if (whole == 3) sum_side_by_side<3>(groups * group, term, rest);
+  if (whole == 2) sum_side_by_side<2>(groups * group, term, rest);
+  if (whole == 1) sum_side_by_side<1>(groups * group, term, rest);
+  double last = 0;
+  for (std::size_t i = groups * group + whole * ordered_block; i < n; ++i) last += term(i);
+  if (groups * side_by_side + whole < blocks) part.back() = last;
   double sum = 0;
   for (const double p : part) sum += p;
   return sum;

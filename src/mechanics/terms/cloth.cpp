@@ -31,6 +31,8 @@ Cloth::Cloth(const model::Model& model, const Configuration& configuration,
   make_force_slots();
   order_batches();
   order_sums();
+  smallest_size_ = std::numeric_limits<double>::infinity();
+  for (Index e = 0; e < elements(); ++e) smallest_size_ = std::min(smallest_size_, rest_.size(e));
   step_of_membrane_ = membrane_step();
   find_tested();
 }

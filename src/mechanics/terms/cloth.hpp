@@ -83,7 +83,7 @@ class Cloth final : public Term, public ElementTerm {
   // The factor by which stretching has raised that bound: s^2 for the law's part, and (s^2 - 1) / 2 for
   // that of the stresses, which are at most the strain times the stiffest modulus; s: the largest stretch.
   double growth(Index element) const;
-  double smallest_size() const;  // m, h of the smallest element
+  double smallest_size() const { return smallest_size_; }  // m, h of the smallest element
   // N/m, along warp and weft: the most that the cloth of an element carries if it folds within the element
   // (cloth_folds.cpp); 0 for a membrane, which has no rigidity.
   std::array<double, 2> fold_tensions(Index element) const;
@@ -233,6 +233,7 @@ class Cloth final : public Term, public ElementTerm {
   std::vector<std::uint32_t> finished_, first_finished_, begun_;
   std::vector<double> mass_, mass_moment_;
   mutable FrequencyBounds bounds_[2];  // with true and with scaled rotary inertia
+  double smallest_size_ = 0;           // m
   double step_of_membrane_ = 0;        // s
   std::vector<Index> node_element_;
   std::vector<std::vector<TestedPoint>> tested_;  // per region

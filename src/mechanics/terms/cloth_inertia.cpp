@@ -242,12 +242,6 @@ double Cloth::stable_step(bool scaled) const {
   return shortest;
 }
 
-double Cloth::smallest_size() const {
-  double smallest = std::numeric_limits<double>::infinity();
-  for (Index e = 0; e < elements(); ++e) smallest = std::min(smallest, rest_.size(e));
-  return smallest;
-}
-
 namespace {
 
 // The square of the largest stretch in the plane of two vectors that were A and B and are a and b.

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "geometry/node_view.hpp"
@@ -82,6 +83,7 @@ Directors::Directors(const model::Model& model, const Configuration& configurati
   follow_joints();
   for (const auto& section : model.sections()) rigidity_.push_back(rigidities(section));
   limits_ = bent_limits();
+  of_edges_.resize(limits_.size());
   cloth.watch_directors(kUpright, limits_);
 }
 
@@ -178,13 +180,34 @@ double bend_of(const Configuration& now, Index first, Index second) {
 
 }  // namespace
 
-Directors::Ridge Directors::ridge(const Batch& batch, int lane, int edge) const {
+Directors::Ridge Directors::ridge(std::size_t b, int lane, int edge) const {
   constexpr double across4[2][4] = {{-0.25, -0.25, 0.25, 0.25}, {-0.25, 0.25, 0.25, -0.25}};
+  const Batch& batch = cloth_.batches()[b];
   const bool four = batch.kind->corners == 4;
   const int* const ends = ends_of(batch.kind->corners, edge);
-  Ridge r{batch.nodes[lane], batch.kind->corners, ends[0], ends[1], {}, 0, 0, 0};
+  const OfEdge& of = of_edge(b, lane, edge);
+  Ridge r{batch.nodes[lane], batch.kind->corners, ends[0], ends[1], {}, of.bend, of.width, of.energy};
   for (int a = 0; a < r.corners; ++a)
     r.across[a] = four ? across4[edge / 2][a] : a == r.first || a == r.second ? -0.5 : 1;
+  return r;
+}
+
+const Directors::OfEdge& Directors::of_edge(std::size_t b, int lane, int edge) const {
+  auto& known = of_edges_[b];
+  if (!known) {
+    const Batch& batch = cloth_.batches()[b];
+    known = std::make_unique<std::array<OfEdge, 4 * lanes>>();
+    for (int l = 0; l < batch.used; ++l)
+      for (int e = 0; e < batch.kind->corners; ++e)
+        (*known)[static_cast<std::size_t>(4 * l + e)] = found_of_edge(batch, l, e);
+  }
+  return (*known)[static_cast<std::size_t>(4 * lane + edge)];
+}
+
+Directors::OfEdge Directors::found_of_edge(const Batch& batch, int lane, int edge) const {
+  const bool four = batch.kind->corners == 4;
+  const int* const ends = ends_of(batch.kind->corners, edge);
+  const auto& nodes = batch.nodes[lane];
   // The base vectors in material axes: m_i . G_j, the inverse of the transpose of T.
   const double* T = batch.geometry + static_cast<long>(batch.kind->first_point) * lanes + lane;
   const double G1[2] = {T[3 * lanes], -T[lanes]}, G2[2] = {-T[2 * lanes], T[0]};
@@ -199,12 +222,10 @@ Directors::Ridge Directors::ridge(const Batch& batch, int lane, int edge) const 
   const double c = way.normalized().x(), s = way.normalized().y();
   const auto& B = rigidity_[static_cast<std::size_t>(batch.section - model_.sections().data())];
   const double along = rigidity_along(B, c, s), other = rigidity_along(B, s, c);
-  const double half = (X_[r.nodes[r.second]] - X_[r.nodes[r.first]]).norm() / 2, size = area(r.nodes, X_);
+  const double half = (X_[nodes[ends[1]]] - X_[nodes[ends[0]]]).norm() / 2, size = area(nodes, X_);
   const double b = (four ? size : 2 * size) / (2 * half), onset = kOnset * 4 * other / (b * b);
-  r.width = four ? b / 2 : b;
-  r.bend = along > 0 ? half * half * half * half * onset / along : std::numeric_limits<double>::infinity();
-  r.energy = kReturned * onset / 2 * (four ? size / 2 : size);
-  return r;
+  return {along > 0 ? half * half * half * half * onset / along : std::numeric_limits<double>::infinity(),
+          four ? b / 2 : b, kReturned * onset / 2 * (four ? size / 2 : size)};
 }
 
 std::vector<double> Directors::bent_limits() const {
@@ -212,7 +233,7 @@ std::vector<double> Directors::bent_limits() const {
   for (const Batch& batch : cloth_.batches()) {
     double least = std::numeric_limits<double>::infinity();
     for (int l = 0; l < batch.used; ++l)
-      for (int e = 0; e < batch.kind->corners; ++e) least = std::min(least, ridge(batch, l, e).bend);
+      for (int e = 0; e < batch.kind->corners; ++e) least = std::min(least, found_of_edge(batch, l, e).bend);
     limits.push_back(least);
   }
   return limits;
@@ -264,7 +285,7 @@ void Directors::visit_ridges(const Configuration& configuration, Visit visit) co
       for (int e = 0; e < batch.kind->corners; ++e) {
         const int* const ends = ends_of(batch.kind->corners, e);
         if (bend_of(configuration, batch.nodes[l][ends[0]], batch.nodes[l][ends[1]]) <= limits_[b]) continue;
-        const Ridge r = ridge(batch, l, e);
+        const Ridge r = ridge(b, l, e);
         Splay v;
         if (splay_of(r, configuration, v)) visit(r, v);
       }
@@ -342,8 +363,23 @@ std::vector<Directors::Corner> Directors::leaning_corners(const Configuration& c
         if (at(configuration.d(), batch.nodes[l][a]).dot(normal) < least)
           found.push_back({dofs_.joints().leader(batch.nodes[l][a]), batch.element[l]});
     }
-  std::sort(found.begin(), found.end());
-  return found;
+  return sorted(found);
+}
+
+// By node, which are counted, and of each by element, of which there are few.
+std::vector<Directors::Corner> Directors::sorted(const std::vector<Corner>& corners) const {
+  if (corners.empty()) return {};
+  std::vector<std::uint32_t> end(X_.size() + 1, 0);
+  for (const Corner& c : corners) ++end[static_cast<std::size_t>(c.node) + 1];
+  std::partial_sum(end.begin(), end.end(), end.begin());
+  std::vector<Corner> out(corners.size(), Corner{-1, -1});
+  for (const Corner& c : corners) {
+    std::uint32_t at = end[static_cast<std::size_t>(c.node)]++;
+    for (; at > 0 && out[at - 1].node == c.node && c.element < out[at - 1].element; --at)
+      out[at] = out[at - 1];
+    out[at] = c;
+  }
+  return out;
 }
 
 // At all other nodes the mean of the elements' normals is no farther away than 45 degrees either.

@@ -25,8 +25,8 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <span>
-#include <tuple>
 #include <unordered_map>
 #include <vector>
 
@@ -64,6 +64,10 @@ class Directors final : public Term {
     std::array<Index, 4> nodes;  // of the element
     int corners, first, second;  // ends of the edge
     std::array<double, 4> across;
+    double bend, width, energy;  // see OfEdge
+  };
+  // What an edge has from the reference.
+  struct OfEdge {
     double bend;    // (chord . delta)^2 from which the guard acts, m^2
     double width;   // length of the direction across in the reference, m
     double energy;  // J, of the ramp at one
@@ -92,7 +96,9 @@ class Directors final : public Term {
   void find_weights();
   void find_planes();
   std::vector<double> bent_limits() const;
-  Ridge ridge(const Batch& batch, int lane, int edge) const;
+  OfEdge found_of_edge(const Batch& batch, int lane, int edge) const;
+  const OfEdge& of_edge(std::size_t batch, int lane, int edge) const;
+  Ridge ridge(std::size_t batch, int lane, int edge) const;
   std::span<const Index> elements_of(Index node) const { return around_.of(node); }
   double upright(Index node) const;
   Vec3 normal_at(Index node, std::span<const double> x) const;
@@ -100,8 +106,8 @@ class Directors final : public Term {
   // A director that leans by 45 degrees from an element: the node that leads it, and the element.
   struct Corner {
     Index node, element;
-    bool operator<(const Corner& o) const { return std::tie(node, element) < std::tie(o.node, o.element); }
   };
+  std::vector<Corner> sorted(const std::vector<Corner>& corners) const;
   std::vector<Corner> leaning_corners(const Configuration& configuration) const;
   std::vector<Index> leaning_nodes(const Configuration& configuration) const;
   bool lean_of(Index node, const Configuration& configuration, Lean& lean) const;
@@ -119,7 +125,9 @@ class Directors final : public Term {
   const Dofs& dofs_;
   const model::Model& model_;
   const std::vector<Vec3>& X_;
-  std::vector<double> limits_;                   // per batch, of Ridge::bend, the least
+  std::vector<double> limits_;  // per batch, of Ridge::bend, the least
+  // Per batch, by lane and edge; those of batches whose edges have bent that far.
+  mutable std::vector<std::unique_ptr<std::array<OfEdge, 4 * lanes>>> of_edges_;
   std::vector<std::array<double, 3>> rigidity_;  // per section: along warp and weft, and of twist, N m
   std::vector<double> weight_;  // J per node: half the shear modulus times thickness and area; 0: no guard
   std::vector<double> area_;    // m^2 per node, |N| in the reference
