@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "contact/places.hpp"
+#include "contact/plane.hpp"
 #include "geometry/turning.hpp"
 
 namespace fabricsh::contact {
@@ -65,10 +66,11 @@ bool changes(const PressedPlace& at, const Modulation* m) { return at.place.modu
 // The sliding of a step at a place, perpendicular to the normal, and the elastic slip to which it leads, as
 // far as friction carries it.
 struct Slid {
-  Vec3 moved;  // m, of the first side against the second, with its part along the normal
-  Vec3 lever;  // m, from the rigid side's corners to its surface
-  Vec3 slid;   // m
-  Vec3 trial;  // m, elastic slip of a spring that never gives way
+  Vec3 moved;         // m, of the first side against the second, with its part along the normal
+  Vec3 lever;         // m, from the rigid side's corners to its surface
+  Vec3 slid;          // m
+  Vec3 trial;         // m, elastic slip of a spring that never gives way
+  double length = 0;  // m, of that slip
   double damping = 0, damping_slope = 0;  // Pa, by which an approach is resisted; Pa/m, by the opening
   double spring = 0, most = 0;            // N/m; N, mu times the normal force
   double mu = 0;                          // in the direction of the trial slip
@@ -79,10 +81,10 @@ struct Slid {
   Mat3 drag_by_slid() const { return drag * Mat3::Identity() + thins * slid * slid.transpose(); }
   double holds = 0;      // N, what sticks holds: of static friction, unless it slides already
   bool goes_on = false;  // slides, and in this step on in the same direction
-  bool sticks() const { return spring * trial.norm() <= holds; }
+  bool sticks() const { return spring * length <= holds; }
   double bound() const { return sticks() ? holds : most; }
   // Share of the trial slip that friction holds.
-  double kept() const { return sticks() ? 1 : most / (spring * trial.norm()); }
+  double kept() const { return sticks() ? 1 : most / (spring * length); }
 };
 
 // Whether one side of a pair is held or driven, and the other is not.
@@ -112,14 +114,15 @@ void damp(const ContactLaw& law, const Pair& pair, const PressedPlace& at, const
 // mu of an ellipse whose half axes are along and across the warp.
 void direct(const Touch& touch, const Slip& slip, Slid& out) {
   out.mu = slip.friction;
+  if (slip.across < 0) return;
   const Vec3 along = slip.along - touch.normal.dot(slip.along) * touch.normal;
-  const double length = out.trial.norm(), yarn = along.norm();
-  if (slip.across < 0 || !(yarn > 0) || !(length > 0)) return;
-  const Vec3 unit = along / yarn, towards = out.trial / length;
+  const double yarn = along.norm();
+  if (!(yarn > 0) || !(out.length > 0)) return;
+  const Vec3 unit = along / yarn, towards = out.trial / out.length;
   const double c = unit.dot(towards), a = 1 / (slip.friction * slip.friction),
                b = 1 / (slip.across * slip.across);
   out.mu = 1 / std::sqrt(c * c * a + (1 - c * c) * b);
-  out.mu_by_trial = -out.mu * out.mu * out.mu * c * (a - b) / length * (unit - c * towards);
+  out.mu_by_trial = -out.mu * out.mu * out.mu * c * (a - b) / out.length * (unit - c * towards);
 }
 
 // A film wets the surfaces over the first thousandth of the way from gap to floor, without a kink.
@@ -140,14 +143,17 @@ void wet(const ContactLaw& law, const Pair& pair, const PressedPlace& at, const 
   out.drag_slope = -whole * 6 * d * (1 - d) / way;
 }
 
-Slid slide(const ContactLaw& law, const Pair& pair, const PressedPlace& at, const Slip& slip) {
+[[gnu::always_inline]] inline Slid slide(const ContactLaw& law, const Pair& pair, const PressedPlace& at,
+                                         const Slip& slip) {
   const Touch& touch = at.place.touch;
   Slid out;
   out.lever = pair.offset * touch.normal;
-  out.moved = -slip.turn.cross(out.lever);
+  out.moved = Vec3::Zero();
+  if (pair.offset != 0) out.moved = -slip.turn.cross(out.lever);
   for (std::size_t i = 0; i < 4; ++i) out.moved += touch.weight[i] * slip.moved[i];
   out.slid = out.moved - touch.normal.dot(out.moved) * touch.normal;
   out.trial = out.slid + slip.held - touch.normal.dot(slip.held) * touch.normal;
+  out.length = out.trial.norm();
   damp(law, pair, at, slip, out);
   direct(touch, slip, out);
   wet(law, pair, at, slip, out);
@@ -167,7 +173,7 @@ double resistance(const Touch& touch, const Slip& slip, double times, std::array
   for (std::size_t i = 0; i < 4; ++i) {
     const double share = touch.weight[i] * touch.weight[i] * slip.inverse_mass[i];
     lightness += share;
-    alone += share / slip.crowd[i];
+    alone += slip.crowd[i] == 1 ? share : share / slip.crowd[i];
   }
   if (!(lightness > 0)) return 0;
   for (std::size_t i = 0; i < 4; ++i)
@@ -196,9 +202,9 @@ class Friction {
     const double size = pull.norm(), kept = s.kept();
     if (size > s.bound()) pull *= s.bound() / size;
     if (at.count < 0) pull = -pull;
-    pull += s.drag * s.slid;
+    if (s.drag != 0) pull += s.drag * s.slid;
     for (std::size_t i = 0; i < 4; ++i) force_.on[i] -= touch.weight[i] * pull;
-    force_.torque += s.lever.cross(pull);
+    if (pair_.offset != 0) force_.torque += s.lever.cross(pull);
     force_.pull += pull;
     force_.stick += std::copysign(s.spring, at.count) * kept * kept * s.trial.squaredNorm() / 2;
     const double before = slip_.step == 0 ? 0 : 0.5;
@@ -216,6 +222,7 @@ class Friction {
     const Touch& touch = at.place.touch;
     const double closed = -touch.normal.dot(s.moved), before = slip_.step == 0 ? 0 : 0.5;
     if (first_) force_.impact += before * slip_.damped * closed;
+    if (press == 0) return;  // it opens
     for (std::size_t i = 0; i < 4; ++i) force_.on[i] += press * touch.weight[i] * touch.normal;
     force_.damped += press;
     force_.impact += (1 - before) * press * closed;
@@ -273,11 +280,7 @@ double set_force(const ContactLaw& law, const Pair& pair, const Corners& x, Find
 // distance and normal take.
 bool is_far(const Pair& pair, const Corners& x, double reach) {
   const double far = (reach + pair.offset) * (reach + pair.offset) * (1 + 1e-9);
-  if (pair.kind == PairKind::plane) {
-    const Vec3 normal = (x[2] - x[1]).cross(x[3] - x[1]);
-    const double height = normal.dot(x[0] - x[1]);
-    return height > 0 && height * height > far * normal.squaredNorm();
-  }
+  if (pair.kind == PairKind::plane) return is_above_plane(x, far);
   if (pair.kind == PairKind::centre) return (x[0] - x[1]).squaredNorm() > far;
   if (pair.kind == PairKind::segment) return squared_point_segment(x[0], x[1], x[2]) > far;
   if (pair.kind == PairKind::facet) return squared_point_triangle(x[0], x[1], x[2], x[3]) > far;
@@ -391,7 +394,7 @@ FrictionTangent friction_tangent(const ContactLaw& law, const Pair& pair, const 
     // pull = force * direction: of what sticks the direction is the trial slip itself, of what slides its
     // unit vector.
     const bool sticks = s.sticks();
-    const double length = s.trial.norm();
+    const double length = s.length;
     const double force = rubs ? at.count * (sticks ? slip.stiffness : s.mu * pressure) : 0;  // N/m or N
     Vector12 grows = Vector12::Zero();
     if (rubs && !sticks) grows = s.mu * press;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "contact/plane.hpp"
+
 namespace fabricsh::contact {
 namespace {
 
@@ -104,15 +106,16 @@ FacetTouch point_triangle(const Corners& x) {
 }
 
 Touch point_plane(const Corners& x) {
-  const Vec3 u = x[2] - x[1], v = x[3] - x[1], r = x[0] - x[1];
-  const double a = u.dot(u), b = u.dot(v), c = v.dot(v), e = u.dot(r), f = v.dot(r), det = a * c - b * b;
-  const double s = (c * e - b * f) / det, t = (a * f - b * e) / det;
+  const Plane& plane = plane_through(x);
+  const Vec3 r = x[0] - x[1];
+  const double e = vector_of(plane.u).dot(r), f = vector_of(plane.v).dot(r);
+  const double s = (plane.c * e - plane.b * f) / plane.det, t = (plane.a * f - plane.b * e) / plane.det;
   Touch touch;
   touch.feature = Feature::face;
   touch.weight = {1, -(1 - s - t), -s, -t};
   set_parameter(touch, 0, 1, 2);
   set_parameter(touch, 1, 1, 3);
-  touch.normal = u.cross(v).normalized();
+  touch.normal = vector_of(plane.normal);
   touch.distance = touch.normal.dot(r);
   return touch;
 }
