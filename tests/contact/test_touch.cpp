@@ -58,6 +58,21 @@ TEST_CASE("touch: derivatives of the distance by slope, point and plane", "[cont
   check_slopes(point_plane, 300, 1);
 }
 
+TEST_CASE("touch: planes that points meet in turn are not taken for each other", "[contact]") {
+  Random random(5);
+  for (int n = 0; n < 50; ++n) {
+    const Corners one = random_corners(random);
+    Corners other = one;
+    other[std::size_t(1 + n % 3)][n % 2] += 1e-9;  // one corner of the plane a little elsewhere
+    const auto normal = [](const Corners& x) { return (x[2] - x[1]).cross(x[3] - x[1]).normalized().eval(); };
+    for (const Corners& x : {one, other, other, one}) {
+      const Touch touch = point_plane(x);
+      CHECK(touch.normal == normal(x));
+      CHECK(touch.distance == normal(x).dot(x[0] - x[1]));
+    }
+  }
+}
+
 TEST_CASE("touch: derivatives of the distance by slope, two segments", "[contact]") {
   check_slopes(segment_segment, 1000, 3);
 }
