@@ -364,10 +364,33 @@ inline void linearise(const Triangle& before, double thickness, Triangle& t) {
   p.kappa[2] -= k[0] + k[1] - k[2];
 }
 
+// Adds the change of the resultants by the whole of the resistance from the strains of t to those of `to`.
+inline void add_change(const Resistance3& D, const Triangle& t, const Triangle& to, double thickness,
+                       ResultantSums& s) {
+  Pack by[kStrains], change[kStrains];
+  for (int i = 0; i < 3; ++i) {
+    by[i] = to.strains.eps[i] - t.strains.eps[i];
+    by[kKappas + i] = to.strains.kappa[i] - t.strains.kappa[i];
+    by[6 + i] = to.strains.rho[i] - t.strains.rho[i];
+    by[kEdges + i] = to.gamma[i] - t.gamma[i];
+  }
+  for (int i = 0; i < kStrains; ++i) {
+    change[i] = D.D[i][0] * by[0];
+    for (int j = 1; j < kStrains; ++j) change[i] += D.D[i][j] * by[j];
+  }
+  for (int i = 0; i < 3; ++i) {
+    s.r.N[i] += change[i];
+    s.r.M[i] += change[kKappas + i];
+    s.r.K[i] += change[6 + i];
+    s.edge[i] += Pack(thickness / 4) * change[kEdges + i];
+  }
+}
+
 template <bool symmetric>
 unsigned tangent_of(const section::Section& section, const law::Step& step, const ShellBatch& batch,
                     double* f, double* out) {
-  Triangle t = load_triangle(section, batch);
+  const Triangle whole = load_triangle(section, batch);
+  Triangle t = whole;
   if (batch.before_x != nullptr) linearise(load_triangle(section, before_step(batch)), section.thickness, t);
   V3 b[3][2];
   for (int a = 0; a < 3; ++a)
@@ -393,7 +416,12 @@ unsigned tangent_of(const section::Section& section, const law::Step& step, cons
   mirror(K);
   const Forces3 forces = forces_of(t, s);
   if (!batch.law_only) add_geometric(s, forces, t, b, K);
-  store_forces(forces, f);
+  if (batch.before_x != nullptr && branches_of(batch) != nullptr) {
+    add_change(D, t, whole, section.thickness, s);
+    store_forces(forces_of(t, s), f);
+  } else {
+    store_forces(forces, f);
+  }
   constexpr double coefficient[2][3] = {{-1, 1, 0}, {-1, 0, 1}};
   store_tangent(K, coefficient, batch.wanted, out);
   return failed;

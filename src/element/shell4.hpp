@@ -109,7 +109,8 @@ struct ShellBatch {
   // lane l has changed. The old numbers of a pack with such a lane are appended to `log`, part after part of
   // the batch; it must have room for all of them.
   unsigned char* changed = nullptr;
-  double* now = nullptr;
+  double* now = nullptr;  // two copies: in a tangent the branches (law/branches.hpp), if any; then the forces
+                          // are linear about the strains predicted, as the tangent is
   double** log = nullptr;  // the end of the log
   int first_lane = 0;      // of the part of the batch that a kernel works on
   // The tangent's blocks of nodes a and b that are written: bit 4 a + b.

@@ -347,12 +347,16 @@ unsigned tangent_of(const section::Section& section, const law::Step& step, cons
   Pack gamma[4];
   edge_shears(k, batch.geometry, section.thickness, gamma);
   Membrane m = membrane(k, batch.geometry);
-  const bool extrapolated = batch.before_x != nullptr;
+  const bool extrapolated = batch.before_x != nullptr, linear = extrapolated && branches_of(batch) != nullptr;
   const Kinematics before = extrapolated ? kinematics(before_step(batch)) : k;
+  InPlane whole[gauss_points];
+  for (int g = 0; g < gauss_points && linear; ++g)
+    whole[g] = in_plane(k, batch.geometry + layout.reference(g) * lanes, m, gamma, g);
   if (extrapolated) linearise(before, k, batch.geometry, section.thickness, m, gamma);
   const SampleColumns samples = sample_columns(k, m, batch.geometry);
-  ConjugateForces forces;
+  ConjugateForces forces, on_line;
   clear(forces);
+  clear(on_line);
   Geometric geometric;
   clear(geometric);
   Tangent4<symmetric> K;
@@ -361,12 +365,13 @@ unsigned tangent_of(const section::Section& section, const law::Step& step, cons
   Columns4 B;
   Easing easing;
   InPlane eased[gauss_points];
-  Resultants eased_away[gauss_points];
+  Resultants eased_away[gauss_points], eased_on_line[gauss_points];
   EasedColumns columns;
   if (load_easing(batch.geometry, layout, easing)) {
     for (int g = 0; g < gauss_points; ++g)
       eased[g] = in_plane(k, batch.geometry + layout.reference(g) * lanes, m, gamma, g);
     ease_strains(easing, eased);
+    if (linear) ease_strains(easing, whole);
     eased_columns(easing, m, samples, columns);
   }
   for (int g = 0; g < gauss_points; ++g) {
@@ -377,6 +382,12 @@ unsigned tangent_of(const section::Section& section, const law::Step& step, cons
     ThicknessMoments stiffness;
     failed |=
         integrate(section, step, batch, batch.geometry + layout.point(g, 0) * lanes, p, g, r, &stiffness);
+    if (linear) {
+      Resultants moved = r;
+      add_change<symmetric>(stiffness, p, whole[g], moved);
+      if (easing.any) take_membrane(moved, eased_on_line[g]);
+      add_force(p, moved, section.thickness, g, on_line);
+    }
     if (easing.any) take_membrane(r, eased_away[g]);
     add_force(p, r, section.thickness, g, forces);
     add_geometric(r, g, geometric);
@@ -387,8 +398,13 @@ unsigned tangent_of(const section::Section& section, const law::Step& step, cons
   if (easing.any) {
     ease_resultants(easing, eased_away);
     for (int g = 0; g < gauss_points; ++g) add_membrane(eased[g], eased_away[g], g, forces);
+    if (linear) {
+      ease_resultants(easing, eased_on_line);
+      for (int g = 0; g < gauss_points; ++g) add_membrane(eased[g], eased_on_line[g], g, on_line);
+    }
   }
   close(m, batch.geometry, forces);
+  if (linear) close(m, batch.geometry, on_line);
   mirror(K);
   if (!batch.law_only) {
     add_membrane_geometric(m, forces, samples, K);
@@ -402,7 +418,7 @@ unsigned tangent_of(const section::Section& section, const law::Step& step, cons
     K.dd[2 * a][2 * a] -= along;
     K.dd[2 * a + 1][2 * a + 1] -= along;
   }
-  store_forces(nodes, f);
+  store_forces(linear ? on_nodes(k, on_line) : nodes, f);
   constexpr double coefficient[kVectors][4] = {
       {-.25, .25, .25, -.25}, {-.25, -.25, .25, .25}, {.25, -.25, .25, -.25}};
   store_tangent(K, coefficient, batch.wanted, out);

@@ -2,6 +2,7 @@
 // and material strains, and the law through the thickness. Included only by the *_isa.cpp files of this room.
 #pragma once
 #include "element/shell4.hpp"
+#include "law/branches.hpp"
 #include "law/part.hpp"
 #include "law/potential.hpp"
 #include "simd/pack.hpp"
@@ -209,6 +210,9 @@ inline void put_states(const ShellBatch& batch, long place, int count, const dou
   }
 }
 
+// The branches of the yarns in a tangent; null: they keep to none.
+inline double* branches_of(const ShellBatch& batch) { return batch.changed == nullptr ? batch.now : nullptr; }
+
 // Separate bending: springs on the material curvatures (11, 22, 2 12) at the middle thickness point. Friction
 // states s0, s1: slip, lost and with fading also last, of warp, then of weft; null without friction.
 inline void add_bending(const section::Section& section, const law::Step& step, const Strains& p,
@@ -306,10 +310,11 @@ inline void put_tangent(const PlainTangents& c, Pack shear, Pack volume, const T
 // e + z k + z^2 q and resultants in material axes. The sum of the stresses shows whether any is not finite.
 // at_point(response, weight, height) and at_end(volume) let a caller sum the tangent, too; bending: null
 // without it.
-template <class AtPoint, class AtEnd>
+template <class OnBranches, class AtPoint, class AtEnd>
 inline unsigned through_thickness(const section::Section& section, const law::Step& step,
                                   const ShellBatch& batch, const Transform& t, const Strains& p, int g,
-                                  Resultants& r, ThicknessMoments* bending, AtPoint at_point, AtEnd at_end) {
+                                  Resultants& r, ThicknessMoments* bending, OnBranches on_branches,
+                                  AtPoint at_point, AtEnd at_end) {
   constexpr int row[3] = {0, 1, 4}, states = law::potential_state::count;
   Pack e[3], k[3], q[3], E[5], old[states], trial[states];
   for (int i = 0; i < 3; ++i) {
@@ -327,8 +332,9 @@ inline unsigned through_thickness(const section::Section& section, const law::St
     for (int i = 0; i < 3; ++i) E[row[i]] = e[i] + z * (k[i] + z * q[i]);
     const long offset = static_cast<long>(g * section.state_size + point.state) * lanes;
     for (int i = 0; i < states; ++i) old[i] = load(batch.s0 + offset + i * lanes);
-    const auto out = law::potential_update(*section.plain, step.at, E, old, trial);
+    auto out = law::potential_update(*section.plain, step.at, E, old, trial);
     put_states(batch, offset, states, old, trial);
+    on_branches(*section.plain, offset, E, old, out);
     for (int i = 0; i < 3; ++i) {
       const Pack S = weight * out.S[row[i]], zS = z * S;
       m.N[i] += S;
@@ -359,7 +365,7 @@ inline unsigned through_thickness(const section::Section& section, const law::St
                                                          const Transform& t, const Strains& p, int g,
                                                          Resultants& r) {
   const auto nothing = [](auto&&...) {};
-  return through_thickness(section, step, batch, t, p, g, r, nullptr, nothing, nothing);
+  return through_thickness(section, step, batch, t, p, g, r, nullptr, nothing, nothing, nothing);
 }
 
 [[gnu::flatten, gnu::noinline]] unsigned integrate_plain_tangent(const section::Section& section,
@@ -372,11 +378,42 @@ inline unsigned through_thickness(const section::Section& section, const law::St
   Pack weights(0.0);
   return through_thickness(
       section, step, batch, t, p, g, r, &tangent,
+      [&](const auto& law, long place, const Pack* E, const Pack* old, auto& out) {
+        double* const at = branches_of(batch);
+        if (at == nullptr) return;
+        Pack branches[3];
+        for (int i = 0; i < 3; ++i) branches[i] = load(at + place + i * lanes);
+        const Pack strain[3] = {E[0], E[1], E[4]};
+        law::put_on_branches(law, step.at, strain, old, branches, {&out.S[0], &out.S[1], &out.S[4]},
+                             {&out.C11, &out.C22, &out.C55});
+        for (int i = 0; i < 3; ++i) store(at + place + i * lanes, branches[i]);
+      },
       [&](const auto& response, Pack weight, Pack z) {
         add_tangent(response, weight, z, c);
         weights += weight;
       },
       [&](Pack volume) { put_tangent(c, weights * Pack(section.plain->transverse), volume, t, tangent); });
+}
+
+// The yarns of a law in memory on their branches.
+[[gnu::noinline]] void put_on_branches(const law::Law& law, law::AtSwitch at, const double* E,
+                                       const double* s0, double* branches, double* S, double* C) {
+  constexpr int of_E[3] = {0, 1, 4}, of_C[3] = {0, 6, 24};
+  Pack strain[3], branch[3], stress[3], slope[3], old[law::potential_state::count];
+  for (int i = 0; i < law::potential_state::count; ++i) old[i] = load(s0 + i * lanes);
+  for (int i = 0; i < 3; ++i) {
+    strain[i] = load(E + of_E[i] * lanes);
+    branch[i] = load(branches + i * lanes);
+    stress[i] = load(S + of_E[i] * lanes);
+    slope[i] = load(C + of_C[i] * lanes);
+  }
+  law::put_on_branches(law.woven, at, strain, old, branch, {&stress[0], &stress[1], &stress[2]},
+                       {&slope[0], &slope[1], &slope[2]});
+  for (int i = 0; i < 3; ++i) {
+    store(branches + i * lanes, branch[i]);
+    store(S + of_E[i] * lanes, stress[i]);
+    store(C + of_C[i] * lanes, slope[i]);
+  }
 }
 
 // Evaluates the law through the thickness at in-plane point g; columns: its first transform.
@@ -403,6 +440,8 @@ inline unsigned integrate(const section::Section& section, const law::Step& step
     failed |=
         law::part_for(*point.law)(*point.law, step, E, batch.s0 + offset, s1, S, k != nullptr ? C : nullptr);
     if (batch.changed != nullptr) put_states(batch, offset, point.law->state_size, trial);
+    if (k != nullptr && branches_of(batch) != nullptr && law::has_branches(*point.law))
+      put_on_branches(*point.law, step.at, E, batch.s0 + offset, branches_of(batch) + offset, S, C);
     add_stress(t, S, z, r);
     if (k != nullptr) section.symmetric ? add_symmetric_tangent(t, C, z, *k) : add_tangent(t, C, z, *k);
     if (section.bends_apart) add_bending_at(section, step, batch, p, t, g, r, k);

@@ -64,6 +64,26 @@ struct Resistance {
   Pack M_by_kappa[3][3];
 };
 
+// Adds the change of the resultants by the tangent from strains p to strains `to`.
+template <bool symmetric>
+inline void add_change(const ThicknessMoments& k, const Strains& p, const Strains& to, Resultants& r) {
+  const Resistance<symmetric> D(k);
+  Pack by[11];
+  for (int i = 0; i < 3; ++i) {
+    by[i] = to.eps[i] - p.eps[i];
+    by[3 + i] = to.kappa[i] - p.kappa[i];
+    by[6 + i] = to.rho[i] - p.rho[i];
+  }
+  by[9] = to.g1 - p.g1;
+  by[10] = to.g2 - p.g2;
+  Pack* const of[4] = {r.N, r.M, r.K, r.Q};
+  _Pragma("GCC unroll 11") for (int i = 0; i < 11; ++i) {
+    Pack v = D(i, 0) * by[0];
+    _Pragma("GCC unroll 11") for (int j = 1; j < 11; ++j) v += D(i, j) * by[j];
+    of[i / 3][i % 3] += v;
+  }
+}
+
 // Whether in-plane strains and transverse shears are coupled in some element. They are not where the
 // directors are normal to the element.
 template <bool symmetric>

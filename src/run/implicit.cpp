@@ -38,8 +38,8 @@ constexpr int kMostHalvings = 3;
 constexpr double kTurn = 2 * std::numbers::pi / 400, kFurther = 4;
 // Without damping, too, forces that are averaged over a turn make energy of it where stiff cloth turns
 // further in a step: energy and angular momentum hold to some thousandths with a hundred steps a turn, and
-// are lost with half as many.
-constexpr double kWideTurn = 2 * std::numbers::pi / 100;
+// are lost with half as many. Where yarns switch between branches that takes half as many steps again.
+constexpr double kStepsPerTurn = 100, kStepsWithKinks = 150;
 constexpr double kTurning = 0.9;  // of the kinetic energy about the centre of mass
 // With an error asked for: the part of the step that would just do, and the least and the most that one step
 // is of the one before.
@@ -72,6 +72,13 @@ void check_contact(const DynamicOptions& o, const mechanics::Assembly& assembly)
   throw Error("dynamic: field 'beta': expected none beside contact, or gamma/2 = " + number(o.gamma / 2) +
               ", got " + number(*o.beta) +
               ", with which contact makes energy (gamma alone damps there, too)");
+}
+
+double steps_per_turn(const model::Model& model) {
+  for (const auto& section : model.sections())
+    for (const auto& point : section.points)
+      if (point.law->kind != law::CompiledKind::elastic) return kStepsWithKinks;
+  return kStepsPerTurn;
 }
 
 StepControl control_of(const DynamicOptions& o, const mechanics::Assembly& assembly) {
@@ -346,12 +353,13 @@ std::string Implicit::shorten(double turn, double part) {
 void Implicit::watch_turning() {
   if (options_.error || !assembly_->dofs().freedoms().bodies.empty()) return;
   const double turn = damps() ? 0 : turn_per_step();
-  if (!(turn > 1.01 * kWideTurn)) return;
-  const std::string words = shorten(turn, kWideTurn / turn);
+  const double steps = steps_per_turn(*model_), wide = 2 * std::numbers::pi / steps;
+  if (!(turn > 1.01 * wide)) return;
+  const std::string words = shorten(turn, wide / turn);
   if (!words.empty() && !warned("step"))
     warn("step", "dynamic: at time " + number(committed_time()) + " s: " + words +
-                     ", which would make energy of the turning: a hundred steps a turn keep it to some "
-                     "thousandths");
+                     ", which would make energy of the turning: " + number(steps) +
+                     " steps a turn keep it to some thousandths");
 }
 
 void Implicit::damp(Damping damping) {

@@ -317,7 +317,8 @@ Answer EquilibriumProblem::predict(linear::Matrix& K, std::span<double> r, std::
   const bool turns = newmark_ == nullptr && reverses();
   if (const Answer answer = begin_step(); answer != Answer::ok) return answer;
   const auto at = turns ? law::AtSwitch::unloading : law::AtSwitch::loading;
-  if (!assembly_.tangent(step(at), K, lead_, product_)) return made(false);
+  const auto branches = has_branches() ? mechanics::Cloth::Branches::anew : mechanics::Cloth::Branches::own;
+  if (!tangent_with(branches, step(at), K, lead_, product_)) return made(false);
   weigh(r);
   for (std::size_t i = 0; i < r.size(); ++i) lead[i] = -(weight() * product_[i]);
   close(K);
@@ -341,6 +342,23 @@ double EquilibriumProblem::turn_of(std::span<const double> delta) const {
   mechanics::NodalRates way;
   assembly_.dofs().spread_rates(delta, std::vector<double>(lead_.size(), 0), way);
   return assembly_.cloth().largest_turn(way);
+}
+
+bool EquilibriumProblem::tangent_with(mechanics::Cloth::Branches branches, const law::Step& step,
+                                      linear::Matrix& K, std::span<const double> lead,
+                                      std::span<double> product) {
+  auto& cloth = *assembly_.terms().find<mechanics::Cloth>();
+  cloth.take_branches(branches);
+  const bool done = assembly_.tangent(step, K, lead, product, branches == mechanics::Cloth::Branches::kept);
+  cloth.take_branches(mechanics::Cloth::Branches::own);
+  return done;
+}
+
+Answer EquilibriumProblem::tangent_on_branches(linear::Matrix& K, std::span<double> r) {
+  if (!tangent_with(mechanics::Cloth::Branches::kept, step(), K, {}, {})) return made(false);
+  weigh(r);
+  close(K);
+  return Answer::ok;
 }
 
 Answer EquilibriumProblem::extrapolated_tangent(linear::Matrix& K) {

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "mechanics/terms/cloth.hpp"
 #include "run/newmark.hpp"
 #include "solver/arc_length.hpp"
 
@@ -73,6 +74,8 @@ class EquilibriumProblem final : public solver::PathProblem {
   Answer tangent(linear::Matrix& K) override;
   double turn_of(std::span<const double> delta) const override;
   Answer extrapolated_tangent(linear::Matrix& K) override;
+  bool has_branches() const override { return newmark_ != nullptr; }
+  Answer tangent_on_branches(linear::Matrix& K, std::span<double> r) override;
   void save_iterate() override;
   void restore_iterate() override;
   Answer start(linear::Matrix& K, std::span<double> r, std::span<double> q) override;
@@ -91,6 +94,8 @@ class EquilibriumProblem final : public solver::PathProblem {
                      const Poll& poll);  // motion: null: none
   void look_back();
   double goes_on(std::vector<double>& way) const;
+  bool tangent_with(mechanics::Cloth::Branches branches, const law::Step& step, linear::Matrix& K,
+                    std::span<const double> lead, std::span<double> product);
   // The present step as passed to the law.
   law::Step step(law::AtSwitch at = law::AtSwitch::loading) const;
   Answer made(bool done) const { return done ? Answer::ok : assembly_.outcome().answer; }

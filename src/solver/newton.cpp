@@ -1,5 +1,6 @@
 #include "solver/newton.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "solver/line_search.hpp"
@@ -8,6 +9,11 @@ namespace fabricsh::solver {
 
 using linear::all_finite;
 using linear::dot;
+
+namespace {
+constexpr int kMostOnBranches = 12;  // iterations
+constexpr double kLittle = 0.05;     // rad, a turn that leads nowhere else
+}  // namespace
 
 const char* describe(NewtonStatus status) {
   switch (status) {
@@ -72,11 +78,53 @@ NewtonResult failed(Answer answer) {
 }
 }  // namespace
 
-NewtonResult Newton::solve(Problem& problem, const NewtonOptions& options) {
-  resize(problem.size());
+Answer Newton::predict(Problem& problem) {
   const Answer answer = checked(problem.predict(K_, r_, trial_r_), r_);
   for (std::size_t i = 0; i < r_.size(); ++i) r_[i] += trial_r_[i];
-  return answer == Answer::ok ? iterate(problem, options, true) : failed(answer);
+  return answer;
+}
+
+NewtonResult Newton::solve(Problem& problem, const NewtonOptions& options) {
+  resize(problem.size());
+  if (const Answer answer = predict(problem); answer != Answer::ok) return failed(answer);
+  if (!problem.has_branches()) return iterate(problem, options, true);
+  const NewtonResult followed = follow_branches(problem, options);
+  if (followed.status == NewtonStatus::converged) return followed;
+  // A step that begins anew takes the branches as they are.
+  if (const Answer answer = predict(problem); answer != Answer::ok) return failed(answer);
+  NewtonResult result = iterate(problem, options, true);
+  result.iterations += followed.iterations;
+  return result;
+}
+
+// Stresses that are linear about the strains predicted need no line search: what a turn stretches falsely,
+// and where a yarn goes beyond its branch, the next direction takes back.
+NewtonResult Newton::follow_branches(Problem& problem, const NewtonOptions& options) {
+  NewtonResult result;
+  double furthest = 0;
+  for (int i = 0; i < std::min(kMostOnBranches, options.max_iterations) && direction(problem); ++i) {
+    ++result.iterations;
+    result.negative_pivots = linear_->report().negative_pivots;
+    const double turn = problem.turn_of(delta_);
+    if (i == 0) furthest = std::max(turn, kLittle);
+    const double fraction = turn <= furthest ? problem.limit(delta_) : 0;
+    if (!(fraction > 0)) break;
+    problem.apply_increment(delta_, fraction);
+    if (checked(problem.residual(trial_r_), trial_r_) != Answer::ok) break;
+    const auto [size, where] = problem.largest(trial_r_);
+    const double relative = compared(size, problem.force_scale());
+    result.residuals.push_back(relative);
+    result.worst = where;
+    if (!(relative < 1e12)) break;
+    if (problem.at_target() && (relative <= options.tolerance || size <= problem.rounding_floor(K_))) {
+      problem.accept();
+      result.status = NewtonStatus::converged;
+      break;
+    }
+    if (checked(problem.tangent_on_branches(K_, r_), r_) != Answer::ok) break;
+    problem.accept();
+  }
+  return result;
 }
 
 NewtonResult Newton::correct(Problem& problem, const NewtonOptions& options) {

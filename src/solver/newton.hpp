@@ -48,6 +48,11 @@ class Problem {
   // The tangent at the trial configuration for the stresses of the strains that the step from the iterate
   // predicts linearly; the residual is as before. Without quadratic strains: the tangent.
   virtual Answer extrapolated_tangent(Matrix& K) { return tangent(K); }
+  // Whether parts switch between branches, as yarns do. Then the tangent K at the trial configuration for the
+  // stresses of such strains, and the residual r of stresses that are linear about them: each part is on the
+  // branch that it had in the last such tangent, or in predict(), or on the neighbouring one.
+  virtual bool has_branches() const { return false; }
+  virtual Answer tangent_on_branches(Matrix& K, std::span<double> /*r*/) { return tangent(K); }
   // rad: the largest turn that a step along delta makes, of a director, or of a mean edge by its end.
   virtual double turn_of(std::span<const double> delta) const = 0;
   virtual void save_iterate() = 0;     // stores the iterate
@@ -117,6 +122,8 @@ class Newton {
   void keep(Archive& archive) { keep_doubt(archive, *linear_); }
 
  private:
+  Answer predict(Problem& problem);  // with the motion of the supports in r_
+  NewtonResult follow_branches(Problem& problem, const NewtonOptions& options);
   NewtonResult iterate(Problem& problem, const NewtonOptions& options, bool predicted);
   bool direction(Problem& problem);  // delta_ = K^-1 r_, and what the problem adds
   Answer search(Problem& problem, bool line_search);

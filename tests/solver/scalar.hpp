@@ -3,6 +3,7 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -25,6 +26,7 @@ class Scalar final : public solver::PathProblem {
   std::function<bool(double u)> broken;                   // are the forces beyond repair there
   std::function<double(double from, double delta)> safe;  // the share of a step that is
   std::function<double(double u)> stiffness;
+  std::function<std::pair<double, double>(double u)> on_branch;  // stiffness and r, if it has branches
   double committed = 0;
   double rate = 1;             // dr/dt
   std::vector<double> shares;  // of its increments that were tried
@@ -62,6 +64,12 @@ class Scalar final : public solver::PathProblem {
   Answer tangent(Matrix& K) override {
     K.follow(one_by_one());
     K.value[0] = stiffness(trial_);
+    return Answer::ok;
+  }
+  bool has_branches() const override { return static_cast<bool>(on_branch); }
+  Answer tangent_on_branches(Matrix& K, std::span<double> r) override {
+    K.follow(one_by_one());
+    std::tie(K.value[0], r[0]) = on_branch(trial_);
     return Answer::ok;
   }
   double turn_of(std::span<const double> delta) const override { return std::abs(delta[0]); }

@@ -278,3 +278,38 @@ TEST_CASE("forces that are beyond repair end the solve at once, in every solver"
   CHECK(Descent(fabricsh::linear::make_unsymmetric_solver()).solve(four, {.max_iterations = 20000}).status ==
         NewtonStatus::broken);
 }
+
+// Soft, but for a stiff piece of 1e-3 from u = 0.1 on, within which it balances the load.
+TEST_CASE(
+    "what switches between branches goes over to the neighbouring one, and else the line search finds it") {
+  constexpr double soft = 0.02, stiff = 100, first = 0.1, width = 1e-3, load = 0.005;
+  const auto force_on = [&](int branch, double u) {
+    if (branch == 1) return soft * first + stiff * (u - first);
+    return soft * u + (branch == 0 ? 0 : (stiff - soft) * width);
+  };
+  const auto branch_at = [&](double u) { return u < first ? 0 : u < first + width ? 1 : 2; };
+  Scalar problem;
+  problem.force = [&](double u, double) { return load - force_on(branch_at(u), u); };
+  problem.stiffness = [&](double u) { return branch_at(u) == 1 ? stiff : soft; };
+  const auto solve = [&] {
+    return Newton(fabricsh::linear::make_unsymmetric_solver()).solve(problem, {.tolerance = 1e-12});
+  };
+  const NewtonResult searched = solve();
+  CHECK(searched.status == NewtonStatus::converged);
+  const double root = problem.trial();
+  int branch = 0;
+  problem.on_branch = [&](double u) {
+    const int here = branch_at(u);
+    branch = branch == 1 || here == branch ? here : 1;
+    return std::pair{branch == 1 ? stiff : soft, load - force_on(branch, u)};
+  };
+  const NewtonResult followed = solve();
+  CHECK(followed.status == NewtonStatus::converged);
+  CHECK(followed.iterations == 2);
+  CHECK(std::abs(problem.trial() - root) < 1e-12);
+  problem.on_branch = [&](double u) { return std::pair{soft, load - soft * u}; };  // never gets there
+  const NewtonResult neither = solve();
+  CHECK(neither.status == NewtonStatus::converged);
+  CHECK(neither.iterations > searched.iterations);
+  CHECK(std::abs(problem.trial() - root) < 1e-12);
+}

@@ -353,6 +353,11 @@ void Cloth::gather(const Batch& batch, std::span<const double> from, double* to)
       for (int i = 0; i < 3; ++i) to[(3 * a + i) * lanes + l] = from[3 * batch.nodes[l][a] + i];
 }
 
+void Cloth::take_branches(Branches which) {
+  keeps_branches_ = which != Branches::own;
+  if (which == Branches::anew) branches_.assign(states_.committed().size(), 0.0);
+}
+
 // Computes the forces of one batch into its slots, and its tangent if it is asked for. trial: where the
 // batch's trial states are written, null in place. Returns an element whose law failed, or -1.
 Index Cloth::evaluate(Index b, const law::Step& step, double* trial, const TangentOf& tangent) {
@@ -364,6 +369,7 @@ Index Cloth::evaluate(Index b, const law::Step& step, double* trial, const Tange
   double* const now = states_.now() + batch.law;
   element::ShellBatch data{batch.geometry, x, d, basis, now, trial, batch.sharing, tangent.law_only};
   data.wanted = tangent.wanted;
+  if (keeps_branches_ && tangent.K != nullptr && !tangent.law_only) data.now = branches_.data() + batch.law;
   alignas(64) double before_x[12 * lanes], before_d[12 * lanes];
   if (!tangent.before.empty()) {
     const std::size_t n = tangent.before.size() / 3;

@@ -60,6 +60,11 @@ class Cloth final : public Term, public ElementTerm {
   void expect_energies(bool expected) override { sums_expected_ = expected; }
   void commit() override;
   void rollback() override { states_.rollback(); }
+  // Of yarns and shear in the tangents from here on, and the forces with them: their own; or each keeps to
+  // the line of the branch that it had in the last such tangent, and leaves it for the neighbouring one alone
+  // (law/branches.hpp). anew: there was none.
+  enum class Branches { own, anew, kept };
+  void take_branches(Branches which);
   void keep(Archive& archive) override { states_.keep(archive); }
 
   Outcome scatter_tangents(const law::Step& step, bool law_only, Stiffness& stiffness,
@@ -214,6 +219,8 @@ class Cloth final : public Term, public ElementTerm {
   std::vector<BatchLane> place_;     // per element
   GeometryStore geometry_;
   LawStates states_;
+  LineVector branches_;  // of warp, weft and shear, at the places of the first numbers of a law's state
+  bool keeps_branches_ = false;
   std::size_t most_states_ = 0;  // numbers of a batch
   // The configuration and step of the last forces, whose trial states are stored; version 0: none.
   struct Evaluated {
