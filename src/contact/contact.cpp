@@ -414,9 +414,11 @@ void Contact::gather_slot(std::uint32_t i, std::uint32_t from, std::uint32_t to,
     if (k != 0) continue;
     add_energies(slot, sum);
     sum.gap = std::min(sum.gap, slot.gap);
-    sum.struck = sum.struck || slot.barrier.struck;
-    if (slot.guard != 0 && !eases(scene_->interactions()[std::size_t(inner_[i].interaction)]))
-      sum.hard_gap = std::min(sum.hard_gap, slot.gap);
+    if (slot.guard != 0) {
+      const bool cloths = scene_->interactions()[std::size_t(inner_[i].interaction)].cloths;
+      sum.struck = sum.struck || (slot.barrier.struck && !cloths);
+      if (!eases(i)) sum.hard_gap = std::min(sum.hard_gap, slot.gap);
+    }
     ++sum.pairs;
     sum.slips += active_[i] == rubbing ? 1 : 0;
   }
@@ -436,6 +438,12 @@ void Contact::add_points(std::span<Vec3> force, std::span<Vec3> torque, Totals& 
     totals.struck = totals.struck || sum.struck;
     totals.touching += sum.pairs;
   }
+}
+
+// Whether inertia meets the guard of the pair in a slot.
+bool Contact::eases(std::size_t slot) const {
+  const Interaction& it = scene_->interactions()[std::size_t(inner_[slot].interaction)];
+  return eases(it) && !(it.cloths && slots_[slot].barrier.struck);
 }
 
 // What would come in by a good part of the range within a planned step is an impact: inertia would err with
@@ -458,13 +466,21 @@ void Contact::barriers(const std::function<void(std::int32_t, double, const Vec3
   for (const std::uint32_t i : in_use_) {
     const Candidate& c = inner_[i];
     const Force::Barrier& barrier = slots_[i].barrier;
-    if (!(barrier.stiffness > 0) || !eases(scene_->interactions()[std::size_t(c.interaction)])) continue;
+    const Interaction& it = scene_->interactions()[std::size_t(c.interaction)];
+    if (!(barrier.stiffness > 0) || it.cloths || !eases(it)) continue;
     if (c.spot.any())
       for (std::size_t k = 0; k < 3; ++k)
         visit(c.spot.node[k], barrier.stiffness * c.spot.weight(k), barrier.normal);
     for (std::size_t k = c.spot.any() ? 1 : 0; k < 4; ++k)
       if (c.point[k] >= 0 && !rigid(c.point[k]) && barrier.weight[k] != 0)
         visit(c.point[k], barrier.stiffness * std::abs(barrier.weight[k]), barrier.normal);
+  }
+}
+
+void Contact::barriers_between(const VisitBetween& visit) const {
+  for (const std::uint32_t i : in_use_) {
+    const Interaction& it = scene_->interactions()[std::size_t(inner_[i].interaction)];
+    if (it.cloths && eases(i) && slots_[i].barrier.stiffness > 0) visit(inner_[i].point, slots_[i].barrier);
   }
 }
 

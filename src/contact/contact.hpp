@@ -38,7 +38,7 @@ struct Totals {
   // distance from gap to floor of any pair, which is then a lower bound.
   double gap = 0;
   double hard_gap = 0;       // m: the smallest of all pairs with a guard that is not eased; infinite: none
-  bool struck = false;       // whether a pair comes into a guard that may be eased as in an impact
+  bool struck = false;       // whether a pair comes into a guard of a body that may be eased as in an impact
   std::size_t touching = 0;  // pairs
 };
 
@@ -59,16 +59,20 @@ class Contact {
   Totals add_forces(std::span<const Vec3> x, std::span<Vec3> force, const Way& way = {},
                     std::span<Vec3> torque = {});
 
-  // Whether guards that may be eased are, see Interaction::eased. step: s, the planned one, of which a part
-  // is perhaps taken.
+  // Whether guards of bodies that may be eased are, see Interaction::eased; those between cloths always are,
+  // but for a pair that comes in as in an impact. step: s, the planned one, of which a part is perhaps taken.
   void ease(bool on, double step) {
     eases_ = on;
     planned_ = step;
   }
-  bool eases(const Interaction& it) const { return eases_ && it.eased; }
-  // Of the forces that were last added: how stiff the guards that are eased are for each node of the cloth,
-  // N/m, and along which normal; in the pairs' order. The sum is a bound for all that the nodes do at once.
+  bool eases(const Interaction& it) const { return it.eased && (it.cloths || eases_); }
+  // Of the forces that were last added, in the pairs' order: how stiff the guards of bodies that are eased
+  // are for each node of the cloth, N/m, and along which normal. The sum is a bound for all that the nodes do
+  // at once.
   void barriers(const std::function<void(std::int32_t, double, const Vec3&)>& visit) const;
+  // The same of guards between cloths, with the points of each pair and their weights: how its sides part.
+  using VisitBetween = std::function<void(const std::array<std::int32_t, 4>&, const Force::Barrier&)>;
+  void barriers_between(const VisitBetween& visit) const;
 
   // Stiffness of the touching pairs, in the pairs' order: visit(points of the pair, Hessian of its energy,
   // N/m, its friction). With a way the Hessian contains the part of friction: -d force/dx, not symmetric.
@@ -158,6 +162,7 @@ class Contact {
   void keep_slip(std::size_t slot, const Corners& x, const Way& way);
   void note_slips();
   bool passes_on(PairKind kind, std::int32_t first, std::int32_t interaction) const;
+  bool eases(std::size_t slot) const;
   bool approaches_fast(const Candidate& c, const Force& force, const Corners& now, const Way& way) const;
   bool holds_torque(std::uint32_t slot_and_corner) const;
   unsigned planes_of(const Candidate& c, std::span<const unsigned char> planes) const;

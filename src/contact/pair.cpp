@@ -87,17 +87,16 @@ struct Slid {
   double kept() const { return sticks() ? 1 : most / (spring * length); }
 };
 
-// Whether one side of a pair is held or driven, and the other is not.
-bool is_on_fixed(const Touch& touch, const Slip& slip) {
-  double first = 0, second = 0;
+// Whether a side of a pair is neither held nor driven.
+bool gives_way(const Touch& touch, const Slip& slip) {
   for (std::size_t i = 0; i < 4; ++i)
-    (touch.weight[i] > 0 ? first : second) += std::abs(touch.weight[i]) * slip.inverse_mass[i];
-  return (first == 0) != (second == 0);
+    if (touch.weight[i] != 0 && slip.inverse_mass[i] > 0) return true;
+  return false;
 }
 
 // An implicit step has the stiffness at its beginning, so that the pressure is linear in the approach. What
-// an explicit step presses into the guard of a body whose motion is given would swing there from step to
-// step: the guard's stiffness acts on a quarter of the step's approach, too.
+// an explicit step presses into a guard that inertia meets would swing there from step to step: the guard's
+// stiffness acts on a quarter of the step's approach, too.
 void damp(const ContactLaw& law, const Pair& pair, const PressedPlace& at, const Slip& slip, Slid& out) {
   const double opened = at.place.touch.normal.dot(out.moved);
   if (slip.dt == 0 || opened >= 0) return;
@@ -106,7 +105,7 @@ void damp(const ContactLaw& law, const Pair& pair, const PressedPlace& at, const
   const double whole = slip.step == 0 ? law.scaled(gap, pair.scale).stiffness : at.answer.stiffness,
                stiffness = std::min(whole, law.stiffest());
   out.damping_slope = -slip.loss * std::sqrt(stiffness) / slip.dt;
-  if (slip.eased && at.answer.guard > 0 && is_on_fixed(at.place.touch, slip))
+  if (slip.eased && at.answer.guard > 0 && gives_way(at.place.touch, slip))
     out.damping_slope -= of_approach * std::max(0.0, whole - law.stiffest());
   out.damping = out.damping_slope * opened;
 }

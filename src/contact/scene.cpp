@@ -415,6 +415,7 @@ void Scene::meet(int first, int second, const ContactLaw& law, double friction, 
     refuse("friction: expected a static one of at least the kinetic one of " + number(friction) + ", got " +
            number(it.sticking));
   it.rigid = rigid;
+  it.cloths = a == Shape::cloth && b == Shape::cloth;
   if (rigid ? points_first(b) < points_first(a) : a != Shape::cloth) std::swap(it.first, it.second);
   interactions_.push_back(std::move(it));
 }

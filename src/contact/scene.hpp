@@ -75,8 +75,9 @@ struct Interaction {
   // The warp of each triangle of the scene as a sum of its first two sides, those from its first corner: it
   // follows them. Empty without friction by direction.
   std::vector<std::array<double, 2>> warp = {};
+  bool cloths = false;  // both are cloth
   // In explicit steps the guard is met by more inertia of what it presses, and not by shorter steps. Its
-  // second surface is then one whose motion is given.
+  // second surface is then a cloth, or one whose motion is given.
   bool eased = false;
   bool rubs() const { return sticking > 0 || loss > 0 || film.viscous > 0; }
   // Contact points inside the facets of the first surface, a cloth, on the second, a ball or a rod: each of

@@ -1,10 +1,14 @@
-// Explicit steps through the barrier of contact with bodies whose motion is given.
+// Explicit steps through the barriers of contact with bodies whose motion is given, and between cloths.
 //
 // Central differences are stable where dt^2 K <= 4 M. The barrier's stiffness S, which rises without bound,
 // is met by inertia along its normal: M + dt^2 S / 2 takes the place of M in M a = r, with the S of the same
 // positions as r. That is a linearly implicit step of the barrier alone. Where r is zero, nothing changes:
 // what is pressed between tools has the balance that it has in short steps. The rest of r, which the inertia
 // holds back, does a work that comes back as the nodes leave the barrier; the account of the barrier has it.
+//
+// A body takes what is held back of each node. Two cloths give it to each other: the pair's inertia S b b^T,
+// where b has the weights of its corners along the normal, meets only how its sides part. The forces that it
+// holds back are -lambda b of each pair, so that they have neither a sum nor a moment, whatever lambda is.
 #include <unordered_map>
 #include <utility>
 
@@ -13,8 +17,127 @@
 namespace fabricsh::mechanics {
 
 namespace {
-constexpr double kEased = 0.5;  // dt^2 S over the inertia that meets it
-}
+
+constexpr double kEased = 0.5;     // dt^2 S over the inertia that meets it
+constexpr double kSolved = 1e-10;  // of the right-hand side, left by conjugate gradients
+constexpr int kMostIterations = 300;
+
+// A node that guards press: the inertia that bodies add, and the force that is left of the residual.
+struct MetNode {
+  Index node = 0;
+  Mat3 inertia = Mat3::Zero();    // kg, global axes
+  Vec3 force = Vec3::Zero();      // N, global axes
+  Mat3 lightness = Mat3::Zero();  // 1/kg, of what may move
+};
+
+// The same in the node's frame, where what is held or driven has neither force nor added inertia.
+struct InFrame {
+  InFrame(const NodeFreedoms& freedoms, const Mat3& inertia, double of_node, std::span<const double> residual)
+      : mass(of_node) {
+    Mat3 added = freedoms.frame * inertia * freedoms.frame.transpose();
+    for (int c = 0; c < 3; ++c) {
+      if (const Index e = freedoms.equation[static_cast<std::size_t>(c)]; e >= 0) {
+        force[c] = residual[static_cast<std::size_t>(e)];
+        continue;
+      }
+      free[c] = 0;
+      added.row(c).setZero();
+      added.col(c).setZero();
+    }
+    whole = mass * Mat3::Identity() + added;
+  }
+  double mass;                    // kg
+  Mat3 whole;                     // kg
+  Vec3 force = Vec3::Zero();      // N
+  Vec3 free = Vec3::Constant(1);  // 0: held or driven
+};
+
+// Two sides that part by the sum of weights times the nodes' motion along the normal.
+struct Parting {
+  std::array<std::size_t, 4> place{};  // of the pressed nodes
+  std::array<double, 4> weight{};      // 0: no node
+  Vec3 normal = Vec3::Zero();
+  double softness = 0;  // 1/kg: the inverse of the inertia that meets it
+  double of(std::span<const Vec3> moved) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < 4; ++k)
+      if (weight[k] != 0) sum += weight[k] * normal.dot(moved[place[k]]);
+    return sum;
+  }
+};
+
+// The forces lambda of all pairs, N: softness * lambda = b . L (f - sum of lambda b), with the lightness L of
+// the nodes and the forces f on them. The system is symmetric and positive definite: conjugate gradients with
+// its diagonal, always in the same order.
+class Partings {
+ public:
+  Partings(std::span<const MetNode> nodes, std::span<const Parting> pairs)
+      : nodes_(nodes), pairs_(pairs), moved_(nodes.size()) {}
+
+  std::vector<double> solve() {
+    const std::size_t n = pairs_.size();
+    std::vector<double> lambda(n, 0.0), rest(n), scaled(n), along, image(n);
+    for (std::size_t i = 0; i < nodes_.size(); ++i) moved_[i] = nodes_[i].lightness * nodes_[i].force;
+    for (std::size_t p = 0; p < n; ++p) rest[p] = pairs_[p].of(moved_);
+    const std::vector<double> inverse = diagonal();
+    const auto product = [n](const std::vector<double>& a, const std::vector<double>& b) {
+      double sum = 0;
+      for (std::size_t p = 0; p < n; ++p) sum += a[p] * b[p];
+      return sum;
+    };
+    const auto scale = [&] {
+      for (std::size_t p = 0; p < n; ++p) scaled[p] = inverse[p] * rest[p];
+    };
+    scale();
+    along = scaled;
+    double left = product(rest, scaled);
+    const double enough = kSolved * kSolved * left;
+    for (int i = 0; i < kMostIterations && left > enough; ++i) {
+      apply(along, image);
+      const double share = left / product(along, image);
+      for (std::size_t p = 0; p < n; ++p) {
+        lambda[p] += share * along[p];
+        rest[p] -= share * image[p];
+      }
+      scale();
+      const double next = product(rest, scaled);
+      for (std::size_t p = 0; p < n; ++p) along[p] = scaled[p] + next / left * along[p];
+      left = next;
+    }
+    return lambda;
+  }
+
+ private:
+  std::vector<double> diagonal() const {
+    std::vector<double> inverse;
+    for (const Parting& pair : pairs_) {
+      double sum = pair.softness;
+      for (std::size_t k = 0; k < 4; ++k)
+        if (pair.weight[k] != 0)
+          sum += pair.weight[k] * pair.weight[k] *
+                 pair.normal.dot(nodes_[pair.place[k]].lightness * pair.normal);
+      inverse.push_back(1 / sum);
+    }
+    return inverse;
+  }
+
+  void apply(const std::vector<double>& lambda, std::vector<double>& image) {
+    std::fill(moved_.begin(), moved_.end(), Vec3::Zero());
+    for (std::size_t p = 0; p < pairs_.size(); ++p)
+      for (std::size_t k = 0; k < 4; ++k)
+        if (pairs_[p].weight[k] != 0)
+          moved_[pairs_[p].place[k]] += lambda[p] * pairs_[p].weight[k] * pairs_[p].normal;
+    for (std::size_t i = 0; i < nodes_.size(); ++i) moved_[i] = nodes_[i].lightness * moved_[i];
+    for (std::size_t p = 0; p < pairs_.size(); ++p)
+      image[p] = pairs_[p].softness * lambda[p] + pairs_[p].of(moved_);
+  }
+
+  std::span<const MetNode> nodes_;
+  std::span<const Parting> pairs_;
+  std::vector<Vec3> moved_;  // of the nodes
+};
+
+}  // namespace
 
 // The inertia acts on single nodes: none may follow others. A body that forces or its mass move would have a
 // share of the inertia, too.
@@ -23,8 +146,8 @@ void BarrierInertia::allow() {
   if (dofs_.has_ties() || dofs_.joints().any() || !dofs_.stitches().empty()) return;
   for (std::size_t i = 0; i < surfaces.meetings().size(); ++i) {
     const int body = surfaces.body_of(surfaces.scene().interactions()[i].second);
-    if (surfaces.meetings()[i].bodies || body < 0 ||
-        surfaces.bodies().inverse_mass_pressed(static_cast<std::size_t>(body)) > 0)
+    if (surfaces.meetings()[i].bodies ||
+        (body >= 0 && surfaces.bodies().inverse_mass_pressed(static_cast<std::size_t>(body)) > 0))
       continue;
     surfaces.scene().ease(i);
   }
@@ -34,32 +157,49 @@ void BarrierInertia::hold_back(std::span<double> residual) {
   held_.clear();
   const double dt = state_.dt();
   if (!(state_.trial.guard > 0) || !(dt > 0)) return;
-  std::vector<std::pair<Index, Mat3>> inertia;    // by node, in the order of the pairs
+  std::vector<MetNode> met;                       // in the order of the pairs
   std::unordered_map<Index, std::size_t> places;  // in it
+  const auto place_of = [&](std::int32_t node) {
+    const auto [place, added] = places.try_emplace(node, met.size());
+    if (added) met.push_back({node});
+    return place->second;
+  };
+  const auto in_frame = [&](const MetNode& at, std::span<const double> r) {
+    const auto& freedoms = dofs_.freedoms().nodes[static_cast<std::size_t>(at.node)];
+    return InFrame(freedoms, at.inertia, cloth_.mass()[static_cast<std::size_t>(at.node)], r);
+  };
   state_.pairs.barriers([&](std::int32_t node, double stiffness, const Vec3& n) {
-    const auto [place, added] = places.try_emplace(node, inertia.size());
-    if (added) inertia.push_back({node, Mat3::Zero()});
-    inertia[place->second].second += kEased * dt * dt * stiffness * n * n.transpose();
+    met[place_of(node)].inertia += kEased * dt * dt * stiffness * n * n.transpose();
   });
-  for (const auto& [node, added] : inertia) {
-    const NodeFreedoms& freedoms = dofs_.freedoms().nodes[static_cast<std::size_t>(node)];
-    Mat3 in_frame = freedoms.frame * added * freedoms.frame.transpose();
-    Vec3 force = Vec3::Zero();
-    for (int c = 0; c < 3; ++c) {
-      if (freedoms.equation[static_cast<std::size_t>(c)] >= 0) {
-        force[c] = residual[static_cast<std::size_t>(freedoms.equation[static_cast<std::size_t>(c)])];
-        continue;
-      }
-      in_frame.row(c).setZero();
-      in_frame.col(c).setZero();
-    }
-    const double mass = cloth_.mass()[static_cast<std::size_t>(node)];
-    const Mat3 whole = mass * Mat3::Identity() + in_frame;
-    const Vec3 moving = mass * whole.llt().solve(force), rest = force - moving;
+  std::vector<Parting> partings;
+  state_.pairs.barriers_between(
+      [&](const std::array<std::int32_t, 4>& points, const contact::Force::Barrier& barrier) {
+        Parting parting{{}, barrier.weight, barrier.normal, 1 / (kEased * dt * dt * barrier.stiffness)};
+        for (std::size_t k = 0; k < 4; ++k)
+          if (barrier.weight[k] != 0) parting.place[k] = place_of(points[k]);
+        partings.push_back(parting);
+      });
+  for (MetNode& node : met) {
+    const InFrame at = in_frame(node, residual);
+    const Mat3& frame = dofs_.freedoms().nodes[static_cast<std::size_t>(node.node)].frame;
+    node.force = frame.transpose() * at.force;
+    node.lightness = frame.transpose() * (at.whole.inverse() * at.free.asDiagonal()) * frame;
+  }
+  std::vector<Vec3> by_pairs(met.size(), Vec3::Zero());  // N, held back
+  const std::vector<double> lambda = Partings(met, partings).solve();
+  for (std::size_t p = 0; p < partings.size(); ++p)
+    for (std::size_t k = 0; k < 4; ++k)
+      if (partings[p].weight[k] != 0)
+        by_pairs[partings[p].place[k]] += lambda[p] * partings[p].weight[k] * partings[p].normal;
+  for (std::size_t i = 0; i < met.size(); ++i) {
+    const InFrame at = in_frame(met[i], residual);
+    const NodeFreedoms& freedoms = dofs_.freedoms().nodes[static_cast<std::size_t>(met[i].node)];
+    const Vec3 left = at.force - at.free.asDiagonal() * (freedoms.frame * by_pairs[i]);
+    const Vec3 moving = at.mass * at.whole.llt().solve(left), rest = at.force - moving;
     for (int c = 0; c < 3; ++c)
       if (const Index e = freedoms.equation[static_cast<std::size_t>(c)]; e >= 0)
         residual[static_cast<std::size_t>(e)] = moving[c];
-    held_.push_back({node, freedoms.frame.transpose() * rest});
+    held_.push_back({met[i].node, freedoms.frame.transpose() * rest});
   }
 }
 

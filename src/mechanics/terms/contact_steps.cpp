@@ -190,7 +190,7 @@ double ExplicitContact::largest_contact_step() const {
   const contact::Scene& scene = surfaces.scene();
   double stiffest = 0;
   for (std::size_t i = 0; i < surfaces.meetings().size(); ++i)
-    if (const auto& it = scene.interactions()[i]; !it.rigid && !state_.pairs.eases(it))
+    if (const auto& it = scene.interactions()[i]; !it.rigid && (it.cloths || !state_.pairs.eases(it)))
       stiffest = std::max(stiffest, it.law(it.law.floor() + state_.trial.hard_gap).stiffness /
                                         (surfaces.meetings()[i].given ? 1 : eased(scene, it)));
   return std::min({std::sqrt(kInGuard * surfaces.least_areal() / stiffest), carried_by_bodies(kInGuard, true),
