@@ -389,6 +389,7 @@ inline void add_change(const Resistance3& D, const Triangle& t, const Triangle& 
 template <bool symmetric>
 unsigned tangent_of(const section::Section& section, const law::Step& step, const ShellBatch& batch,
                     double* f, double* out) {
+  const bool linear = batch.before_x != nullptr && branches_of(batch) != nullptr;
   const Triangle whole = load_triangle(section, batch);
   Triangle t = whole;
   if (batch.before_x != nullptr) linearise(load_triangle(section, before_step(batch)), section.thickness, t);
@@ -402,13 +403,20 @@ unsigned tangent_of(const section::Section& section, const law::Step& step, cons
   Resistance3 D;
   for (auto& row : D.D)
     for (Pack& entry : row) entry = Pack(0.0);
-  ResultantSums s;
+  ResultantSums s, on_line;
   clear(s);
+  clear(on_line);
   unsigned failed = 0;
   for (int g = 0; g < shell3_points; ++g) {
     Resultants r;
     ThicknessMoments k;
     failed |= integrate(section, step, batch, columns_at(section, batch, g), strains_at(t, g), g, r, &k);
+    if (linear) {
+      add(t, r, section.thickness, g, on_line);
+      // As in shell4_isa.cpp: the stiffness of the law's own stresses.
+      failed |=
+          integrate(section, step, batch, columns_at(section, batch, g), strains_at(t, g), g, r, nullptr);
+    }
     add(t, r, section.thickness, g, s);
     add<symmetric>(t, k, g, D);
   }
@@ -416,9 +424,9 @@ unsigned tangent_of(const section::Section& section, const law::Step& step, cons
   mirror(K);
   const Forces3 forces = forces_of(t, s);
   if (!batch.law_only) add_geometric(s, forces, t, b, K);
-  if (batch.before_x != nullptr && branches_of(batch) != nullptr) {
-    add_change(D, t, whole, section.thickness, s);
-    store_forces(forces_of(t, s), f);
+  if (linear) {
+    add_change(D, t, whole, section.thickness, on_line);
+    store_forces(forces_of(t, on_line), f);
   } else {
     store_forces(forces, f);
   }

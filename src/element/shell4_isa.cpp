@@ -387,6 +387,9 @@ unsigned tangent_of(const section::Section& section, const law::Step& step, cons
       add_change<symmetric>(stiffness, p, whole[g], moved);
       if (easing.any) take_membrane(moved, eased_on_line[g]);
       add_force(p, moved, section.thickness, g, on_line);
+      // The stiffness of the stresses is that of the law's own: beyond its branch a line may press hard.
+      failed |=
+          integrate(section, step, batch, batch.geometry + layout.point(g, 0) * lanes, p, g, r, nullptr);
     }
     if (easing.any) take_membrane(r, eased_away[g]);
     add_force(p, r, section.thickness, g, forces);
