@@ -386,6 +386,11 @@ inline void add_change(const Resistance3& D, const Triangle& t, const Triangle& 
   }
 }
 
+[[gnu::noinline]] void own_resultants(const section::Section& section, const law::Step& step,
+                                      const ShellBatch& batch, const Triangle& t, int g, Resultants& r) {
+  integrate(section, step, batch, columns_at(section, batch, g), strains_at(t, g), g, r, nullptr);
+}
+
 template <bool symmetric>
 unsigned tangent_of(const section::Section& section, const law::Step& step, const ShellBatch& batch,
                     double* f, double* out) {
@@ -414,8 +419,7 @@ unsigned tangent_of(const section::Section& section, const law::Step& step, cons
     if (linear) {
       add(t, r, section.thickness, g, on_line);
       // As in shell4_isa.cpp: the stiffness of the law's own stresses.
-      failed |=
-          integrate(section, step, batch, columns_at(section, batch, g), strains_at(t, g), g, r, nullptr);
+      own_resultants(section, step, batch, t, g, r);
     }
     add(t, r, section.thickness, g, s);
     add<symmetric>(t, k, g, D);
