@@ -16,7 +16,8 @@ struct TrianglePair {
 using RankOf = std::function<std::int64_t(const std::array<Index, 4>&)>;  // 0: never to be joined
 
 // Pairs without a common triangle, the best first. Then others take their place where that joins two more
-// triangles by at most so many new pairs, by as few as possible; the search doubles with each.
+// triangles: by at most so many new pairs, those that lose least, and then by any number of them (Edmonds'
+// matching, in which a search ends after 3000 triangles). With 0 none takes the place of another.
 std::vector<TrianglePair> match_triangles(const Mesh& mesh, const RankOf& rank, int most_new);
 
 }  // namespace fabricsh::mesh

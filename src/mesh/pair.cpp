@@ -10,7 +10,7 @@ namespace fabricsh::mesh {
 namespace {
 
 constexpr double kLeastSine = 0.5;     // of a corner
-constexpr int kMostNew = 10;           // pairs in place of others that join two more triangles
+constexpr int kMostNew = 4;            // pairs in place of others that join two more triangles
 constexpr double kLeastFlat = 0.9848;  // cosine between the two triangles: 10 degrees
 
 std::size_t place_of(Index i) { return static_cast<std::size_t>(i); }
