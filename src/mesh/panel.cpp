@@ -2,16 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <numeric>
 #include <tuple>
 
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "mesh/check.hpp"
+#include "mesh/edges.hpp"
 #include "mesh/generators.hpp"
 #include "mesh/lattice.hpp"
 #include "mesh/matching.hpp"
 #include "mesh/rim.hpp"
+#include "mesh/smoothing.hpp"
 #include "mesh/triangulate.hpp"
 
 namespace fabricsh::mesh {
@@ -28,33 +32,67 @@ struct Points {
   Index rim = 0;                           // how many are on the rim
 };
 
+enum class Kind {
+  mixed,  // squares, and a rim of triangles as far as no two form a good quadrilateral
+  halved  // such a mesh of twice the size, cut at the middles of all sides: quadrilaterals alone
+};
+
+// The panel of which a mesh is made that is then cut at the middles of all sides.
+Panel doubled(const Panel& shape) {
+  Panel twice = shape;
+  twice.size *= 2;
+  const auto halve = [](Loop& loop) {
+    for (OutlinePiece& piece : loop) {
+      if (piece.elements % 2 != 0)
+        refuse_panel("quadrilaterals", "expected an even number of elements along each piece, got " +
+                                           std::to_string(piece.elements) +
+                                           (piece.edge.empty() ? "" : " along '" + piece.edge + "'"));
+      piece.elements /= 2;
+    }
+  };
+  halve(twice.outline);
+  for (Loop& hole : twice.holes) halve(hole);
+  return twice;
+}
+
 class PanelMesher {
  public:
-  explicit PanelMesher(const Panel& shape)
-      : shape_(shape), border_(border_of(shape, notches_)), weave_(weave_of(shape, border_)) {}
+  explicit PanelMesher(const Panel& shape, Kind kind = Kind::mixed)
+      : shape_(kind == Kind::halved ? doubled(shape) : shape),
+        kind_(kind),
+        size_(shape.size),
+        border_(border_of(shape_, notches_)),
+        weave_(weave_of(shape_, border_)) {}
 
   Mesh make();
 
  private:
   void check_size() const;
-  void check_lines() const;
+  void check_lines(std::vector<Rim::RimEdge> links) const;
+  std::vector<Rim::RimEdge> border_links() const;
   void check_pair(const Rim::RimEdge& a, const Rim::RimEdge& b) const;
   Vec2 meeting(const Rim::RimEdge& a, const Rim::RimEdge& b) const;
   void check_holes() const;
   void add_rim_points();
   void add_lattice_points();
+  std::vector<Corners> triangles_between() const;
+  void cut();
   std::vector<char> inside(Index row) const;
   void strike_near(std::vector<char>& kept) const;
   Vec2 lattice_point(Index i, Index j) const;
   void add_point(const Vec2& local, const std::array<Index, 2>& cell);
   void pair_up(const std::vector<Corners>& triangles);
+  void smooth_within(int sides);
+  void sort_points();
   void sort_elements();
   void name_sets(Mesh& mesh) const;
   void check_result(const Mesh& mesh) const;
   const Side& side(const Rim::RimEdge& link) const { return border_[link.loop][link.side]; }
   double rim_area() const;
 
-  const Panel& shape_;
+  const Panel shape_;
+  const Kind kind_;
+  const double size_;  // that was asked for
   std::vector<Vec2> notches_;
   Border border_;
   Weave weave_;
@@ -64,9 +102,9 @@ class PanelMesher {
 };
 
 void PanelMesher::check_size() const {
-  if (shape_.size > weave_.size.minCoeff() * (1 + 1e-9))
+  if (size_ > weave_.size.minCoeff() * (1 + 1e-9))
     refuse_panel("size", "expected at most the smaller extent of the panel, " +
-                             number(weave_.size.minCoeff()) + " m, got " + number(shape_.size));
+                             number(weave_.size.minCoeff()) + " m, got " + number(size_));
 }
 
 void PanelMesher::add_point(const Vec2& local, const std::array<Index, 2>& cell) {
@@ -115,11 +153,10 @@ Vec2 PanelMesher::meeting(const Rim::RimEdge& a, const Rim::RimEdge& b) const {
 }
 
 // By a sweep along the rows.
-void PanelMesher::check_lines() const {
+void PanelMesher::check_lines(std::vector<Rim::RimEdge> links) const {
   const auto& x = points_.grid;
   const auto low = [&x](const Rim::RimEdge& l) { return std::min(x[at(l.first)][0], x[at(l.second)][0]); };
   const auto high = [&x](const Rim::RimEdge& l) { return std::max(x[at(l.first)][0], x[at(l.second)][0]); };
-  std::vector<Rim::RimEdge> links = rim_.links;
   std::stable_sort(links.begin(), links.end(),
                    [&](const Rim::RimEdge& a, const Rim::RimEdge& b) { return low(a) < low(b); });
   for (std::size_t i = 0; i < links.size(); ++i)
@@ -176,10 +213,12 @@ double distance(const Vec2& x, const Vec2& a, const Vec2& b) {
 // The least distance of a point of the lattice from the rim, of the smaller step. By trial: of the shares
 // from 0.35 to 0.8 the one with the best worst angle over circles, trapezoids and a bodice (27 degrees).
 constexpr double clearance = 0.7;
+// The same where nodes move afterwards, which needs less, and a narrow panel keeps more rows.
+constexpr double clearance_moved = 0.45;
 
 // Strikes out the points of the lattice that are nearer to the rim than that.
 void PanelMesher::strike_near(std::vector<char>& kept) const {
-  const double least = clearance * weave_.step.minCoeff();
+  const double least = (kind_ == Kind::mixed ? clearance : clearance_moved) * weave_.step.minCoeff();
   for (const Rim::RimEdge& link : rim_.links) {
     const Vec2 &a = points_.local[at(link.first)], &b = points_.local[at(link.second)];
     const Vec2 low = (a.cwiseMin(b) - weave_.low).array() - least,
@@ -205,6 +244,63 @@ void PanelMesher::add_lattice_points() {
   for (Index j = 0; j <= weave_.cells[1]; ++j)
     for (Index i = 0; i < width; ++i)
       if (kept[at(j * width + i)] != 0) add_point(lattice_point(i, j), {i, j});
+}
+
+// The sides of the triangles on the rim. Of a rim that is halved every other node is a corner of them.
+std::vector<Rim::RimEdge> PanelMesher::border_links() const {
+  if (kind_ == Kind::mixed) return rim_.links;
+  std::vector<Rim::RimEdge> links;
+  for (std::size_t l = 0; l < rim_.links.size(); l += 2) {
+    links.push_back(rim_.links[l]);
+    links.back().second = rim_.links[l + 1].second;
+  }
+  return links;
+}
+
+std::vector<Corners> PanelMesher::triangles_between() const {
+  const Index every = kind_ == Kind::halved ? 2 : 1;
+  std::vector<Index> ids, place(points_.local.size(), -1);
+  std::vector<GridPoint> grid;
+  for (Index i = 0; i < static_cast<Index>(points_.local.size()); ++i)
+    if (i >= points_.rim || i % every == 0) {
+      place[at(i)] = static_cast<Index>(ids.size());
+      ids.push_back(i);
+      grid.push_back(points_.grid[at(i)]);
+    }
+  std::vector<Segment> border;
+  for (const Rim::RimEdge& link : border_links())
+    border.push_back({place[at(link.first)], place[at(link.second)]});
+  std::vector<Corners> triangles = triangulate(grid, border);
+  for (Corners& t : triangles)
+    for (Index& id : t) id = ids[at(id)];
+  return triangles;
+}
+
+// Cuts every element at the middles of its sides, those on the rim at the nodes that are there.
+void PanelMesher::cut() {
+  std::map<std::pair<Index, Index>, Index> middle;
+  for (std::size_t l = 0; l < rim_.links.size(); l += 2)
+    middle[std::minmax(rim_.links[l].first, rim_.links[l + 1].second)] = rim_.links[l].second;
+  const auto add = [this](const Vec2& x) {
+    points_.local.push_back(x);
+    return static_cast<Index>(points_.local.size()) - 1;
+  };
+  std::vector<std::array<Index, 4>> whole;
+  std::swap(whole, elements_);
+  for (const auto& ids : whole) {
+    const std::size_t n = corner_count(ids);
+    std::array<Index, 4> on;
+    Vec2 sum = Vec2::Zero();
+    for (std::size_t i = 0; i < n; ++i) {
+      const Index a = ids[i], b = ids[(i + 1) % n];
+      const auto [there, fresh] = middle.try_emplace(std::minmax(a, b), 0);
+      if (fresh) there->second = add((points_.local[at(a)] + points_.local[at(b)]) / 2);
+      on[i] = there->second;
+      sum += points_.local[at(a)] / static_cast<double>(n);
+    }
+    const Index inside = add(sum);
+    for (std::size_t i = 0; i < n; ++i) elements_.push_back({ids[i], on[i], inside, on[(i + n - 1) % n]});
+  }
 }
 
 // How far a quadrilateral is from a rectangle: the sine of its worst corner; 0 if it is not convex or if that
@@ -245,6 +341,42 @@ void PanelMesher::pair_up(const std::vector<Corners>& triangles) {
     }
   for (std::size_t t = 0; t < triangles.size(); ++t)
     if (used[t] == 0) elements_.push_back({triangles[t][0], triangles[t][1], triangles[t][2], -1});
+}
+
+// Moves the points that are at most so many sides of elements from the rim and not on it.
+void PanelMesher::smooth_within(int sides) {
+  std::vector<char> reached(points_.local.size(), 0);
+  std::fill_n(reached.begin(), points_.rim, char{1});
+  for (int k = 0; k < sides; ++k) {
+    const std::vector<char> before = reached;
+    for (const auto& ids : elements_)
+      for (std::size_t i = 0; i < 4; ++i)
+        if (before[at(ids[i])] != 0) reached[at(ids[(i + 1) % 4])] = reached[at(ids[(i + 3) % 4])] = 1;
+  }
+  std::vector<Index> free;
+  for (Index i = points_.rim; i < static_cast<Index>(points_.local.size()); ++i)
+    if (reached[at(i)] != 0) free.push_back(i);
+  smooth(points_.local, elements_, free);
+}
+
+// Numbers the points inside row by row.
+void PanelMesher::sort_points() {
+  std::vector<std::tuple<Index, Index, Index>> keys;
+  for (Index i = points_.rim; i < static_cast<Index>(points_.local.size()); ++i) {
+    const Vec2 place = 2 * (points_.local[at(i)] - weave_.low).cwiseQuotient(weave_.step);
+    keys.emplace_back(std::llround(place.y()), std::llround(place.x()), i);
+  }
+  std::sort(keys.begin(), keys.end());
+  const std::vector<Vec2> before = points_.local;
+  std::vector<Index> number(before.size());
+  std::iota(number.begin(), number.end(), Index{0});
+  for (std::size_t k = 0; k < keys.size(); ++k) {
+    const Index now = points_.rim + static_cast<Index>(k), old = std::get<2>(keys[k]);
+    number[at(old)] = now;
+    points_.local[at(now)] = before[at(old)];
+  }
+  for (auto& ids : elements_)
+    for (Index& id : ids) id = number[at(id)];
 }
 
 // Row by row of the lattice, by the cell that has the middle of the element.
@@ -294,23 +426,27 @@ void PanelMesher::check_result(const Mesh& mesh) const {
         item.elements.empty() ? item.nodes.front() : mesh.elements[at(item.elements.front())][0];
     const Vec3& x = mesh.nodes[at(node)];
     refuse_panel("size", "no good mesh near " + place_text({x.x(), x.y()}) + " with elements of " +
-                             number(shape_.size) + " m (" + item.text + "): try a smaller size");
+                             number(size_) + " m (" + item.text + "): try a smaller size");
   }
   if (std::abs(report.measures.area / rim_area() - 1) > 1e-9)
-    refuse_panel("size", "elements of " + number(shape_.size) + " m cover " + number(report.measures.area) +
+    refuse_panel("size", "elements of " + number(size_) + " m cover " + number(report.measures.area) +
                              " m2 in place of " + number(rim_area()) + ": try a smaller size");
 }
 
 Mesh PanelMesher::make() {
   check_size();
-  rim_ = lay_nodes(border_, weave_);
+  rim_ = lay_nodes(border_, weave_, kind_ == Kind::halved);
   add_rim_points();
-  check_lines();
+  check_lines(rim_.links);
+  if (kind_ == Kind::halved) check_lines(border_links());
   check_holes();
   add_lattice_points();
-  std::vector<Segment> border;
-  for (const Rim::RimEdge& link : rim_.links) border.push_back({link.first, link.second});
-  pair_up(triangulate(points_.grid, border));
+  pair_up(triangles_between());
+  if (kind_ == Kind::halved) {
+    cut();
+    smooth_within(6);
+    sort_points();
+  }
   sort_elements();
   Mesh mesh;
   for (std::size_t i = 0; i < points_.local.size(); ++i) {
@@ -367,11 +503,17 @@ std::ptrdiff_t triangles_of(const Mesh& mesh) {
                        [](const auto& element) { return element[3] < 0; });
 }
 
+// A mesh and the shape with the rows that it has.
+struct Meshed {
+  Mesh mesh;
+  Panel shape;
+};
+
 // Stiff yarns lock the triangles of a rim that they cross obliquely, so rows are along sides that are oblique
 // to the grain where these leave less than half as many.
-Mesh best_of_rows(const Panel& shape) {
-  Mesh best = PanelMesher(shape).make();
-  std::ptrdiff_t fewest = (triangles_of(best) + 1) / 2;
+Meshed best_of_rows(const Panel& shape) {
+  Meshed best{PanelMesher(shape).make(), shape};
+  std::ptrdiff_t fewest = (triangles_of(best.mesh) + 1) / 2;
   for (const double rows : oblique_sides(shape)) {
     if (fewest == 0) break;
     Panel turned = shape;
@@ -380,12 +522,63 @@ Mesh best_of_rows(const Panel& shape) {
       Mesh other = PanelMesher(turned).make();
       if (triangles_of(other) >= fewest) continue;
       fewest = triangles_of(other);
-      best = std::move(other);
+      best = {std::move(other), turned};
     } catch (const Error&) {
       // These rows give no good mesh; the one along the grain is there.
     }
   }
   return best;
+}
+
+double area_of(const Mesh& mesh, const std::array<Index, 4>& ids) {
+  const auto x = [&](std::size_t k) -> const Vec3& { return mesh.nodes[at(ids[k])]; };
+  return ids[3] < 0 ? (x(1) - x(0)).cross(x(2) - x(0)).norm() / 2
+                    : (x(2) - x(0)).cross(x(3) - x(1)).norm() / 2;
+}
+
+// The least height of an element over its longest side, which the explicit step goes with, m.
+double narrowest(const Mesh& mesh) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& ids : mesh.elements) {
+    const std::size_t n = corner_count(ids);
+    double longest = 0;
+    for (std::size_t i = 0; i < n; ++i)
+      longest = std::max(longest, (mesh.nodes[at(ids[i])] - mesh.nodes[at(ids[(i + 1) % n])]).norm());
+    least = std::min(least, (n == 3 ? 2 : 1) * area_of(mesh, ids) / longest);
+  }
+  return least;
+}
+
+double share_of_triangles(const Mesh& mesh) {
+  double all = 0, triangles = 0;
+  for (const auto& ids : mesh.elements) {
+    const double area = area_of(mesh, ids);
+    all += area;
+    if (ids[3] < 0) triangles += area;
+  }
+  return triangles / all;
+}
+
+// Whether triangles lock so much of a panel that it is better without them: always where the yarns cross all
+// elements obliquely, otherwise from the share of which a model warns.
+bool triangles_matter(const Meshed& with) {
+  constexpr double much = 0.05;
+  const double share = share_of_triangles(with.mesh);
+  return share > (with.shape.rows ? 0 : much);
+}
+
+// Without triangles where they matter, unless elements would become much narrower.
+Mesh best_of_kinds(const Panel& shape) {
+  Meshed with = best_of_rows(shape);
+  if (!triangles_matter(with)) return std::move(with.mesh);
+  const double least = std::min(0.7 * narrowest(with.mesh), 0.35 * shape.size);
+  try {
+    Mesh without = PanelMesher(with.shape, Kind::halved).make();
+    if (narrowest(without) >= least) return without;
+  } catch (const Error&) {
+    // An odd number of elements along a side, or a shape too narrow for elements of twice the size.
+  }
+  return std::move(with.mesh);
 }
 
 }  // namespace
@@ -394,7 +587,12 @@ Mesh panel(const Panel& shape) {
   check_length("panel", "size", shape.size);
   if (!std::isfinite(shape.grain)) refuse_panel("grain", "expected an angle in degrees");
   if (shape.rows && !std::isfinite(*shape.rows)) refuse_panel("rows", "expected an angle in degrees");
-  return shape.rows || shape.triangles ? PanelMesher(shape).make() : best_of_rows(shape);
+  const bool chosen = shape.rows || shape.triangles;
+  if (!shape.quadrilaterals) return chosen ? PanelMesher(shape).make() : best_of_kinds(shape);
+  if (!*shape.quadrilaterals) return chosen ? PanelMesher(shape).make() : best_of_rows(shape).mesh;
+  if (shape.triangles) refuse_panel("quadrilaterals", "expected false with triangles=true");
+  const Panel rowed = chosen ? shape : best_of_rows(shape).shape;
+  return PanelMesher(rowed, Kind::halved).make();
 }
 
 }  // namespace fabricsh::mesh

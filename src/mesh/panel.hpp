@@ -45,16 +45,21 @@ struct Panel {
   // are oblique to it where that leaves less than half as many triangles.
   std::optional<double> rows = {};
   bool triangles = false;  // equilateral inside, instead of squares
+  // Whether no element is a triangle. None: where neither rows nor triangles are asked for and a mesh with
+  // triangles has rows oblique to the grain, or more than a twentieth of its area in triangles, unless
+  // elements would become much narrower.
+  std::optional<bool> quadrilaterals = {};
 };
 
 // A flat mesh in the x-y plane, normal +z. Inside: rows of squares that fit the panel's extent along and
 // across them. Between them and the border: triangles, and quadrilaterals where two triangles form a good
-// one. All border nodes lie on the curves. Numbers: first the nodes of the outline, counter-clockwise from
-// its start (or from its end if it was drawn clockwise), then those of the holes, then row by row inside. The
-// warp of each element is along the grain. Sets: the edges; of an edge that darts cut, also its parts NAME_1,
-// NAME_2, ...; the notches; boundary, all. The mesh passes check(). Errors name the field, the edge and the
-// place: lines that are open, cross or touch; a hole or a tip outside; a notch or a dart off its edge; sizes;
-// names taken twice.
+// one; or, of quadrilaterals alone, such a mesh of twice the size cut at the middles of all sides, with the
+// nodes near the border moved to better places. All border nodes lie on the curves. Numbers: first the nodes
+// of the outline, counter-clockwise from its start (or from its end if it was drawn clockwise), then those of
+// the holes, then row by row inside. The warp of each element is along the grain. Sets: the edges; of an edge
+// that darts cut, also its parts NAME_1, NAME_2, ...; the notches; boundary, all. The mesh passes check().
+// Errors name the field, the edge and the place: lines that are open, cross or touch; a hole or a tip
+// outside; a notch or a dart off its edge; sizes; names taken twice.
 Mesh panel(const Panel& shape);
 
 }  // namespace fabricsh::mesh

@@ -323,8 +323,9 @@ Weave weave_of(const Panel& shape, const Border& border) {
 namespace {
 
 // Places of nodes between two stops of a side, without these: where lines of the lattice meet it if it is
-// along one of the axes, and evenly otherwise. A curve turns by at most 45 degrees from node to node.
-std::vector<double> places_between(const Side& side, double from, double to, const Weave& weave) {
+// along one of the axes, and evenly otherwise. A curve turns by at most this angle from node to node.
+std::vector<double> places_between(const Side& side, double from, double to, const Weave& weave,
+                                   double most_turn) {
   const double length = to - from;
   std::vector<double> places;
   const Vec2 a = weave.local(side.curve.at(from)), b = weave.local(side.curve.at(to));
@@ -337,7 +338,7 @@ std::vector<double> places_between(const Side& side, double from, double to, con
     std::sort(places.begin(), places.end());
     return places;
   }
-  const double turns = side.curve.part(from, to).turning() / (std::numbers::pi / 4);
+  const double turns = side.curve.part(from, to).turning() / most_turn;
   const auto parts =
       std::max<Index>({1, std::llround(length / side.step), static_cast<Index>(std::ceil(turns - 1e-6))});
   for (Index i = 1; i < parts; ++i)
@@ -346,17 +347,25 @@ std::vector<double> places_between(const Side& side, double from, double to, con
 }
 
 // All places of nodes on a side but its end.
-std::vector<double> places_on(const Side& side, const Weave& weave) {
+std::vector<double> places_on(const Side& side, const Weave& weave, bool halved) {
+  const double most_turn = halved ? std::numbers::pi / 2 : std::numbers::pi / 4;
   std::vector<double> places, stops = side.stops;
   stops.push_back(side.curve.length());
   double from = 0;
   for (const double stop : stops) {
     places.push_back(from);
-    const auto between = places_between(side, from, stop, weave);
+    const auto between = places_between(side, from, stop, weave, most_turn);
     places.insert(places.end(), between.begin(), between.end());
     from = stop;
   }
-  return places;
+  if (!halved) return places;
+  std::vector<double> with_middles;
+  places.push_back(side.curve.length());
+  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+    with_middles.push_back(places[i]);
+    with_middles.push_back((places[i] + places[i + 1]) / 2);
+  }
+  return with_middles;
 }
 
 // The nodes of an edge, run by run: where a dart interrupts it a new run begins.
@@ -379,12 +388,12 @@ void name_edges(const std::vector<Side>& sides, const std::vector<NodeSet>& node
   if (last.empty()) runs.erase(sides.back().edge);
 }
 
-void lay_loop(Rim& rim, const std::vector<Side>& sides, std::size_t loop, const Weave& weave,
+void lay_loop(Rim& rim, const std::vector<Side>& sides, std::size_t loop, const Weave& weave, bool halved,
               std::map<std::string, std::vector<NodeSet>>& runs) {
   const auto first = static_cast<Index>(rim.nodes.size());
   std::vector<NodeSet> of_side(sides.size());
   for (std::size_t s = 0; s < sides.size(); ++s)
-    for (const double place : places_on(sides[s], weave)) {
+    for (const double place : places_on(sides[s], weave, halved)) {
       const auto node = static_cast<Index>(rim.nodes.size());
       of_side[s].push_back(node);
       rim.links.push_back({node, node + 1, loop, s});
@@ -414,12 +423,12 @@ void check_nodes(const Border& border) {
 
 }  // namespace
 
-Rim lay_nodes(const Border& border, const Weave& weave) {
+Rim lay_nodes(const Border& border, const Weave& weave, bool halved) {
   check_nodes(border);
   Rim rim;
   for (std::size_t l = 0; l < border.size(); ++l) {
     std::map<std::string, std::vector<NodeSet>> runs;
-    lay_loop(rim, border[l], l, weave, runs);
+    lay_loop(rim, border[l], l, weave, halved, runs);
     for (const auto& [edge, parts] : runs)
       for (std::size_t i = 0; i < parts.size(); ++i) {
         auto& all = rim.sets[edge];

@@ -50,7 +50,8 @@ struct Rim {
   std::vector<RimEdge> links;
   std::map<std::string, NodeSet> sets;
 };
-Rim lay_nodes(const Border& border, const Weave& weave);
+// halved: every other node is the middle between two that are laid as usual, all on the curves.
+Rim lay_nodes(const Border& border, const Weave& weave, bool halved);
 
 // Twice the area that a closed line through the points encloses, m2; positive if it runs counter-clockwise.
 double doubled_area(const std::vector<Vec2>& line);

@@ -174,8 +174,9 @@ std::string warning_of(const Outlook& o) {
         "across, at 45 degrees: from 22 times too strong to 1.4)";
   else if (o.yarns.triangles > 0)
     text +=
-        "; quadrilaterals lock far less: mesh:refine() makes them of all elements, so that one may begin "
-        "with elements of twice the size";
+        "; quadrilaterals lock far less: a panel is of them with quadrilaterals=true, and mesh:refine() "
+        "makes "
+        "them of all elements of any mesh, so that one may begin with elements of twice the size";
   return text;
 }
 

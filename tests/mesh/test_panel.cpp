@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <random>
 
 #include "mesh/check.hpp"
@@ -141,16 +142,136 @@ TEST_CASE("rows follow straight sides oblique to the grain where few triangles a
         triangles(panel({.outline = trapezoid, .size = 0.013, .grain = 45, .rows = 45})));
   // A circle has no straight side; sides within five degrees of the grain do not count.
   const Loop circle{{PlaneCurve::circle({0, 0}, 0.1), "rim"}};
-  CHECK(panel({.outline = circle, .size = 0.01, .grain = 30}).elements ==
+  CHECK(panel({.outline = circle, .size = 0.01, .grain = 30, .quadrilaterals = false}).elements ==
         panel({.outline = circle, .size = 0.01, .grain = 30, .rows = 30}).elements);
   CHECK(panel({.outline = strip, .size = 0.01, .grain = 24}).elements ==
         panel({.outline = strip, .size = 0.01, .grain = 24, .rows = 24}).elements);
 }
 
+namespace {
+
+// A barrel, 70 to 90 mm wide, a moon, a collar and a cap of a sleeve.
+Loop barrel() {
+  return {{PlaneCurve::line({0, 0}, {0.07, 0}), "low"},
+          {PlaneCurve::arc_through({0.07, 0}, {0.08, 0.1}, {0.07, 0.2}), "right"},
+          {PlaneCurve::line({0.07, 0.2}, {0, 0.2}), "high"},
+          {PlaneCurve::arc_through({0, 0.2}, {-0.01, 0.1}, {0, 0}), "left"}};
+}
+Loop collar() {
+  return {{PlaneCurve::arc_about({0, 0}, {0.2, 0}, {0, 0.2}, false), "outer"},
+          {PlaneCurve::line({0, 0.2}, {0, 0.13}), "end"},
+          {PlaneCurve::arc_about({0, 0}, {0, 0.13}, {0.13, 0}, true), "inner"},
+          {PlaneCurve::line({0.13, 0}, {0.2, 0}), "start"}};
+}
+Loop cap() {
+  return {{PlaneCurve::line({-0.15, 0}, {0.15, 0}), "bicep"},
+          {PlaneCurve::bezier({{0.15, 0}, {0.1, 0.02}, {0.08, 0.13}, {0, 0.13}}), "front"},
+          {PlaneCurve::bezier({{0, 0.13}, {-0.08, 0.13}, {-0.1, 0.02}, {-0.15, 0}}), "back"}};
+}
+
+double polygon_area(const Mesh& mesh, Index rim) {
+  double twice = 0;
+  for (Index i = 0; i < rim; ++i) {
+    const Vec3 &p = mesh.nodes[i], &q = mesh.nodes[(i + 1) % rim];
+    twice += p.x() * q.y() - p.y() * q.x();
+  }
+  return twice / 2;
+}
+
+}  // namespace
+
+TEST_CASE("panels of quadrilaterals alone: nodes on the curves, the area, the angles", "[mesh][panel]") {
+  for (const Loop& outline : {barrel(), collar(), cap()})
+    for (const double size : {0.03, 0.017, 0.008})
+      for (const double grain : {0.0, 25.0, 45.0, 62.0}) {
+        const Mesh mesh = panel({.outline = outline, .size = size, .grain = grain, .quadrilaterals = true});
+        CAPTURE(size, grain, outline.front().edge);
+        sound(mesh, outline.front().edge == "bicep" ? 8 : 30);
+        CHECK(check(mesh).measures.triangles == 0);
+        Index rim = 0;
+        for (const OutlinePiece& piece : outline) {
+          const NodeSet& ids = mesh.set(piece.edge);
+          CHECK(ids.size() % 2 == 1);  // an even number of elements
+          CHECK(static_cast<double>(ids.size() - 1) ==
+                Approx(piece.curve.length() / size).margin(piece.curve.straight() ? 2 : 1.001));
+          rim += static_cast<Index>(ids.size()) - 1;
+          for (const Index n : ids) {
+            const Vec2 x(mesh.nodes[n].x(), mesh.nodes[n].y());
+            CHECK((piece.curve.at(piece.curve.nearest(x)) - x).norm() < 1e-9);
+          }
+          // In their order, at even distances along the edge.
+          const double step = piece.curve.length() / static_cast<double>(ids.size() - 1);
+          if (ids.back() == ids.front() + static_cast<Index>(ids.size()) - 1)
+            for (std::size_t i = 0; i + 1 < ids.size() && !piece.curve.straight(); ++i)
+              CHECK((piece.curve.at(step * static_cast<double>(i)) -
+                     Vec2(mesh.nodes[ids[i]].x(), mesh.nodes[ids[i]].y()))
+                        .norm() < 1e-9);
+        }
+        CHECK(static_cast<Index>(mesh.set("boundary").size()) == rim);
+        CHECK(area(mesh) == Approx(polygon_area(mesh, rim)).epsilon(1e-12));
+        const Mesh again = panel({.outline = outline, .size = size, .grain = grain, .quadrilaterals = true});
+        CHECK(again.nodes == mesh.nodes);
+        CHECK(again.elements == mesh.elements);
+      }
+}
+
+TEST_CASE("quadrilaterals alone with a hole, a dart, notches and numbers of elements", "[mesh][panel]") {
+  Panel shape{.outline = barrel(),
+              .holes = {{{PlaneCurve::circle({0.03, 0.14}, 0.018), "vent", 12}}},
+              .darts = {{"dart", {0.03, 0}, {0.035, 0.05}, {0.04, 0}}},
+              .notches = {{"mark", "right", {}, 0.35}},
+              .size = 0.009,
+              .grain = 33,
+              .quadrilaterals = true};
+  shape.outline[2].elements = 10;
+  const Mesh mesh = panel(shape);
+  sound(mesh, 15);
+  CHECK(check(mesh).measures.triangles == 0);
+  CHECK(mesh.set("vent").size() == 12);
+  CHECK(mesh.set("high").size() == 11);
+  CHECK(mesh.set("dart_in").size() == mesh.set("dart_out").size());
+  const Vec2 mark = shape.outline[1].curve.at(0.35 * shape.outline[1].curve.length());
+  REQUIRE(mesh.set("mark").size() == 1);
+  CHECK((mesh.nodes[mesh.set("mark")[0]] - Vec3(mark.x(), mark.y(), 0)).norm() < 1e-12);
+  shape.outline[2].elements = 9;
+  says(message_of([&] { panel(shape); }),
+       "panel: field 'quadrilaterals': expected an even number of elements along each piece, got 9 along "
+       "'high'");
+  // Without the wish it is a mesh with triangles.
+  shape.quadrilaterals = {};
+  CHECK(panel(shape).set("high").size() == 10);
+}
+
+TEST_CASE("panels are of quadrilaterals alone where triangles would matter", "[mesh][panel]") {
+  const auto triangles = [](Panel shape, std::optional<bool> wish) {
+    shape.quadrilaterals = wish;
+    return check(panel(shape)).measures.triangles;
+  };
+  // Rows along the sides of the strip are oblique to its grain.
+  const Panel oblique{.outline = barrel(), .size = 0.0075, .grain = 40};
+  CHECK(triangles(oblique, false) > 0);
+  CHECK(triangles(oblique, {}) == 0);
+  // A disc along the grain: its triangles are much of it on a coarse mesh alone.
+  const auto disc = [](double size) {
+    return Panel{.outline = {{PlaneCurve::circle({0, 0}, 0.1), "rim"}}, .size = size};
+  };
+  CHECK(triangles(disc(0.02), false) > 0);
+  CHECK(triangles(disc(0.02), {}) == 0);
+  CHECK(triangles(disc(0.004), {}) > 0);
+  CHECK(triangles(disc(0.004), true) == 0);
+  // Rows that are asked for stay, and so do triangles.
+  Panel rows = oblique;
+  rows.rows = 40;
+  CHECK(triangles(rows, {}) > 0);
+  CHECK(triangles(rows, true) == 0);
+}
+
 TEST_CASE("arcs: area of the polygon on the circle, which converges to that of the circle", "[mesh][panel]") {
   double before = 0;
   for (const double size : {0.02, 0.01, 0.005}) {
-    const Mesh mesh = panel({.outline = {{PlaneCurve::circle({0.03, -0.01}, 0.1), "rim"}}, .size = size});
+    const Mesh mesh = panel({.outline = {{PlaneCurve::circle({0.03, -0.01}, 0.1), "rim"}},
+                             .size = size,
+                             .quadrilaterals = false});
     sound(mesh);
     const auto n = static_cast<double>(mesh.set("rim").size());
     CHECK(n == std::round(0.2 * pi / size));
@@ -164,7 +285,8 @@ TEST_CASE("arcs: area of the polygon on the circle, which converges to that of t
   const Mesh ring = panel({.outline = {{PlaneCurve::circle({0, 0}, 0.1), "outer"}},
                            .holes = {{{PlaneCurve::circle({0, 0}, 0.04), "inner", 24}}},
                            .size = 0.008,
-                           .grain = 30});
+                           .grain = 30,
+                           .quadrilaterals = false});
   sound(ring);
   CHECK(ring.set("inner").size() == 24);
   CHECK(area(ring) == Approx(79 / 2.0 * 0.01 * std::sin(2 * pi / 79) - 12 * 0.0016 * std::sin(2 * pi / 24)));
@@ -324,6 +446,8 @@ TEST_CASE("wrong panels are refused with their place", "[mesh][panel]") {
                 .holes = {{{PlaneCurve::circle({0.1, 0.1}, 0.08)}}, {{PlaneCurve::circle({0.1, 0.1}, 0.03)}}},
                 .size = 0.05}),
        "panel: field 'holes': hole 2 lies in hole 1, at (");
+  says(refused({.outline = square, .size = 0.05, .triangles = true, .quadrilaterals = true}),
+       "panel: field 'quadrilaterals': expected false with triangles=true");
   const auto dart = [&](std::vector<Dart> darts) {
     return refused({.outline = square, .darts = darts, .size = 0.05});
   };

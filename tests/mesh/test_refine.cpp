@@ -38,6 +38,7 @@ TEST_CASE("a refined panel has quadrilaterals alone, the same area and border, a
                    {PlaneCurve::line({0.17, 0.15}, {0, 0}), "c"}};
   shape.size = 0.017;
   shape.grain = 37;
+  shape.quadrilaterals = false;
   Mesh m = panel(shape);
   const Measures before = check(m).measures;
   REQUIRE(before.triangles > 4);

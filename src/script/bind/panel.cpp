@@ -389,6 +389,7 @@ int panel(Call& call) {
   if (call.has("grain")) shape.grain = call.number("grain");
   if (call.has("rows")) shape.rows = call.number("rows");
   shape.triangles = call.flag("triangles");
+  if (call.has("quadrilaterals")) shape.quadrilaterals = call.flag("quadrilaterals");
   auto made = std::make_shared<mesh::Mesh>(mesh::panel(shape));
   if (const std::string doubt = mesh::doubt_about_units(*made); !doubt.empty()) {
     const std::string field = call.has("file") ? "file" : "outline";
@@ -415,11 +416,16 @@ Entry panel_row() {
        value_("darts?", table, "{ {from=, tip=, to=, name=}, ... }: wedges cut from the outline"),
        value_("notches?", table, "{ {name=, edge=, at=|share=|point=}, ... }: places that get a node"),
        flag_("triangles", "equilateral ones, in place of squares"),
+       value_("quadrilaterals?", boolean,
+              "true: no element is a triangle, and each side has an even number of them; false: triangles "
+              "along the outline where they fit; default: without, where rows oblique to the grain or more "
+              "than 5 % of the area would have them, unless elements get much narrower or rows= is given"),
        number_("rows?", "degrees", everything,
                "direction of the rows of elements, counter-clockwise from +x; default: the grain, or "
                "straight sides oblique to it where that leaves less than half as many triangles")},
       "A panel from its outline, in the x-y plane, normal +z: rows of squares along the grain or along sides "
-      "oblique to it, and a rim of quadrilaterals and triangles whose border nodes lie on the outline. A "
+      "oblique to it, and a rim of quadrilaterals, and triangles unless these matter, whose border nodes lie "
+      "on the outline. A "
       "piece is a straight line to {x, y}, {arc={to=, through=|centre=, clockwise=}}, {spline={ {x, y}, ... "
       "}}, {bezier={c, c, to}}, or {name=}, which closes the line; a line {circle={x, y}, radius=} is a "
       "circle; elements= of a piece sets their number. Named edges, the sides NAME_in and NAME_out of darts, "
