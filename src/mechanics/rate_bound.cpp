@@ -105,10 +105,10 @@ namespace {
 
 // 1/s^2: those of the elements, stretched as they are.
 std::vector<double> rates_of(const Cloth& cloth, bool scaled, At at) {
-  std::vector<double> rates = cloth.highest_rates(scaled);
+  std::vector<double> rates = cloth.rates().highest(scaled);
 #pragma omp parallel for schedule(static) if (rates.size() >= 4096)
   for (std::size_t e = 0; e < rates.size(); ++e)
-    if (at == At::trial) rates[e] *= cloth.growth(static_cast<Index>(e));
+    if (at == At::trial) rates[e] *= cloth.readings().growth(static_cast<Index>(e));
   return rates;
 }
 
@@ -130,17 +130,17 @@ FastestNode fastest_node(const std::vector<double>& means, std::span<const doubl
 
 double rate_bound(const Assembly& assembly, bool scaled, std::span<const double> added) {
   const Cloth& cloth = assembly.cloth();
-  return fastest_node(cloth.rates_at_nodes(rates_of(cloth, scaled, At::trial), scaled), added).rate;
+  return fastest_node(cloth.rates().rates_at_nodes(rates_of(cloth, scaled, At::trial), scaled), added).rate;
 }
 
 FastestElement fastest_element(const Assembly& assembly, bool scaled, std::span<const double> added, At at) {
   const Cloth& cloth = assembly.cloth();
   const std::vector<double> rates = rates_of(cloth, scaled, at);
-  const FastestNode node = fastest_node(cloth.rates_at_nodes(rates, scaled), added);
+  const FastestNode node = fastest_node(cloth.rates().rates_at_nodes(rates, scaled), added);
   FastestElement most{node.rate, node.added};
   double highest = 0;
   for (std::size_t e = 0; e < rates.size(); ++e)
-    for (const Index n : cloth.mesh_elements()[e])
+    for (const Index n : cloth.model().mesh().elements[e])
       if (n == static_cast<Index>(node.node) && rates[e] > highest) {
         highest = rates[e];
         most.element = static_cast<Index>(e);

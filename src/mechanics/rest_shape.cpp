@@ -98,6 +98,20 @@ std::array<Index, 4> RestShape::own_corners(Index element) const {
   return {0, 1, 2, corners(mesh_.elements[static_cast<std::size_t>(element)]) == 3 ? -1 : 3};
 }
 
+RestShape::Outline RestShape::outline(Index element) const {
+  const auto& nodes = mesh_.elements[static_cast<std::size_t>(element)];
+  Outline out{{}, {}, nodes[3] < 0 ? 3 : 4, 0};
+  Vec3 middle = Vec3::Zero();
+  for (int a = 0; a < out.count; ++a) middle += out.at[a] = X(element, a);
+  const Vec3* const x = out.at;
+  const Vec3 normal = out.count == 3 ? (x[1] - x[0]).cross(x[2] - x[0]) : (x[2] - x[0]).cross(x[3] - x[1]);
+  const Vec3 n = normal.normalized(), w = warp(element, middle / out.count, n);
+  out.axes[0] = (w - w.dot(n) * n).normalized();
+  out.axes[1] = n.cross(out.axes[0]);
+  out.area = 0.5 * normal.norm();
+  return out;
+}
+
 double RestShape::area(Index element) const {
   const auto e = static_cast<std::size_t>(element);
   if (shape_.empty()) return mechanics::area(mesh_.elements[e], mesh_.nodes);

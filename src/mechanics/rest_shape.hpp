@@ -42,6 +42,13 @@ class RestShape {
   }
   double area(Index element) const;  // m^2
   double size(Index element) const;  // m, see mechanics::size
+  // Of an element: its corners, m, unit vectors along warp and weft, and its area, m^2.
+  struct Outline {
+    Vec3 at[4], axes[2];
+    int count;
+    double area;
+  };
+  Outline outline(Index element) const;
   // The warp of the model at a place of this shape.
   Vec3 warp(Index element, const Vec3& X, const Vec3& n) const;
 

@@ -150,7 +150,7 @@ std::string Run::jump_of_motions() const {
   const auto& freedoms = assembly_->dofs().freedoms();
   const auto& X = assembly_->dofs().reference();
   const auto x = std::as_const(*assembly_).state().x();
-  double most = far * assembly_->cloth().smallest_size();
+  double most = far * assembly_->cloth().rates().smallest_size();
   mechanics::Index node = -1;
   for (std::size_t m = 0; m < targets.size(); ++m) {
     const auto& motion = freedoms.motions[m];

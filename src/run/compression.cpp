@@ -75,7 +75,7 @@ void Run::watch_compression() {
   for (mesh::Index e = 0; e < static_cast<mesh::Index>(values.size()); ++e) {
     const Tensions now(values[e], model_->thickness_of(e));
     if (model_->folds_of(e) != card::Folds::resolved || !(now.least() < 0)) continue;
-    const double over = now.over(assembly_->cloth().fold_tensions(e));
+    const double over = now.over(assembly_->cloth().readings().fold_tensions(e));
     const auto& nodes = model_->mesh().elements[static_cast<std::size_t>(e)];
     if (!(over > far) || is_held_flat(assembly_->dofs(), nodes)) continue;
     compressed += stored_in(*model_, e, values[e]) * now.compressed_share();
@@ -97,7 +97,7 @@ void Run::watch_compression() {
   const bool is_known = model_->sections()[region].bends_apart;
   const std::string text =
       "warning: " + std::string(kind()) + ": at time " + number(time()) + " s element " +
-      model_->element_name(worst) + ", about " + place_text(assembly_->cloth().centre(worst)) +
+      model_->element_name(worst) + ", about " + place_text(assembly_->cloth().readings().centre(worst)) +
       ", is compressed by " + number(least, 3) + " N/m, " + number(most, 2) +
       " times what its cloth carries without folding within it, and " +
       (tension > 0 ? number(least / tension, 2) + " times the largest tension of the sheet"

@@ -40,13 +40,14 @@ double stiffness_ratio(const law::Law& law, const double* E, const double* state
 
 std::vector<PointLook> look(const mechanics::Assembly& assembly, mesh::Index element, bool with_ratio) {
   std::vector<PointLook> all;
-  assembly.cloth().visit(element, [&](double, const law::Law& law, const double* E, const double* state) {
-    PointLook p;
-    p.internal = law::internal(law, E, state);
-    std::copy(E, E + 5, p.E);
-    if (with_ratio) p.ratio = stiffness_ratio(law, E, state);
-    all.push_back(p);
-  });
+  assembly.cloth().readings().visit(element,
+                                    [&](double, const law::Law& law, const double* E, const double* state) {
+                                      PointLook p;
+                                      p.internal = law::internal(law, E, state);
+                                      std::copy(E, E + 5, p.E);
+                                      if (with_ratio) p.ratio = stiffness_ratio(law, E, state);
+                                      all.push_back(p);
+                                    });
   return all;
 }
 
@@ -173,7 +174,7 @@ ResidualSite find_residual_site(mechanics::Assembly& assembly, const mesh::Mesh&
   count(before, now, site);
   if (site.inverted >= 0) find_sheared(before, site);
   if (site.element >= 0) {
-    site.centre = assembly.cloth().centre(site.element);
+    site.centre = assembly.cloth().readings().centre(site.element);
     for (const auto& p : look(assembly, site.element, true))
       site.stiffness_ratio = std::max(site.stiffness_ratio, p.ratio);
   }
@@ -214,7 +215,7 @@ bool Diagnosis::take(const solver::NewtonResult& result, double step, mechanics:
 void Diagnosis::complete(const model::Model& model, const mechanics::Assembly& assembly, double committed) {
   time = committed;
   moved = farthest_move(assembly, time, time + (tries.empty() ? 0 : tries.front().step));
-  size = assembly.cloth().smallest_size();
+  size = assembly.cloth().rates().smallest_size();
   if (const auto* woven = std::get_if<card::Woven>(&model.card_of(site.element).law)) tested = woven->tested;
   if (site.sheared >= 0 && !std::holds_alternative<card::Woven>(model.card_of(site.sheared).law))
     site.shear_angle = 0;  // it has no yarns

@@ -133,7 +133,7 @@ Dynamic::Dynamic(std::shared_ptr<model::Model> model, const DynamicOptions& opti
   if (options_.stiffness_damping > 0)
     assembly_->terms().add(std::make_unique<StiffnessDamping>(*assembly_, options_.stiffness_damping));
   stable_ = assembly_->terms().stable_step(scaled_);
-  smallest_ = assembly_->cloth().smallest_size();
+  smallest_ = assembly_->cloth().rates().smallest_size();
   if (options_.until_rest) every(options_.until_rest->window / kLooksForRest, [this](Run&) { watch_rest(); });
 }
 
@@ -356,12 +356,13 @@ mesh::Index Dynamic::suspect() const {
   double most = 0, density = -1;
   for (mesh::Index e = 0; e < assembly_->cloth().elements(); ++e) {
     double created = 0, stored = 0, volume = 0;
-    assembly_->cloth().visit(e, [&](double w, const law::Law& law, const double* E, const double* state) {
-      const auto energy = law::energy(law, E, state);
-      created += w * energy.created;
-      stored += w * (energy.stored + energy.dissipated());
-      volume += w;
-    });
+    assembly_->cloth().readings().visit(
+        e, [&](double w, const law::Law& law, const double* E, const double* state) {
+          const auto energy = law::energy(law, E, state);
+          created += w * energy.created;
+          stored += w * (energy.stored + energy.dissipated());
+          volume += w;
+        });
     if (created > most) {
       most = created;
       maker = e;

@@ -311,7 +311,7 @@ void Explicit::report_cost() {
 
 void Explicit::split() {
   if (now_.steps % kLoadsEvery == 0) added_ = mechanics::added_rates(*assembly_, scaled_);
-  const double stretched = nominal_ / std::max(1.0, assembly_->cloth().largest_stretch());
+  const double stretched = nominal_ / std::max(1.0, assembly_->cloth().readings().largest_stretch());
   const double wanted = options_.step.value_or(usual_step());
   // A step that was accepted above the bound keeps its distance to it.
   const double above = is_of_waves() && wanted > bound_ ? nominal_ / bound_ : 1;
@@ -426,7 +426,7 @@ void Explicit::give_up(const StepReport& report) {
   else
     text += ".\nTry: " + found.advice + ".";
   std::string why = text.substr(std::string("dynamic: ").size());
-  why += "\nstretch    the sheet is stretched to " + number(assembly_->cloth().largest_stretch()) +
+  why += "\nstretch    the sheet is stretched to " + number(assembly_->cloth().readings().largest_stretch()) +
          " times its length at most, the step in use is " + number(now_.step / stable_) +
          " of the stable one";
   if (found.element >= 0) why += "\nelement    " + shape_text(found.element);

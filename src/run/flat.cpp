@@ -24,7 +24,7 @@ namespace {
 
 // Of the first element, in the present shape.
 Vec3 normal_of(const mechanics::Assembly& assembly) {
-  const auto& nodes = assembly.cloth().mesh_elements().front();
+  const auto& nodes = assembly.cloth().model().mesh().elements.front();
   const auto x = assembly.state().x();
   const auto last = nodes[3] < 0 ? nodes[0] : nodes[3];
   return (at(x, nodes[2]) - at(x, nodes[0])).cross(at(x, last) - at(x, nodes[1])).normalized();

@@ -397,7 +397,7 @@ std::string splay_warning(const model::Model& model, const mechanics::Assembly& 
     const auto modulus = law::by_direction(*section.points.front().law);
     const std::size_t stiff = modulus.axis[0] > modulus.axis[1] ? 0 : 1;
     if (modulus.axis[stiff] < anisotropic * std::max(modulus.axis[1 - stiff], modulus.shear)) continue;
-    const auto [warp, weft] = assembly.cloth().yarns(element);
+    const auto [warp, weft] = assembly.cloth().readings().yarns(element);
     const bool short_along = (std::abs((stiff == 0 ? warp : weft).dot(sides.along)) > std::sqrt(0.5)) ==
                              (sides.first < sides.second);
     if (!short_along) continue;

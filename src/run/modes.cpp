@@ -434,7 +434,7 @@ class Perturbation {
     constexpr double part = 1e-5;  // of an element
     double most = 0;
     for (const double d : nodal_way_.x) most = std::max(most, std::abs(d));
-    const double share = part * base_.assembly().cloth().smallest_size() / most;
+    const double share = part * base_.assembly().cloth().rates().smallest_size() / most;
     linear::Matrix of_loads = difference(lost_here(more_), lost_here(base_), 1);
     const linear::Matrix before = lost_here(moved());
     settle(share);

@@ -341,7 +341,7 @@ Answer EquilibriumProblem::tangent(linear::Matrix& K) {
 double EquilibriumProblem::turn_of(std::span<const double> delta) const {
   mechanics::NodalRates way;
   assembly_.dofs().spread_rates(delta, std::vector<double>(lead_.size(), 0), way);
-  return assembly_.cloth().largest_turn(way);
+  return assembly_.cloth().readings().largest_turn(way);
 }
 
 bool EquilibriumProblem::tangent_with(mechanics::Cloth::Branches branches, const law::Step& step,

@@ -112,17 +112,18 @@ NodeValues Readings::node(mesh::Index i) const {
 
 ElementValues Readings::average(mesh::Index e, int ply) const {
   const auto& section = model_->sections()[static_cast<std::size_t>(model_->region_of(e))];
-  const bool together = ply == mechanics::Cloth::all_plies;
+  const bool together = ply == mechanics::ClothReadings::all_plies;
   const double common = section.common_angle();
   double volume = 0;
   std::size_t visited = 0;
   ElementValues sum;
-  assembly_->cloth().visit(e, [&](double w, const law::Law& law, const double* E, const double* state) {
-    const auto& point = section.points[visited++ % section.points.size()];
-    if (!together && point.ply != ply) return;
-    volume += w;
-    add_point(sum, w, together ? point.angle - common : 0, law, E, state);
-  });
+  assembly_->cloth().readings().visit(
+      e, [&](double w, const law::Law& law, const double* E, const double* state) {
+        const auto& point = section.points[visited++ % section.points.size()];
+        if (!together && point.ply != ply) return;
+        volume += w;
+        add_point(sum, w, together ? point.angle - common : 0, law, E, state);
+      });
   for (const auto member : element_members()) sum.*member /= volume;
   for (double& one : sum.lost) one /= volume;
   return sum;
@@ -135,7 +136,7 @@ const std::vector<ElementValues>& Readings::elements(const std::string& ply) con
   known.values.assign(assembly_->cloth().elements(), {});
 #pragma omp parallel for schedule(static) if (assembly_->cloth().elements() >= 256)
   for (mesh::Index e = 0; e < assembly_->cloth().elements(); ++e) {
-    const int number = ply.empty() ? mechanics::Cloth::all_plies : model_->ply_of(e, ply);
+    const int number = ply.empty() ? mechanics::ClothReadings::all_plies : model_->ply_of(e, ply);
     if (ply.empty() || number >= 0)
       known.values[e] = average(e, number);
     else
@@ -154,7 +155,7 @@ double Readings::elements_beyond() const {
   if (!beyond()) return 0;
   const auto all = assembly_->cloth().elements();
   mesh::Index count = 0;
-  for (mesh::Index e = 0; e < all; ++e) count += assembly_->cloth().strain_ratio(e) > 1 ? 1 : 0;
+  for (mesh::Index e = 0; e < all; ++e) count += assembly_->cloth().strains().ratio(e) > 1 ? 1 : 0;
   return static_cast<double>(count) / static_cast<double>(all);
 }
 

@@ -268,20 +268,21 @@ std::vector<PointMean> means_of(const Readings& run, Index e) {
   const std::size_t points = section.points.size();
   std::vector<PointMean> all;
   std::size_t visited = 0;
-  run.assembly().cloth().visit(e, [&](double w, const law::Law& law, const double* E, const double* state) {
-    const std::size_t k = visited++ % points;
-    if (k == 0) all.emplace_back();
-    double S[5];
-    law::stress(law, E, state, S);
-    std::array<double, kTensor> v{S[0], S[1], S[4], E[0], E[1], E[4] / 2};
-    if (const double angle = section.points[k].angle - common; angle != 0) {
-      turn_tensor(angle, v.data());
-      turn_tensor(angle, v.data() + 3);
-    }
-    PointMean& mean = all.back();
-    mean.volume += w;
-    for (std::size_t i = 0; i < kTensor; ++i) mean.value[i] += w * v[i];
-  });
+  run.assembly().cloth().readings().visit(
+      e, [&](double w, const law::Law& law, const double* E, const double* state) {
+        const std::size_t k = visited++ % points;
+        if (k == 0) all.emplace_back();
+        double S[5];
+        law::stress(law, E, state, S);
+        std::array<double, kTensor> v{S[0], S[1], S[4], E[0], E[1], E[4] / 2};
+        if (const double angle = section.points[k].angle - common; angle != 0) {
+          turn_tensor(angle, v.data());
+          turn_tensor(angle, v.data() + 3);
+        }
+        PointMean& mean = all.back();
+        mean.volume += w;
+        for (std::size_t i = 0; i < kTensor; ++i) mean.value[i] += w * v[i];
+      });
   for (PointMean& mean : all)
     for (double& v : mean.value) v /= mean.volume;
   return all;

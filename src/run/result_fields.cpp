@@ -129,9 +129,9 @@ struct ResultFieldTable {
   }
   void direction(std::string name, std::string sentence, Vec3 std::pair<Vec3, Vec3>::*which) {
     const auto values = [which](const Readings& run, mesh::Index e, const std::string& ply, double* out) {
-      const int number = ply.empty() ? mechanics::Cloth::all_plies : run.model().ply_of(e, ply);
+      const int number = ply.empty() ? mechanics::ClothReadings::all_plies : run.model().ply_of(e, ply);
       Vec3 v = Vec3::Constant(std::nan(""));
-      if (ply.empty() || number >= 0) v = run.assembly().cloth().yarns(e, number).*which;
+      if (ply.empty() || number >= 0) v = run.assembly().cloth().readings().yarns(e, number).*which;
       std::copy_n(v.data(), 3, out);
     };
     rows.push_back(
@@ -261,7 +261,7 @@ ResultFieldTable make_table() {
   t.scalar("beyond", "",
            "largest strain so far over the tested strain of the card: 1.2 is 20 % beyond; 0 where the card "
            "states none",
-           [](const Readings& run, mesh::Index e) { return run.assembly().cloth().strain_ratio(e); });
+           [](const Readings& run, mesh::Index e) { return run.assembly().cloth().strains().ratio(e); });
   t.scalar("region", "", "number of the body or region that the element belongs to, in their order",
            [](const Readings& run, mesh::Index e) { return run.model().region_of(e) + 1.0; });
   t.rows.back().continuous = false;

@@ -252,9 +252,9 @@ void Run::advance_to(double limit) {
 
 void Run::watch_strain() {
   constexpr double reached = 1 + 1e-6;
-  const double strain_ratio = assembly_->cloth().largest_strain_ratio(), before = beyond_.strain_ratio;
+  const double strain_ratio = assembly_->cloth().strains().largest_ratio(), before = beyond_.strain_ratio;
   if (!(strain_ratio > std::max(reached, before))) return;
-  const mechanics::Strained most = assembly_->cloth().most_strained();
+  const mechanics::Strained most = assembly_->cloth().strains().most();
   const char* const yarns[] = {"warp", "weft", "shear"};
   const double first = before > 0 ? beyond_.first : time();
   beyond_ = {strain_ratio, yarns[most.yarn], most.element, time(), first, most.strain, most.tested};
@@ -263,7 +263,7 @@ void Run::watch_strain() {
   if (warned("beyond") || before > kBeyondTested || strain_ratio <= kBeyondTested) return;
   const std::string text =
       "warning: " + std::string(kind()) + ": at time " + number(time()) + " s " + beyond_text(beyond_) +
-      ", about " + place_text(assembly_->cloth().centre(most.element)) +
+      ", about " + place_text(assembly_->cloth().readings().centre(most.element)) +
       ": from here on the card extrapolates; warned once, the largest excess is in a.beyond and run.json";
   warned_beyond_ ? note("beyond", text, most.element) : warn("beyond", text, most.element);
   warned_beyond_ = true;
@@ -424,10 +424,10 @@ double Run::land(double size, StepReport& report) {
 double Run::land_at_limit(double size, StepReport& report) {
   constexpr double tolerance = 1e-4, limit_ratio = kBeyondTested * (1 + 2 * tolerance);
   if (!stops_beyond_ || beyond_.strain_ratio > kBeyondTested ||
-      !(assembly_->cloth().largest_strain_ratio() > limit_ratio))
+      !(assembly_->cloth().strains().largest_ratio() > limit_ratio))
     return size;
   Event limit{
-      [](Run& run) { return run.assembly_->cloth().largest_strain_ratio() - limit_ratio; }, tolerance, {}};
+      [](Run& run) { return run.assembly_->cloth().strains().largest_ratio() - limit_ratio; }, tolerance, {}};
   limit.last = beyond_.strain_ratio - limit_ratio;
   limit.largest = limit_ratio;
   limit.side = -1;

@@ -1,3 +1,4 @@
+// The frames of a run as VTK files, with the collection file that lists them (format/pvd.hpp).
 #include "base/error.hpp"
 #include "format/pvd.hpp"
 #include "run/bodies.hpp"
@@ -7,6 +8,7 @@ namespace fabricsh::run {
 
 namespace {
 
+// The series that a checkpoint has counted so many frames of. Error: its files hold another number.
 format::PvdSeries continued(const std::string& stem, std::size_t frames, Archive& from) {
   format::PvdPlace place;
   from(place);

@@ -110,25 +110,26 @@ class Sheet {
     const bool first = b.sign.empty();
     std::size_t at = 0;
     for (mechanics::Index e = 0; e < assembly_.cloth().elements(); e += 7)
-      assembly_.cloth().visit(e, [&](double, const law::Law& law, const double* E, const double* state) {
-        const auto i = law::internal(law, E, state);
-        for (const auto branch : {i.warp, i.weft}) {
-          b.virgin += branch == law::LoadBranch::virgin;
-          b.unloading += branch == law::LoadBranch::unloading;
-          b.slack += branch == law::LoadBranch::slack;
-        }
-        b.shear_virgin += i.shear == law::LoadBranch::virgin;
-        b.shear_unloading += i.shear != law::LoadBranch::virgin;
-        b.points += 1;
-        const signed char sign = state[law::potential_state::sg] < 0 ? -1 : 1;
-        if (first) {
-          b.sign.push_back(sign);
-          return;
-        }
-        b.flips += sign != b.sign[at];
-        b.sign[at++] = sign;
-        b.pairs += 1;
-      });
+      assembly_.cloth().readings().visit(
+          e, [&](double, const law::Law& law, const double* E, const double* state) {
+            const auto i = law::internal(law, E, state);
+            for (const auto branch : {i.warp, i.weft}) {
+              b.virgin += branch == law::LoadBranch::virgin;
+              b.unloading += branch == law::LoadBranch::unloading;
+              b.slack += branch == law::LoadBranch::slack;
+            }
+            b.shear_virgin += i.shear == law::LoadBranch::virgin;
+            b.shear_unloading += i.shear != law::LoadBranch::virgin;
+            b.points += 1;
+            const signed char sign = state[law::potential_state::sg] < 0 ? -1 : 1;
+            if (first) {
+              b.sign.push_back(sign);
+              return;
+            }
+            b.flips += sign != b.sign[at];
+            b.sign[at++] = sign;
+            b.pairs += 1;
+          });
   }
 
  private:

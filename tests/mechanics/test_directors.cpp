@@ -315,7 +315,7 @@ TEST_CASE("a director that is turned over is told from an element that is turned
     CHECK(overturned(sheet.assembly).turned == 7);
     CHECK(overturned(sheet.assembly).inverted == -1);
     // One of four directors turns the interpolated one at a point; one of three not their mean.
-    CHECK((sheet.assembly.cloth().inverted_element({}) >= 0) != triangles);
+    CHECK((sheet.assembly.cloth().readings().inverted_element({}) >= 0) != triangles);
     // A node goes past its neighbours: its elements are inside out, and its director has no side.
     sheet.assembly.rollback();
     at(sheet.assembly.state().x(), 7).x() -= 0.025;

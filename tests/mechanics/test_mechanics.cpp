@@ -256,7 +256,7 @@ TEST_CASE("a tangent after the forces of its place leaves their law states, and 
   const auto states = [](const mechanics::Assembly& a) {
     std::vector<double> all;
     for (mechanics::Index e = 0; e < a.cloth().elements(); ++e)
-      a.cloth().visit(e, [&](double, const law::Law& law, const double*, const double* state) {
+      a.cloth().readings().visit(e, [&](double, const law::Law& law, const double*, const double* state) {
         all.insert(all.end(), state, state + law::state_size(law));
       });
     return all;
@@ -332,13 +332,13 @@ TEST_CASE("the first element turned inside out is named, none while all are whol
   for (const bool triangles : {false, true}) {
     const auto m = loaded_sheet([](model::Model&) {}, 0, 0.004, triangles);
     mechanics::Assembly a(*m);
-    CHECK(a.cloth().inverted_element({}) == -1);
+    CHECK(a.cloth().readings().inverted_element({}) == -1);
     std::vector<double> step(a.dofs().unknowns(), 0.0);
     // The middle node of the last row of elements goes past its neighbours on the left.
     step[a.dofs().freedoms().nodes[10].equation[0]] = -0.025;
     a.begin_iterate();
     a.apply_increment(step, 1, {});
-    const auto first = a.cloth().inverted_element({});
+    const auto first = a.cloth().readings().inverted_element({});
     REQUIRE(first >= 0);
     const auto& nodes = m->mesh().elements[first];
     CHECK(std::find(nodes.begin(), nodes.end(), 10) != nodes.end());

@@ -126,7 +126,7 @@ TEST_CASE("short elements of a rim share the masses beside them, and the step is
         m->validate();
         mechanics::Assembly a(*m);
         const double speed = std::sqrt(8e6 / (1 - poisson) / 430), step = a.terms().stable_step(true);
-        CHECK(step > 1.08 * a.cloth().smallest_size() / speed);
+        CHECK(step > 1.08 * a.cloth().rates().smallest_size() / speed);
         CHECK(0.7 * 0.7 * step * step * highest(a, true) < 4 * 0.9 * 0.9);
         CHECK(excess(a, true) > 1 - 1e-6);
         CHECK(excess(a, true) < 1.6);

@@ -130,9 +130,10 @@ void evaluate_in_place(LawStates& s, unsigned which, double grown) {
 std::vector<double> states_of(const fabricsh::mechanics::Assembly& a) {
   std::vector<double> all;
   for (fabricsh::mechanics::Index e = 0; e < a.cloth().elements(); ++e)
-    a.cloth().visit(e, [&](double, const fabricsh::law::Law& law, const double*, const double* state) {
-      all.insert(all.end(), state, state + fabricsh::law::state_size(law));
-    });
+    a.cloth().readings().visit(
+        e, [&](double, const fabricsh::law::Law& law, const double*, const double* state) {
+          all.insert(all.end(), state, state + fabricsh::law::state_size(law));
+        });
   return all;
 }
 

@@ -56,13 +56,13 @@ TEST_CASE("warp and weft are carried by a homogeneous deformation, whatever the 
       mechanics::Assembly a(m);
       const Vec3 warp = at_angle(23 * degree), weft = at_angle(113 * degree);
       for (mechanics::Index e = 0; e < a.cloth().elements(); ++e) {
-        const auto rest = a.cloth().yarns(e);
+        const auto rest = a.cloth().readings().yarns(e);
         CHECK((rest.first - warp).norm() < 1e-13);
         CHECK((rest.second - weft).norm() < 1e-13);
       }
       deform(a, F);
       for (mechanics::Index e = 0; points == 1 && e < a.cloth().elements(); ++e) {
-        const auto now = a.cloth().yarns(e);
+        const auto now = a.cloth().readings().yarns(e);
         CHECK((now.first - (F * warp).normalized()).norm() < 1e-13);
         CHECK((now.second - (F * weft).normalized()).norm() < 1e-13);
       }
@@ -85,10 +85,10 @@ TEST_CASE("plies have yarns of their own, and all together the axes of the model
     CHECK((got.second - (F * at_angle((angle + 90) * degree)).normalized()).norm() < 1e-13);
   };
   for (mechanics::Index e = 0; e < a.cloth().elements(); ++e) {
-    is(a.cloth().yarns(e, 0), -15);
-    is(a.cloth().yarns(e, 1), 50);
-    is(a.cloth().yarns(e, 2), 75);
-    is(a.cloth().yarns(e), -15);
+    is(a.cloth().readings().yarns(e, 0), -15);
+    is(a.cloth().readings().yarns(e, 1), 50);
+    is(a.cloth().readings().yarns(e, 2), 75);
+    is(a.cloth().readings().yarns(e), -15);
   }
 }
 
@@ -107,7 +107,7 @@ TEST_CASE("on a curved sheet the yarns follow the layer at which they are read")
   const model::Model m(mesh, test::svk(), options);
   const mechanics::Assembly a(m);
   for (mechanics::Index e = 0; e < a.cloth().elements(); ++e)
-    CHECK(std::abs(std::acos(a.cloth().yarns(e).first.y()) - angle) < 0.1 * degree);
+    CHECK(std::abs(std::acos(a.cloth().readings().yarns(e).first.y()) - angle) < 0.1 * degree);
 }
 
 TEST_CASE("what is wrong with an element is told from what a warp function says") {

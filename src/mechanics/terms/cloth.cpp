@@ -31,13 +31,9 @@ Cloth::Cloth(const model::Model& model, const Configuration& configuration,
   make_force_slots();
   order_batches();
   order_sums();
-  smallest_size_ = std::numeric_limits<double>::infinity();
-  for (Index e = 0; e < elements(); ++e) smallest_size_ = std::min(smallest_size_, rest_.size(e));
-  step_of_membrane_ = membrane_step();
-  find_tested();
+  rates_.emplace(model_, rest_, batches_, place_);
+  strains_.emplace(model_, batches_, place_, states_);
 }
-
-Cloth::~Cloth() = default;
 
 // Virgin cloth. Most laws start from zeros, which are there.
 void Cloth::set_initial_states() {
@@ -53,7 +49,7 @@ void Cloth::set_initial_states() {
       const Index e = batch.element[l];
       law::Site site = site_of(e);
       site.strength = strengths[static_cast<std::size_t>(e)];
-      const auto folding = fold_tensions(e);
+      const auto folding = readings().fold_tensions(e);
       for (const auto& point : batch.section->points) {
         site.thickness = batch.section->thickness_of(point.ply);
         const double cosine = std::pow(std::cos(point.angle), 2);
@@ -392,8 +388,7 @@ Index Cloth::evaluate(Index b, const law::Step& step, double* trial, const Tange
   if (in_place) states_.end_group(log);
   const double* const reached = in_place ? now : trial;
   if (!tangent.law_only) look_for_astray(b, x, d);
-  if (!strain_ratio_.empty() && !tangent.law_only && !tangent.known)
-    strain_ratio_[b] = strain_ratio_of(batch, reached);
+  if (!tangent.law_only && !tangent.known) strains_->record(b, reached);
   if (sums_expected_ && tangent.K == nullptr)
     batch_energies(batch, x, d, reached, sums_.data() + b * law::energy_values * lanes);
   return failed == 0 ? -1 : batch.element[__builtin_ctz(failed)];
@@ -534,40 +529,7 @@ bool Cloth::is_rate_dependent() const {
 
 // --- reading
 
-void Cloth::visit(Index element, const PointVisitor& f) const {
-  const BatchLane place = place_[element];
-  const Batch& batch = batches_[place.batch];
-  const auto& section = *batch.section;
-  const int points = static_cast<int>(section.points.size());
-  const BatchKind& kind = *batch.kind;
-  alignas(64) double x[12 * lanes], d[12 * lanes];
-  std::vector<double> E(static_cast<std::size_t>(kind.in_plane) * points * 5 * lanes),
-      state(section.state_size + 1);
-  gather(batch, x, d, nullptr);
-  const double* geometry = batch.geometry;
-  kind.kernels.strain(section, {geometry, x, d, nullptr, nullptr, nullptr}, E.data());
-  const double* law = states_.current().data() + batch.law;
-  for (int g = 0; g < kind.in_plane; ++g)
-    for (int k = 0; k < points; ++k) {
-      const auto& point = section.points[k];
-      double e[5];
-      for (int i = 0; i < 5; ++i) e[i] = E[((g * points + k) * 5 + i) * lanes + place.lane];
-      const int size = law::state_size(*point.law);
-      for (int i = 0; i < size; ++i)
-        state[i] = law[(g * section.state_size + point.state + i) * lanes + place.lane];
-      f(geometry[(kind.point(g, k, points) + 7) * lanes + place.lane], *point.law, e, state.data());
-    }
-}
-
-Vec3 Cloth::centre(Index element) const {
-  const Batch& batch = batches_[place_[element].batch];
-  Vec3 sum = Vec3::Zero();
-  for (int a = 0; a < batch.kind->corners; ++a)
-    sum += at(configuration_.x(), batch.nodes[place_[element].lane][a]);
-  return sum / batch.kind->corners;
-}
-
-BendingEnergy Cloth::bending_energy(Index element) const {
+Cloth::BendingEnergy Cloth::bending_energy(Index element) const {
   const BatchLane place = place_[element];
   const Batch& batch = batches_[place.batch];
   const auto& section = *batch.section;
@@ -690,26 +652,6 @@ std::span<const unsigned char> Cloth::astray() {
   }
   astray_version_ = configuration_.version();
   return astray_;
-}
-
-// The directors of a membrane do not follow it.
-Index Cloth::inverted_element(std::span<const Index> but_for) const {
-  if (model_.membrane()) return -1;
-  Index first = -1;
-  const auto counts = [&](const std::array<Index, 4>& nodes) {
-    return std::none_of(nodes.begin(), nodes.end(),
-                        [&](Index n) { return std::binary_search(but_for.begin(), but_for.end(), n); });
-  };
-  for (const Batch& batch : batches_) {
-    alignas(64) double x[12 * lanes], d[12 * lanes];
-    gather(batch, x, d, nullptr);
-    const unsigned lost =
-        batch.kind->kernels.inverted({nullptr, x, d, nullptr, nullptr, nullptr}) & ((1u << batch.used) - 1);
-    for (int l = 0; l < batch.used; ++l)
-      if ((lost >> l & 1u) != 0 && (first < 0 || batch.element[l] < first) && counts(batch.nodes[l]))
-        first = batch.element[l];
-  }
-  return first;
 }
 
 }  // namespace fabricsh::mechanics

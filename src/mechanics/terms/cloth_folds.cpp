@@ -8,20 +8,6 @@
 
 namespace fabricsh::mechanics {
 
-Cloth::Corners Cloth::corners_of(Index element) const {
-  const auto& nodes = model_.mesh().elements[static_cast<std::size_t>(element)];
-  Corners out{{}, {}, nodes[3] < 0 ? 3 : 4, 0};
-  Vec3 middle = Vec3::Zero();
-  for (int a = 0; a < out.count; ++a) middle += out.at[a] = rest_.X(element, a);
-  const Vec3* const x = out.at;
-  const Vec3 normal = out.count == 3 ? (x[1] - x[0]).cross(x[2] - x[0]) : (x[2] - x[0]).cross(x[3] - x[1]);
-  const Vec3 n = normal.normalized(), w = rest_.warp(element, middle / out.count, n);
-  out.axes[0] = (w - w.dot(n) * n).normalized();
-  out.axes[1] = n.cross(out.axes[0]);
-  out.area = 0.5 * normal.norm();
-  return out;
-}
-
 namespace {
 
 double extent(const Vec3* corners, int count, const Vec3& axis) {
@@ -55,7 +41,7 @@ double rigidity(const section::Section& section, std::size_t yarn) {
 
 // Extent of an element along warp and weft, m; its strength, as the model declares it.
 law::Site Cloth::site_of(Index element) const {
-  const Corners c = corners_of(element);
+  const RestShape::Outline c = rest_.outline(element);
   law::Site site;
   for (std::size_t i = 0; i < 2; ++i) site.size[i] = extent(c.at, c.count, c.axes[i]);
   return site;
@@ -64,11 +50,12 @@ law::Site Cloth::site_of(Index element) const {
 // A mesh shows waves whose halves are two elements long; what is shorter has to fold within them, at the load
 // of Euler, pi^2 B / (2 h)^2. h: how far the nodes are apart along the yarn, which is the area of a
 // quadrilateral, or twice that of a triangle, over its extent across.
-std::array<double, 2> Cloth::fold_tensions(Index element) const {
+std::array<double, 2> ClothReadings::fold_tensions(Index element) const {
   constexpr double elements_of_half_a_wave = 2;
-  const auto& section = model_.sections()[static_cast<std::size_t>(model_.region_of(element))];
-  if (model_.membrane()) return {0, 0};
-  const Corners c = corners_of(element);
+  const auto& section =
+      cloth_.model().sections()[static_cast<std::size_t>(cloth_.model().region_of(element))];
+  if (cloth_.model().membrane()) return {0, 0};
+  const RestShape::Outline c = cloth_.rest().outline(element);
   std::array<double, 2> out{};
   for (std::size_t i = 0; i < 2; ++i) {
     const double apart = (c.count == 3 ? 2 : 1) * c.area / extent(c.at, c.count, c.axes[1 - i]);

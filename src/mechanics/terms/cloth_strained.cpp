@@ -1,12 +1,14 @@
 // Strain beyond the tested range of the cards. It is read from the law's states right after the kernels have
 // written them, which costs one or two nanoseconds per element and step and misses no peak.
-#include <algorithm>
+#include "mechanics/terms/cloth_strained.hpp"
 
-#include "mechanics/terms/cloth.hpp"
+#include <algorithm>
 
 namespace fabricsh::mechanics {
 
-void Cloth::find_tested() {
+StrainsReached::StrainsReached(const model::Model& model, const std::vector<Batch>& batches,
+                               const std::vector<BatchLane>& place, const LawStates& states)
+    : model_(model), batches_(batches), place_(place), states_(states) {
   bool any = false;
   for (std::size_t r = 0; r < model_.regions().size(); ++r) {
     const auto& section = model_.sections()[r];
@@ -24,43 +26,44 @@ void Cloth::find_tested() {
     any = any || !tested_.back().empty();
   }
   if (!any) return;
-  strain_ratio_at_ = law::strain_ratio_function(best_isa());
-  strain_ratio_.assign(batches_.size(), 0);
+  ratio_at_ = law::strain_ratio_function(best_isa());
+  ratio_.assign(batches_.size(), 0);
 }
 
-const std::vector<Cloth::TestedPoint>& Cloth::tested(const Batch& batch) const {
+const std::vector<StrainsReached::TestedPoint>& StrainsReached::tested(const Batch& batch) const {
   return tested_[static_cast<std::size_t>(batch.section - model_.sections().data())];
 }
 
-double Cloth::strain_ratio_of(const Batch& batch, const double* states) const {
+void StrainsReached::record(Index b, const double* states) {
+  if (ratio_.empty()) return;
+  const Batch& batch = batches_[static_cast<std::size_t>(b)];
   const long stride = static_cast<long>(batch.section->state_size) * lanes;
   double most = 0;
   for (const TestedPoint& point : tested(batch))
-    most = std::max(most, strain_ratio_at_(*point.law, point.inverse.data(),
-                                           states + static_cast<long>(point.state) * lanes, stride,
-                                           batch.kind->in_plane));
-  return most;  // empty lanes repeat an element
+    most = std::max(
+        most, ratio_at_(*point.law, point.inverse.data(), states + static_cast<long>(point.state) * lanes,
+                        stride, batch.kind->in_plane));
+  ratio_[static_cast<std::size_t>(b)] = most;  // empty lanes repeat an element
 }
 
-double Cloth::largest_strain_ratio() const {
-  return strain_ratio_.empty() ? 0 : *std::max_element(strain_ratio_.begin(), strain_ratio_.end());
+double StrainsReached::largest_ratio() const {
+  return ratio_.empty() ? 0 : *std::max_element(ratio_.begin(), ratio_.end());
 }
 
-Strained Cloth::most_strained() const {
-  if (strain_ratio_.empty()) return {};
-  const Batch& batch =
-      batches_[std::max_element(strain_ratio_.begin(), strain_ratio_.end()) - strain_ratio_.begin()];
-  return most_strained_of(batch, 0, batch.used);
+Strained StrainsReached::most() const {
+  if (ratio_.empty()) return {};
+  const Batch& batch = batches_[std::max_element(ratio_.begin(), ratio_.end()) - ratio_.begin()];
+  return most_of(batch, 0, batch.used);
 }
 
-double Cloth::strain_ratio(Index element) const {
-  if (strain_ratio_.empty()) return 0;
+double StrainsReached::ratio(Index element) const {
+  if (ratio_.empty()) return 0;
   const BatchLane place = place_[element];
-  return most_strained_of(batches_[place.batch], place.lane, place.lane + 1).strain_ratio;
+  return most_of(batches_[place.batch], place.lane, place.lane + 1).strain_ratio;
 }
 
 // The most strained point of the elements in lanes first_lane to last_lane - 1.
-Strained Cloth::most_strained_of(const Batch& batch, int first_lane, int last_lane) const {
+Strained StrainsReached::most_of(const Batch& batch, int first_lane, int last_lane) const {
   Strained most;
   const double* law = states_.current().data() + batch.law;
   for (int lane = first_lane; lane < last_lane; ++lane)

@@ -174,7 +174,7 @@ ContactSurfaces::ContactSurfaces(const model::Model& model, const Configuration&
       surfaces_(split_by_kind(model, model::work_out_surfaces(model.interactions(), model.mesh().uncut()))),
       scene_(scene_of(model, surfaces_, joints_)),
       bodies_(model, scene_),
-      step_(contact_step_of_cloth * std::min(cloth.stable_step(true), cloth.step_across_heights())) {
+      step_(contact_step_of_cloth * std::min(cloth.stable_step(true), cloth.rates().step_across_heights())) {
   for (const auto& elements : surfaces_.elements) {
     sheets_.push_back(sheet(elements));
     sheets_.back().name = bodies_of(model.mesh(), elements);
@@ -464,8 +464,8 @@ void ContactSurfaces::find_warps(const Configuration& configuration, const Cloth
     const auto corner = [&](std::size_t k) { return at(configuration.x(), row.nodes[k]); };
     Eigen::Matrix<double, 3, 2> sides;
     sides << corner(1) - corner(0), corner(2) - corner(0);
-    const Eigen::Vector2d by =
-        (sides.transpose() * sides).inverse() * sides.transpose() * cloth.yarns(element_of(row)).first;
+    const Eigen::Vector2d by = (sides.transpose() * sides).inverse() * sides.transpose() *
+                               cloth.readings().yarns(element_of(row)).first;
     warp[t] = {by[0], by[1]};
   }
   for (std::size_t i = 0; i < meetings_.size(); ++i)

@@ -631,7 +631,7 @@ bool Directors::sound(Index element, const Vec3& mean, const Configuration& conf
 
 Directors::Overturned Directors::overturned(const Configuration& configuration) const {
   const std::vector<Index> turned = turned_over(configuration);
-  return {cloth_.inverted_element(turned), turned.empty() ? -1 : turned.front()};
+  return {cloth_.readings().inverted_element(turned), turned.empty() ? -1 : turned.front()};
 }
 
 std::vector<Index> Directors::turned_over(const Configuration& configuration) const {

@@ -10,14 +10,14 @@ namespace fabricsh::mechanics {
 
 namespace {
 
-// Share of m / dt^2 that a spring's way back may have in explicit motion, m being the mass of both crack
-// faces taken together. Waves in the cloth have 1.96 of the 4 that central differences bear; two springs that
-// meet at a corner add twice this share each.
+// The stiffness with which a cohesive spring unloads in explicit motion, as a share of m / dt^2, m being the
+// mass of both crack faces taken together. Waves in the cloth have 1.96 of the 4 that central differences
+// bear; two springs that meet at a corner add twice this share each.
 constexpr double kStiffest = 0.5;
 
 // Distance of the origin from closed crack faces over the opening at which a spring carries nothing more,
-// where steps are not explicit: the way back is a thousand times stiffer than the way out, and the direction
-// of the force is that at the opening as long as the crack faces part less than this.
+// where steps are not explicit: unloading is a thousand times stiffer than loading, and the direction of the
+// force is that at the opening as long as the crack faces part less than this.
 constexpr double kOrigin = 1e-3;
 
 // Share of the opening left at which a spring ends in steps along a path.
@@ -339,7 +339,7 @@ void Tears::keep(Archive& archive) {
 double Tears::share(Index element, int family) const {
   know_all();
   double most = 0;
-  const auto& nodes = cloth_.mesh_elements()[static_cast<std::size_t>(element)];
+  const auto& nodes = cloth_.model().mesh().elements[static_cast<std::size_t>(element)];
   for (const Index node : nodes) {
     if (node < 0) continue;
     const Index place = model_.mesh().place_of(node);

@@ -87,7 +87,7 @@ Tears::Corner Tears::corner_at(Index element, int a) const {
   const auto& mesh = model_.mesh();
   const auto& nodes = mesh.elements[static_cast<std::size_t>(element)];
   const auto& X = dofs_.reference();
-  const auto yarns = cloth_.yarns(element);
+  const auto yarns = cloth_.readings().yarns(element);
   Corner corner{nodes[static_cast<std::size_t>(a)], element, {-1, -1}, {-1, -1}};
   for (const int step : {1, 3}) {
     const Index far = nodes[static_cast<std::size_t>((a + step) % 4)];

@@ -1,13 +1,11 @@
-// Masses of the cloth, and its largest stable step of central differences.
+#include "mechanics/terms/cloth_rates.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 
-#include "geometry/node_view.hpp"
 #include "geometry/turning.hpp"
-#include "mechanics/element_rates.hpp"
-#include "mechanics/terms/cloth.hpp"
 
 namespace fabricsh::mechanics {
 
@@ -46,12 +44,18 @@ Speeds speeds(const section::Section& section) {
 
 }  // namespace
 
+ClothRates::ClothRates(const model::Model& model, const RestShape& rest, const std::vector<Batch>& batches,
+                       const std::vector<BatchLane>& place)
+    : model_(model), rest_(rest), batches_(batches), place_(place), membrane_step_(membrane_step()) {
+  for (Index e = 0; e < elements(); ++e) smallest_size_ = std::min(smallest_size_, rest_.size(e));
+}
+
 // 1/s^2: the square of the highest frequency of an element in its plane. Its smallest height tells of
 // squares and, with their transverse shear, of triangles; where four sides are oblique, or the stiff yarns do
 // not run across the height, it is lower.
-double Cloth::plane_rate_of(Index e, const Stiffest& stiffest, double speed) const {
+double ClothRates::plane_rate_of(Index e, const Stiffest& stiffest, double speed) const {
   const double of_height = std::pow(2 * speed / rest_.size(e), 2);
-  const Corners corners = corners_of(e);
+  const RestShape::Outline corners = rest_.outline(e);
   if (corners.count == 3) return of_height;
   std::array<Eigen::Vector2d, 4> plane;
   for (int a = 0; a < corners.count; ++a) {
@@ -62,7 +66,7 @@ double Cloth::plane_rate_of(Index e, const Stiffest& stiffest, double speed) con
   return std::min(of_height, stiffest.axial * plane_rate(used, stiffest.shear / stiffest.axial));
 }
 
-double Cloth::step_across_heights() const {
+double ClothRates::step_across_heights() const {
   std::vector<double> speed;  // m/s, per region
   for (const auto& section : model_.sections()) speed.push_back(std::sqrt(speeds(section).membrane));
   double shortest = std::numeric_limits<double>::infinity();
@@ -74,7 +78,7 @@ double Cloth::step_across_heights() const {
 // s: the stable step for waves in the plane of the cloth. No frequency squared is above the largest mean of
 // those of the elements around a node, weighted by their masses: K_e <= r_e M_e, of which the sum is
 // diagonal. Where cloth may tear, elements part from those that they share nodes with.
-double Cloth::membrane_step() const {
+double ClothRates::membrane_step() const {
   const double shortest = step_across_heights();
   if (!model_.all<model::Zone>().empty()) return shortest;
   std::vector<double> speed;  // m/s, per region
@@ -96,16 +100,16 @@ double Cloth::membrane_step() const {
   return longer > shortest * (1 + rounding) ? longer : shortest;
 }
 
-std::vector<double> Cloth::corner_masses() const {
+std::vector<double> ClothRates::corner_masses() const {
   std::vector<double> all(static_cast<std::size_t>(elements()));
   for (Index e = 0; e < elements(); ++e) all[static_cast<std::size_t>(e)] = corner_mass(e);
   return all;
 }
 
 // Per node, over its elements.
-std::vector<double> Cloth::means_at_nodes(std::span<const double> rates,
-                                          std::span<const double> weights) const {
-  std::vector<double> sum(X_.size(), 0), weight(X_.size(), 0);
+std::vector<double> ClothRates::means_at_nodes(std::span<const double> rates,
+                                               std::span<const double> weights) const {
+  std::vector<double> sum(model_.mesh().nodes.size(), 0), weight(model_.mesh().nodes.size(), 0);
   for (std::size_t i = 0; i < rates.size(); ++i)
     for (const Index n : model_.mesh().elements[i])
       if (n >= 0) {
@@ -116,7 +120,7 @@ std::vector<double> Cloth::means_at_nodes(std::span<const double> rates,
   return sum;
 }
 
-std::vector<double> Cloth::rates_at_nodes(std::span<const double> rates, bool scaled) const {
+std::vector<double> ClothRates::rates_at_nodes(std::span<const double> rates, bool scaled) const {
   const FrequencyBounds& of = bounds(scaled);
   std::vector<double> means = means_at_nodes(rates, of.masses);
   if (of.inertias.empty()) return means;
@@ -130,13 +134,13 @@ std::vector<double> Cloth::rates_at_nodes(std::span<const double> rates, bool sc
 // rotations against the transverse shear, of frequency c_s / sqrt(inertia), permit the membrane's step, 2 /
 // frequency. This slows a wave of wave number k by (k h)^2 (c_s / c)^2 / 8, for woven cloth some hundredth of
 // the effect of the lumped mass, (k h)^2 / 24; [hughes1978] has A/8 for all moduli, (k h)^2 / 16.
-double Cloth::inertia_per_mass(const section::Section& section, bool scaled) const {
+double ClothRates::inertia_per_mass(const section::Section& section, bool scaled) const {
   const double own = gyration(section);
   if (!scaled) return own;
-  return std::max(own, speeds(section).shear * step_of_membrane_ * step_of_membrane_ / 4);
+  return std::max(own, speeds(section).shear * membrane_step_ * membrane_step_ / 4);
 }
 
-double Cloth::corner_mass(Index i) const {
+double ClothRates::corner_mass(Index i) const {
   const auto& e = model_.mesh().elements[i];
   const auto region = static_cast<std::size_t>(model_.region_of(i));
   return model_.sections()[region].areal_mass * rest_.area(i) / corners(e);
@@ -147,8 +151,8 @@ double Cloth::corner_mass(Index i) const {
 // the long edge. It is at most that of a rod as long as the element. `permitted`: s, what the step takes. An
 // element whose displacements are faster, which slower neighbours make up for, needs no more than its own
 // step takes.
-Cloth::ElementBound Cloth::bound_of(const ElementMatrix& stiffness, Index i, bool scaled,
-                                    double permitted) const {
+ClothRates::ElementBound ClothRates::bound_of(const ElementMatrix& stiffness, Index i, bool scaled,
+                                              double permitted) const {
   const auto& e = model_.mesh().elements[i];
   const auto region = static_cast<std::size_t>(model_.region_of(i));
   const double mass = corner_mass(i), own = inertia_per_mass(model_.sections()[region], scaled);
@@ -167,8 +171,9 @@ Cloth::ElementBound Cloth::bound_of(const ElementMatrix& stiffness, Index i, boo
   return {highest_rate(stiffness, n, mass, mass * more), more};
 }
 
-std::array<Cloth::ElementBound, lanes> Cloth::bounds_of(const Batch& batch, const Stiffest& stiffest,
-                                                        bool scaled, double permitted) const {
+std::array<ClothRates::ElementBound, lanes> ClothRates::bounds_of(const Batch& batch,
+                                                                  const Stiffest& stiffest, bool scaled,
+                                                                  double permitted) const {
   alignas(64) double x[12 * lanes], d[12 * lanes], b[24 * lanes];
   for (int l = 0; l < lanes; ++l)
     for (int a = 0; a < batch.kind->corners; ++a) {
@@ -188,7 +193,7 @@ std::array<Cloth::ElementBound, lanes> Cloth::bounds_of(const Batch& batch, cons
 }
 
 // Batches that share their geometry share their bounds.
-const Cloth::FrequencyBounds& Cloth::bounds(bool scaled) const {
+const ClothRates::FrequencyBounds& ClothRates::bounds(bool scaled) const {
   FrequencyBounds& of = bounds_[scaled];
   if (of.made) return of;
   std::map<std::pair<const double*, int>, std::size_t> known;
@@ -212,7 +217,7 @@ const Cloth::FrequencyBounds& Cloth::bounds(bool scaled) const {
   of.masses = corner_masses();
   of.inertias.resize(place_.size());
   bool alike = true;
-  of.rotary.assign(X_.size(), 0);
+  of.rotary.assign(model_.mesh().nodes.size(), 0);
   for (Index i = 0; i < elements(); ++i) {
     const auto& e = model_.mesh().elements[i];
     const ElementBound& bound = found[same[place_[i].batch]][place_[i].lane];
@@ -226,8 +231,8 @@ const Cloth::FrequencyBounds& Cloth::bounds(bool scaled) const {
   return of;
 }
 
-double Cloth::stable_step(bool scaled) const {
-  double shortest = step_of_membrane_;
+double ClothRates::stable_step(bool scaled) const {
+  double shortest = membrane_step_;
   for (const auto& section : model_.sections()) {
     const double inertia = inertia_per_mass(section, scaled);
     double bending = 0;  // N m per metre of width
@@ -240,69 +245,6 @@ double Cloth::stable_step(bool scaled) const {
     if (!scaled) shortest = std::min(shortest, 2 * std::sqrt(inertia / speeds(section).shear));
   }
   return shortest;
-}
-
-namespace {
-
-// The square of the largest stretch in the plane of two vectors that were A and B and are a and b.
-double largest_stretch_squared(const Vec3& A, const Vec3& B, const Vec3& a, const Vec3& b) {
-  const double AA = A.squaredNorm(), AB = A.dot(B), BB = B.squaredNorm();
-  const double aa = a.squaredNorm(), ab = a.dot(b), bb = b.squaredNorm();
-  const double det = AA * BB - AB * AB, half = (BB * aa - 2 * AB * ab + AA * bb) / det / 2;
-  return half + std::sqrt(std::max(0.0, half * half - (aa * bb - ab * ab) / det));
-}
-
-}  // namespace
-
-double Cloth::growth(Index i) const {
-  const auto& e = model_.mesh().elements[i];
-  const auto x = configuration_.x();
-  const auto across = [&](const auto& corner) {
-    const int last = corners(e) == 3 ? 0 : 3;
-    return std::pair<Vec3, Vec3>(corner(2) - corner(0), corner(1) - corner(last));
-  };
-  const auto [A, B] = across([&](int c) { return rest_.X(i, c); });
-  const auto [a, b] = across([&](int c) { return Vec3(at(x, e[c])); });
-  double squared = std::max(1.0, largest_stretch_squared(A, B, a, b));
-  for (int k = 0; k < corners(e); ++k) {
-    const int next = (k + 1) % corners(e);
-    squared = std::max(squared, (at(x, e[next]) - at(x, e[k])).squaredNorm() /
-                                    (rest_.X(i, next) - rest_.X(i, k)).squaredNorm());
-  }
-  return squared + (squared - 1) / 2;
-}
-
-double Cloth::largest_stretch() const {
-  const auto x = configuration_.x();
-  double largest = 0;  // squared
-#pragma omp parallel for schedule(static) reduction(max : largest) if (place_.size() >= 4096)
-  for (std::size_t i = 0; i < place_.size(); ++i) {
-    const auto& e = model_.mesh().elements[i];
-    const int n = corners(e);
-    for (int a = 0; a < n; ++a)
-      for (int b = a + 1; b < n; ++b)
-        largest = std::max(
-            largest,
-            (at(x, e[b]) - at(x, e[a])).squaredNorm() /
-                (rest_.X(static_cast<Index>(i), b) - rest_.X(static_cast<Index>(i), a)).squaredNorm());
-  }
-  return std::sqrt(largest);
-}
-
-double Cloth::largest_turn(const NodalRates& way) const {
-  double largest = 0;  // squared
-#pragma omp parallel for schedule(static) reduction(max : largest) if (place_.size() >= 4096)
-  for (std::size_t i = 0; i < place_.size(); ++i) {
-    const auto& e = model_.mesh().elements[i];
-    const int n = corners(e);
-    for (int a = 0; a < n; ++a) {
-      const Index from = e[a], to = e[(a + 1) % n], id = static_cast<Index>(i);
-      const double edge = (at(way.x, to) - at(way.x, from)).squaredNorm() /
-                          (rest_.X(id, (a + 1) % n) - rest_.X(id, a)).squaredNorm();
-      largest = std::max({largest, edge, at(way.d, from).squaredNorm()});
-    }
-  }
-  return std::sqrt(largest);
 }
 
 }  // namespace fabricsh::mechanics

@@ -1,0 +1,69 @@
+// Bounds of the frequencies of the cloth in its reference configuration, and its largest stable step of
+// central differences.
+#pragma once
+#include <array>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "mechanics/batch.hpp"
+#include "mechanics/element_rates.hpp"
+#include "mechanics/rest_shape.hpp"
+
+namespace fabricsh::mechanics {
+
+class ClothRates {
+ public:
+  ClothRates(const model::Model& model, const RestShape& rest, const std::vector<Batch>& batches,
+             const std::vector<BatchLane>& place);
+
+  double stable_step(bool scaled) const;  // s
+  // s: the time in which waves in the plane cross the smallest height of an element. The default stiffness of
+  // contact follows it also where the stable step is longer, so that a rim of small elements is pressed no
+  // deeper.
+  double step_across_heights() const;
+  // kg m^2 per node. The rotary inertia per mass of an element is t^2/12 + t^2 zeta_bar^2/4; if scaled, it is
+  // at least so large that it permits the stable step of the waves in the plane of the cloth, after the idea
+  // of [hughes1978].
+  const std::vector<double>& rotary_inertia(bool scaled) const { return bounds(scaled).rotary; }
+  // 1/s^2, per element: an upper bound of the squares of its frequencies in the reference configuration
+  // (element_rates.hpp), with true or scaled rotary inertia.
+  const std::vector<double>& highest(bool scaled) const { return bounds(scaled).rates; }
+  // 1/s^2, per node: the mean of `rates` over its elements, weighted by their masses or by their rotary
+  // inertia, whichever is more. If no frequency squared of an element is above its rate, none of the cloth is
+  // above the largest of these.
+  std::vector<double> rates_at_nodes(std::span<const double> rates, bool scaled) const;
+  double smallest_size() const { return smallest_size_; }  // m, h of the smallest element
+
+ private:
+  Index elements() const { return static_cast<Index>(place_.size()); }
+  double plane_rate_of(Index element, const Stiffest& stiffest, double speed) const;
+  double membrane_step() const;
+  std::vector<double> corner_masses() const;
+  std::vector<double> means_at_nodes(std::span<const double> rates, std::span<const double> weights) const;
+  double inertia_per_mass(const section::Section& section, bool scaled) const;
+  double corner_mass(Index element) const;  // kg
+  // The rotary inertia of the nodes and the bounds of the elements' frequencies, computed when first used.
+  struct FrequencyBounds {
+    bool made = false;
+    std::vector<double> rates, rotary;
+    std::vector<double> masses, inertias;  // of each corner of an element, kg, kg m^2; empty: as the masses
+  };
+  const FrequencyBounds& bounds(bool scaled) const;
+  struct ElementBound {
+    double rate, inertia_per_mass;  // 1/s^2, m^2
+  };
+  std::array<ElementBound, lanes> bounds_of(const Batch& batch, const Stiffest& stiffest, bool scaled,
+                                            double permitted) const;
+  ElementBound bound_of(const ElementMatrix& stiffness, Index element, bool scaled, double permitted) const;
+
+  const model::Model& model_;
+  const RestShape& rest_;
+  const std::vector<Batch>& batches_;
+  const std::vector<BatchLane>& place_;
+  mutable FrequencyBounds bounds_[2];  // with true and with scaled rotary inertia
+  double membrane_step_;               // s
+  double smallest_size_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace fabricsh::mechanics

@@ -1,0 +1,189 @@
+// Directions of the deformed yarns. At each in-plane point the material direction m_i = T_i1 G_1 + T_i2 G_2
+// of the reference has become T_i1 a_1 + T_i2 a_2. Transform and base vectors belong to the same point: in
+// quadrilaterals that are no parallelograms both change from point to point.
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/node_view.hpp"
+#include "mechanics/terms/cloth.hpp"
+
+namespace fabricsh::mechanics {
+
+namespace {
+
+// The thickness point at which the yarns are read: the middle one of the ply, or of all plies. The two that
+// count folds, the second of which has a negative weight, are at the end of each ply (section.cpp).
+int middle_point(const section::Section& section, int ply) {
+  std::vector<int> found;
+  const int points = static_cast<int>(section.points.size());
+  for (int k = 0; k < points; ++k) {
+    const bool folds = section.points[k].weight < 0 || (k + 1 < points && section.points[k + 1].weight < 0);
+    if (!folds && (ply == ClothReadings::all_plies || section.points[k].ply == ply)) found.push_back(k);
+  }
+  return found[found.size() / 2];
+}
+
+// The base vectors a_1 + eta d and a_2 + xi d, in a triangle without d.
+struct Bases {
+  Vec3 a1, a2, d = Vec3::Zero();
+};
+
+Bases bases(const std::array<Vec3, 4>& p, int corners) {
+  if (corners == 3) return {p[1] - p[0], p[2] - p[0]};
+  return {(p[1] + p[2] - p[0] - p[3]) / 4, (p[2] + p[3] - p[0] - p[1]) / 4, (p[0] + p[2] - p[1] - p[3]) / 4};
+}
+
+}  // namespace
+
+std::pair<Vec3, Vec3> ClothReadings::yarns(Index element, int ply) const {
+  const BatchLane place = cloth_.places()[element];
+  const Batch& batch = cloth_.batches()[place.batch];
+  const BatchKind& kind = *batch.kind;
+  const auto& section = *batch.section;
+  const int k = middle_point(section, ply), points = static_cast<int>(section.points.size());
+  const auto& point = section.points[k];
+  const double z = section.thickness / 2 * (point.zeta - section.offset);
+  std::array<Vec3, 4> p;
+  for (int a = 0; a < kind.corners; ++a) {
+    const Index node = batch.nodes[place.lane][a];
+    p[a] = at(cloth_.configuration().x(), node) + z * at(cloth_.configuration().d(), node);
+  }
+  const Bases base = bases(p, kind.corners);
+  // Sums over the in-plane points of T_i1 and T_i2, and of T_i1 eta + T_i2 xi.
+  constexpr int xi[] = {-1, 1, 1, -1}, eta[] = {-1, -1, 1, 1};
+  double T[4] = {}, by[2] = {};
+  for (int g = 0; g < kind.in_plane; ++g) {
+    const double* t = batch.geometry + kind.point(g, k, points) * lanes + place.lane;
+    for (int i = 0; i < 4; ++i) T[i] += t[i * lanes];
+    for (int i = 0; i < 2; ++i) by[i] += t[2 * i * lanes] * eta[g] + t[(2 * i + 1) * lanes] * xi[g];
+  }
+  const double away = 1 / std::sqrt(3.0);  // of the points from the middle
+  const Vec3 warp = T[0] * base.a1 + T[1] * base.a2 + away * by[0] * base.d,
+             weft = T[2] * base.a1 + T[3] * base.a2 + away * by[1] * base.d;
+  const double angle = ply == all_plies ? point.angle - section.common_angle() : 0;
+  if (angle == 0) return {warp.normalized(), weft.normalized()};
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {(c * warp - s * weft).normalized(), (s * warp + c * weft).normalized()};
+}
+
+void ClothReadings::visit(Index element, const PointVisitor& f) const {
+  const BatchLane place = cloth_.places()[element];
+  const Batch& batch = cloth_.batches()[place.batch];
+  const auto& section = *batch.section;
+  const int points = static_cast<int>(section.points.size());
+  const BatchKind& kind = *batch.kind;
+  alignas(64) double x[12 * lanes], d[12 * lanes];
+  std::vector<double> E(static_cast<std::size_t>(kind.in_plane) * points * 5 * lanes),
+      state(section.state_size + 1);
+  cloth_.gather(batch, x, d, nullptr);
+  const double* geometry = batch.geometry;
+  kind.kernels.strain(section, {geometry, x, d, nullptr, nullptr, nullptr}, E.data());
+  const double* law = cloth_.states().current().data() + batch.law;
+  for (int g = 0; g < kind.in_plane; ++g)
+    for (int k = 0; k < points; ++k) {
+      const auto& point = section.points[k];
+      double e[5];
+      for (int i = 0; i < 5; ++i) e[i] = E[((g * points + k) * 5 + i) * lanes + place.lane];
+      const int size = law::state_size(*point.law);
+      for (int i = 0; i < size; ++i)
+        state[i] = law[(g * section.state_size + point.state + i) * lanes + place.lane];
+      f(geometry[(kind.point(g, k, points) + 7) * lanes + place.lane], *point.law, e, state.data());
+    }
+}
+
+Vec3 ClothReadings::centre(Index element) const {
+  const Batch& batch = cloth_.batches()[cloth_.places()[element].batch];
+  Vec3 sum = Vec3::Zero();
+  for (int a = 0; a < batch.kind->corners; ++a)
+    sum += at(cloth_.configuration().x(), batch.nodes[cloth_.places()[element].lane][a]);
+  return sum / batch.kind->corners;
+}
+
+// The directors of a membrane do not follow it.
+Index ClothReadings::inverted_element(std::span<const Index> but_for) const {
+  if (cloth_.model().membrane()) return -1;
+  Index first = -1;
+  const auto counts = [&](const std::array<Index, 4>& nodes) {
+    return std::none_of(nodes.begin(), nodes.end(),
+                        [&](Index n) { return std::binary_search(but_for.begin(), but_for.end(), n); });
+  };
+  for (const Batch& batch : cloth_.batches()) {
+    alignas(64) double x[12 * lanes], d[12 * lanes];
+    cloth_.gather(batch, x, d, nullptr);
+    const unsigned lost =
+        batch.kind->kernels.inverted({nullptr, x, d, nullptr, nullptr, nullptr}) & ((1u << batch.used) - 1);
+    for (int l = 0; l < batch.used; ++l)
+      if ((lost >> l & 1u) != 0 && (first < 0 || batch.element[l] < first) && counts(batch.nodes[l]))
+        first = batch.element[l];
+  }
+  return first;
+}
+
+namespace {
+
+// The square of the largest stretch in the plane of two vectors that were A and B and are a and b.
+double largest_stretch_squared(const Vec3& A, const Vec3& B, const Vec3& a, const Vec3& b) {
+  const double AA = A.squaredNorm(), AB = A.dot(B), BB = B.squaredNorm();
+  const double aa = a.squaredNorm(), ab = a.dot(b), bb = b.squaredNorm();
+  const double det = AA * BB - AB * AB, half = (BB * aa - 2 * AB * ab + AA * bb) / det / 2;
+  return half + std::sqrt(std::max(0.0, half * half - (aa * bb - ab * ab) / det));
+}
+
+}  // namespace
+
+double ClothReadings::growth(Index i) const {
+  const RestShape& rest = cloth_.rest();
+  const auto& e = cloth_.model().mesh().elements[static_cast<std::size_t>(i)];
+  const auto x = cloth_.configuration().x();
+  const auto across = [&](const auto& corner) {
+    const int last = corners(e) == 3 ? 0 : 3;
+    return std::pair<Vec3, Vec3>(corner(2) - corner(0), corner(1) - corner(last));
+  };
+  const auto [A, B] = across([&](int c) { return rest.X(i, c); });
+  const auto [a, b] = across([&](int c) { return Vec3(at(x, e[c])); });
+  double squared = std::max(1.0, largest_stretch_squared(A, B, a, b));
+  for (int k = 0; k < corners(e); ++k) {
+    const int next = (k + 1) % corners(e);
+    squared = std::max(squared, (at(x, e[next]) - at(x, e[k])).squaredNorm() /
+                                    (rest.X(i, next) - rest.X(i, k)).squaredNorm());
+  }
+  return squared + (squared - 1) / 2;
+}
+
+double ClothReadings::largest_stretch() const {
+  const RestShape& rest = cloth_.rest();
+  const auto& elements = cloth_.model().mesh().elements;
+  const auto x = cloth_.configuration().x();
+  double largest = 0;  // squared
+#pragma omp parallel for schedule(static) reduction(max : largest) if (elements.size() >= 4096)
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const auto& e = elements[i];
+    const int n = corners(e);
+    for (int a = 0; a < n; ++a)
+      for (int b = a + 1; b < n; ++b)
+        largest = std::max(
+            largest, (at(x, e[b]) - at(x, e[a])).squaredNorm() /
+                         (rest.X(static_cast<Index>(i), b) - rest.X(static_cast<Index>(i), a)).squaredNorm());
+  }
+  return std::sqrt(largest);
+}
+
+double ClothReadings::largest_turn(const NodalRates& way) const {
+  const RestShape& rest = cloth_.rest();
+  const auto& elements = cloth_.model().mesh().elements;
+  double largest = 0;  // squared
+#pragma omp parallel for schedule(static) reduction(max : largest) if (elements.size() >= 4096)
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const auto& e = elements[i];
+    const int n = corners(e);
+    for (int a = 0; a < n; ++a) {
+      const Index from = e[a], to = e[(a + 1) % n], id = static_cast<Index>(i);
+      const double edge = (at(way.x, to) - at(way.x, from)).squaredNorm() /
+                          (rest.X(id, (a + 1) % n) - rest.X(id, a)).squaredNorm();
+      largest = std::max({largest, edge, at(way.d, from).squaredNorm()});
+    }
+  }
+  return std::sqrt(largest);
+}
+
+}  // namespace fabricsh::mechanics
