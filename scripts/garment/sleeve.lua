@@ -4,7 +4,7 @@
 --   fabricsh sleeve.lua [blend|duck|muslin|denim] [size of elements, mm] [bend, degrees] [time of a bend, s] [folder of checkpoint and series, or -] [flesh, mm] [field]
 --
 -- With `flesh` the arm gives way by that much below its skin, with the stiffness of 50 kPa over 20 mm (initial moduli of 0.2 to 58 kPa were measured on limbs
--- [zheng1999]); without it, on a hard arm, the folds of elements below some 10 mm are pinched until contact makes the steps a hundred times as short.
+-- [zheng1999]); without it, on a hard arm, the folds of elements below some 10 mm are pinched.
 --
 -- With `field`, the word itself, yarns that are shortened carry nothing (fabric.lab.tension_field): for elements larger than the folds.
 --
