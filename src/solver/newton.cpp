@@ -87,7 +87,7 @@ Answer Newton::predict(Problem& problem) {
 NewtonResult Newton::solve(Problem& problem, const NewtonOptions& options) {
   resize(problem.size());
   if (const Answer answer = predict(problem); answer != Answer::ok) return failed(answer);
-  if (!problem.has_branches()) return iterate(problem, options, true);
+  if (!problem.has_branches() || !options.line_search) return iterate(problem, options, true);
   const NewtonResult followed = follow_branches(problem, options);
   if (followed.status == NewtonStatus::converged) return followed;
   // A step that begins anew takes the branches as they are.
