@@ -94,12 +94,11 @@ contact() { "$program" --quiet scripts/contact/pictures.lua "$work/contact" 16 &
 
 pages() {
   page_figures tutorial out/pull/strip.png tutorial_strip.png
-  page_figures howto/contact out/ball.png contact_tutorial_ball.png out/drape.png contact_tutorial_drape.png out/curves.svg contact_tutorial_curves.svg
-  page_figures howto/drape out/drape.png howto_drape.png out/table.png howto_table.png
+  page_figures howto/contact out/ball.png contact_tutorial_ball.png out/curves.svg contact_tutorial_curves.svg
   page_figures howto/own-mesh out/disc.png howto_ring.png
   page_figures howto/garment out/tunic.png howto_garment.png
   page_figures howto/bias-angle out/angle.png howto_angle.png
-  page_figures howto/own-csv out/mine/weft.svg howto_own_csv.svg out/mine/compare.svg tutorial_compare.svg out/mine/bias.png tutorial_bias.png
+  page_figures howto/own-csv out/mine/weft.svg howto_own_csv.svg out/mine/compare.svg tutorial_compare.svg
   page_figures howto/ball-drop out/drop.png howto_ball.png out/drop.svg howto_ball.svg
   fine_figure howto/drape drape.lua out/disc.png howto_drape_coefficient.png out/outlines.svg howto_drape_outlines.svg
   fine_figure howto/sleeve sleeve.lua out/sleeve.png howto_sleeve.png

@@ -98,7 +98,7 @@ def lay_out(tree, source):
     for name, page in own.items():
         index = index.replace(f"]({name})", f"]({page})")
     # The first tasks stand further up, in README.md.
-    pages = re.sub(r"^## Seven tasks.*?(?=^## )", "", listing.split("\n", 1)[1], flags=re.M | re.S).replace("\n## ", "\n### ")
+    pages = re.sub(r"^## Tasks to begin with.*?(?=^## )", "", listing.split("\n", 1)[1], flags=re.M | re.S).replace("\n## ", "\n### ")
     index += "\n## Pages\n" + pages + "\n" + "\n".join(toctree(caption, names) for caption, names in groups)
     decks = shown_decks(tree, source)
     if decks:
