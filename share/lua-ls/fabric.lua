@@ -295,10 +295,6 @@ function analysis:write(file, options) end
 ---@return table[]
 function card:check(element_size) end
 
----Thickness of the cloth that nothing presses, m, at which contact begins: where its measured compression runs out to no pressure, or without one its own; second, what the fibres alone fill, m, below which nothing is pressed.
----@return any
-function card:free_thickness() end
-
 ---Cards drawn from the card's confidence bands, for the uncertainty of any answer, a list; a value at the end of its band is drawn on the band's side. Points of a yarn that fall are made to rise, and an unloading flatter than the loading is raised to it; other values that make no card are drawn again; `refused` says how often, and from one in fifty on there is a warning.
 ---@param n integer of cards
 ---@param seed? integer of the draw (default 1)
@@ -313,10 +309,6 @@ function card:with(changes) end
 ---Writes the card as a Lua file that reads back equal; the old file stays until the new one is whole.
 ---@param path string of the Lua file
 function card:write(path) end
-
----The number after --case, 'list' under --cases; else nothing. fabric.study follows it.
----@return any
-function fabric.asked_case() end
 
 ---@class fabric_buckling_fields
 ---@field from analysis a state under the loads, well below the critical ones or near them
@@ -512,18 +504,6 @@ function fabric.history(points) end
 ---@return any
 function fabric.import.card(fields) end
 
----@class fabric_lab_averaged_fields
----@field curves table { {E=, S=}, ... }, one per specimen
----@field degrees? number[] of the stress polynomials; default 2 to 6, and cubic splines with 2 to 12 knots
----@field none? number probability beforehand that contact begins at zero strain (default 0.1)
----@field earliest? number least stretch of contact less one (default 0)
----@field strains? integer of the answer, evenly up to the least reach (default 40)
-
----Loading curves averaged over laws and over where contact may have begun: E, specimens={ {S (at E), slack, slack_low, slack_high (95 %), none (probability), reach, residual}, ... }, within (covariance of one specimen's curve), common (the part alike in all), laws={ {name, weight}, ... }, correlation (of neighbouring residuals). E is empty if no law rises.
----@param fields fabric_lab_averaged_fields
----@return table<string, any>
-function fabric.lab.averaged(fields) end
-
 ---@class fabric_lab_backbone_fields
 ---@field curves table { {E=, S=}, ... }, one per specimen
 ---@field degrees? number[] of the stress polynomials to try; default {2, 4}
@@ -681,18 +661,6 @@ function fabric.lab.bias_sizes(fields) end
 ---@param fields fabric_lab_biaxial_fields
 ---@return test
 function fabric.lab.biaxial(fields) end
-
----@class fabric_lab_boxes_fields
----@field rows integer of markers, following each other along the pull
----@field columns integer of markers, across the pull
----@field x table of every marker, row by row, frame after frame; nan: lost
----@field y table likewise
----@field warp? number degrees: from x to the warp (default 90)
-
----Strains of the boxes of a marker grid, box by box, frame after frame: along and across the pull (eq. 3.2), E12 between the yarns, warp_stretch, weft_stretch; zones (1, 2, 3) of a bias specimen by each box's part in the shear; frames, boxes.
----@param fields fabric_lab_boxes_fields
----@return table<string, any>
-function fabric.lab.boxes(fields) end
 
 ---@class fabric_lab_branches_fields
 ---@field displacement number[] m: of a cyclic test
@@ -1143,15 +1111,6 @@ function fabric.lab.grab(fields) end
 ---@return table<string, any>
 function fabric.lab.heart_loop(fields) end
 
----@class fabric_lab_identifiability_fields
----@field jacobian number[] of residuals in units of their deviation, by rows
----@field scale number[] a size of each parameter
-
----What data determine: deviation of each parameter, correlation (by rows), weakest (the combination determined least, of length one in units of scale) and weakest_deviation.
----@param fields fabric_lab_identifiability_fields
----@return table<string, any>
-function fabric.lab.identifiability(fields) end
-
 ---@class fabric_lab_identify_fields
 ---@field parameters table { {name=, start=, low=, high=}, ... }; a logarithm where the size is not known
 ---@field tests table { {name=, measured={numbers}, predict=function(p) return numbers end, noise=}, ... }; p by parameter name; noise: one standard deviation, or one per number; default 1 % of the largest
@@ -1307,21 +1266,6 @@ function fabric.lab.kes_tensile(fields) end
 ---@return table<string, any>
 function fabric.lab.kilby(fields) end
 
----@class fabric_lab_least_squares_fields
----@field start number[] parameters to begin with
----@field low number[] bounds
----@field high number[] bounds
----@field evaluate function evaluate(points) returns one list of residuals per point
----@field iterations? integer at most (default 50)
----@field tolerance? number relative, of the sum of squares and of the parameters (default 1e-08)
----@field difference? number step of the differences, over high - low (default 1e-04)
----@field settle? integer rounds of central differences along combinations that the data determine independently; for residuals in units of their deviation (default 0)
-
----Bounded least squares by Levenberg and Marquardt: x, residuals, jacobian (by rows), iterations, converged, reason.
----@param fields fabric_lab_least_squares_fields
----@return table<string, any>
-function fabric.lab.least_squares(fields) end
-
 ---@class fabric_lab_loops_fields
 ---@field tests table results of fabric.lab.tensile along one yarn with unloading and, better, reloading
 ---@field fit? table result of fabric.lab.fit of the same tests; default: made here, with find_slack='either', rule='robust'
@@ -1334,16 +1278,6 @@ function fabric.lab.least_squares(fields) end
 ---@return table<string, any>
 function fabric.lab.loops(fields) end
 
----@class fabric_lab_marks_fields
----@field E number[] strains of a loading branch
----@field S number[] Pa: stresses
----@field kept? number failed when the stress falls below this part of its peak (default 0.8)
-
----Rows of yield (the tangent falls below half of its largest value) and of failure (the largest stress), nil where there is none.
----@param fields fabric_lab_marks_fields
----@return table<string, any>
-function fabric.lab.marks(fields) end
-
 ---@class fabric_lab_mesh_error_fields
 ---@field run function function(n) that returns {name=number, ...} on a mesh refined n = 1, 2, 4 times
 ---@field print? boolean a table (default true)
@@ -1352,15 +1286,6 @@ function fabric.lab.marks(fields) end
 ---@param fields fabric_lab_mesh_error_fields
 ---@return table<string, any>
 function fabric.lab.mesh_error(fields) end
-
----@class fabric_lab_monotone_fields
----@field curves table { {E=, S=}, ... }, one per specimen
----@field bins? integer of strain, equally wide (default 20)
-
----Points {{0, 0}, {E, S}, ...} of a strictly rising curve through the means of bins: a card's loading.
----@param fields fabric_lab_monotone_fields
----@return table[]
-function fabric.lab.monotone(fields) end
 
 ---The quantile of the normal distribution with mean 0 and deviation 1.
 ---@param probability number of values below it
@@ -1613,13 +1538,6 @@ function fabric.lab.shear(fields) end
 ---@param fields fabric_lab_shear_from_bias_fields
 ---@return table<string, any>
 function fabric.lab.shear_from_bias(fields) end
-
----Points of Sobol's sequence, which fill a cube evenly [joe2008]: a list of numbers between 0 and 1, point after point. fabric.sobol makes cases of a study of them.
----@param count integer of points
----@param dimensions integer of each
----@param seed? integer of a shift of all points; 0: none (default 1)
----@return table<string, any>
-function fabric.lab.sobol_points(count, dimensions, seed) end
 
 ---@class fabric_lab_speckles_fields
 ---@field file string ends in .png
@@ -2056,9 +1974,10 @@ function fabric.mesh.of(fields) end
 ---@field darts? table { {from=, tip=, to=, name=}, ... }: wedges cut from the outline
 ---@field notches? table { {name=, edge=, at=|share=|point=}, ... }: places that get a node
 ---@field triangles? boolean equilateral ones, in place of squares (default false)
+---@field quadrilaterals? boolean true: no element is a triangle, and each side has an even number of them; false: triangles along the outline where they fit; default: without, where rows oblique to the grain or more than 5 % of the area would have them, unless elements get much narrower or rows= is given
 ---@field rows? number degrees: direction of the rows of elements, counter-clockwise from +x; default: the grain, or straight sides oblique to it where that leaves less than half as many triangles
 
----A panel from its outline, in the x-y plane, normal +z: rows of squares along the grain or along sides oblique to it, and a rim of quadrilaterals and triangles whose border nodes lie on the outline. A piece is a straight line to {x, y}, {arc={to=, through=|centre=, clockwise=}}, {spline={ {x, y}, ... }}, {bezier={c, c, to}}, or {name=}, which closes the line; a line {circle={x, y}, radius=} is a circle; elements= of a piece sets their number. Named edges, the sides NAME_in and NAME_out of darts, and notches become sets; all and boundary as usual. Edges of a file are edge1, edge2, ..., its notches notch1, notch2, .... A model takes the warp from the grain.
+---A panel from its outline, in the x-y plane, normal +z: rows of squares along the grain or along sides oblique to it, and a rim of quadrilaterals, and triangles unless these matter, whose border nodes lie on the outline. A piece is a straight line to {x, y}, {arc={to=, through=|centre=, clockwise=}}, {spline={ {x, y}, ... }}, {bezier={c, c, to}}, or {name=}, which closes the line; a line {circle={x, y}, radius=} is a circle; elements= of a piece sets their number. Named edges, the sides NAME_in and NAME_out of darts, and notches become sets; all and boundary as usual. Edges of a file are edge1, edge2, ..., its notches notch1, notch2, .... A model takes the warp from the grain.
 ---@param fields fabric_mesh_panel_fields
 ---@return mesh
 function fabric.mesh.panel(fields) end
@@ -2749,14 +2668,6 @@ function history:value(time) end
 ---@param warp? number|number[] degrees: as for fabric.model
 ---@return table<string, any>
 function mesh:check(card, warp) end
-
----The nodes, elements and sets of nodes as lines of a deck, to which the rest of a deck is added; see fabric.export.model for whole decks.
----@param format "inp"|"k"|"rad" of Abaqus, LS-DYNA or OpenRadioss
----@param length? number what a metre is in the deck: 1000 for mm (default 1)
----@param membrane? boolean inp: M3D4R and M3D3 in the place of S4 and S3 (default false)
----@param elements? string inp: name of the set of all elements (default "all")
----@return any
-function mesh:deck_lines(format, length, membrane, elements) end
 
 ---Numbers of the elements all of whose nodes are in the set.
 ---@param set string name of a node set
