@@ -132,7 +132,7 @@ wrong(function() fabric.model { mesh = front, card = blend, bodies = { { name = 
   "model: field 'mesh': expected inside each of the bodies, where 'bodies' is given")
 wrong(function() fabric.model { card = blend } end, "model: field 'mesh': expected a mesh, got nil (missing, or a misspelt variable)")
 wrong(function() fabric.model { bodies = { { name = "a", mesh = front, card = blend } } }:fix("left", "x") end, "'left'")
-wrong(function() fabric.model { mesh = strip(), card = blend }:remove(1) end, "remove: argument 'row': expected a number from 1 to 0")
+wrong(function() fabric.model { mesh = strip(), card = blend }:remove(1) end, "remove: expected something declared, the model has nothing in m:list()")
 wrong(function() fabric.model { mesh = strip(), card = blend }:remove { kind = "fix", set = "top" } end,
   "remove: the model has no fix of 'top' (m:list() shows what it has)")
 assert(n == 10)

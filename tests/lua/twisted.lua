@@ -8,7 +8,7 @@
 -- warns: is turned over: it is more than 90 degrees
 -- warns: the guard of the directors has
 local fabric = require "fabric"
-local brute = require "fabric.lab.brute"
+local brute = dofile((arg[0]:gsub("[^/]*$", "../../scripts/contact/brute.lua")))
 local mm = fabric.units.mm
 local card = fabric.card("blend", { bending = "estimated" })
 

