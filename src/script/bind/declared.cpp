@@ -182,8 +182,8 @@ int list(Call& call) {
 
 // The index in m:list() of the argument: a number, or a row; among equal rows the last one.
 std::size_t place_of(const Call& call, const std::vector<Declared>& all) {
-  if (all.empty()) throw Error("remove: expected something declared, the model has nothing in m:list()");
   if (call.is("row", LUA_TNUMBER)) {
+    if (all.empty()) throw Error("remove: expected something declared, the model has nothing in m:list()");
     const auto number = call.integer("row");
     if (number < 1 || number > static_cast<std::int64_t>(all.size()))
       throw Error("remove: argument 'row': expected a number from 1 to " + std::to_string(all.size()) +
