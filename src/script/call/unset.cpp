@@ -86,8 +86,14 @@ int read_unset(lua_State* L) {
   lua_Debug reader;
   if (lua_type(L, 2) != LUA_TSTRING || lua_getstack(L, 1, &reader) == 0) return 0;
   lua_getinfo(L, "Sl", &reader);
-  if (reader.source[0] != '@' || reader.currentline <= 0 || own_module(reader.source)) return 0;
+  if (reader.source[0] != '@' || reader.currentline <= 0) return 0;
   const std::string name = lua_tostring(L, 2);
+  // Each place is looked at once: what is read in a loop does not read its file in a loop.
+  const std::string place = reader.source + (":" + std::to_string(reader.currentline) + ":" + name);
+  if (lua_getfield(L, lua_upvalueindex(1), place.c_str()) != LUA_TNIL) return 0;
+  lua_pushboolean(L, 1);
+  lua_setfield(L, lua_upvalueindex(1), place.c_str());
+  if (own_module(reader.source)) return 0;
   if (uses(reader.source + 1, reader.currentline, name))
     Session::of(L).warn("deck", std::string(reader.source + 1) + ":" + std::to_string(reader.currentline) +
                                     ": the variable '" + name +
@@ -101,7 +107,8 @@ int read_unset(lua_State* L) {
 void watch_globals(lua_State* L) {
   lua_pushglobaltable(L);
   lua_newtable(L);
-  lua_pushcfunction(L, read_unset);
+  lua_newtable(L);  // the places
+  lua_pushcclosure(L, read_unset, 1);
   lua_setfield(L, -2, "__index");
   lua_setmetatable(L, -2);
   lua_pop(L, 1);
