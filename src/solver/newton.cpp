@@ -97,6 +97,20 @@ NewtonResult Newton::solve(Problem& problem, const NewtonOptions& options) {
   return result;
 }
 
+// Whether the residual at the trial configuration ends the iterations.
+std::optional<NewtonStatus> Newton::judge(Problem& problem, std::span<const double> r, double tolerance,
+                                          NewtonResult& result) const {
+  const auto [size, where] = problem.largest(r);
+  if (!std::isfinite(size)) return NewtonStatus::diverged;
+  const double relative = compared(size, problem.force_scale());
+  result.residuals.push_back(relative);
+  result.worst = where;
+  if (problem.at_target() && (relative <= tolerance || size <= problem.rounding_floor(K_)))
+    return NewtonStatus::converged;
+  if (!(relative < 1e12)) return NewtonStatus::diverged;
+  return std::nullopt;
+}
+
 // Stresses that are linear about the strains predicted need no line search: what a turn stretches falsely,
 // and where a yarn goes beyond its branch, the next direction takes back.
 NewtonResult Newton::follow_branches(Problem& problem, const NewtonOptions& options) {
@@ -111,16 +125,12 @@ NewtonResult Newton::follow_branches(Problem& problem, const NewtonOptions& opti
     if (!(fraction > 0)) break;
     problem.apply_increment(delta_, fraction);
     if (checked(problem.residual(trial_r_), trial_r_) != Answer::ok) break;
-    const auto [size, where] = problem.largest(trial_r_);
-    const double relative = compared(size, problem.force_scale());
-    result.residuals.push_back(relative);
-    result.worst = where;
-    if (!(relative < 1e12)) break;
-    if (problem.at_target() && (relative <= options.tolerance || size <= problem.rounding_floor(K_))) {
+    const std::optional<NewtonStatus> judged = judge(problem, trial_r_, options.tolerance, result);
+    if (judged == NewtonStatus::converged) {
       problem.accept();
-      result.status = NewtonStatus::converged;
-      break;
+      result.status = *judged;
     }
+    if (judged) break;
     if (checked(problem.tangent_on_branches(K_, r_), r_) != Answer::ok) break;
     problem.accept();
   }
@@ -150,14 +160,7 @@ NewtonResult Newton::iterate(Problem& problem, const NewtonOptions& options, boo
     const Answer found = search(problem, options.line_search && !(predicted && i == 0));
     if (found != Answer::ok) return stop(status_of(found));
     problem.accept();
-    const auto [size, where] = problem.largest(r_);
-    if (!std::isfinite(size)) return stop(NewtonStatus::diverged);
-    const double relative = compared(size, problem.force_scale());
-    result.residuals.push_back(relative);
-    result.worst = where;
-    if (problem.at_target() && (relative <= options.tolerance || size <= problem.rounding_floor(K_)))
-      return stop(NewtonStatus::converged);
-    if (!(relative < 1e12)) return stop(NewtonStatus::diverged);
+    if (const auto judged = judge(problem, r_, options.tolerance, result)) return stop(*judged);
     if (const Answer answer = problem.tangent(K_); answer != Answer::ok) return stop(status_of(answer));
   }
   return stop(NewtonStatus::too_many_iterations);

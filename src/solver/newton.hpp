@@ -2,6 +2,7 @@
 #pragma once
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -125,6 +126,8 @@ class Newton {
   Answer predict(Problem& problem);  // with the motion of the supports in r_
   NewtonResult follow_branches(Problem& problem, const NewtonOptions& options);
   NewtonResult iterate(Problem& problem, const NewtonOptions& options, bool predicted);
+  std::optional<NewtonStatus> judge(Problem& problem, std::span<const double> r, double tolerance,
+                                    NewtonResult& result) const;
   bool direction(Problem& problem);  // delta_ = K^-1 r_, and what the problem adds
   Answer search(Problem& problem, bool line_search);
   void resize(Index size);

@@ -164,10 +164,6 @@ void BarrierInertia::hold_back(std::span<double> residual) {
     if (added) met.push_back({node});
     return place->second;
   };
-  const auto in_frame = [&](const MetNode& at, std::span<const double> r) {
-    const auto& freedoms = dofs_.freedoms().nodes[static_cast<std::size_t>(at.node)];
-    return InFrame(freedoms, at.inertia, cloth_.mass()[static_cast<std::size_t>(at.node)], r);
-  };
   state_.pairs.barriers([&](std::int32_t node, double stiffness, const Vec3& n) {
     met[place_of(node)].inertia += kEased * dt * dt * stiffness * n * n.transpose();
   });
@@ -179,9 +175,13 @@ void BarrierInertia::hold_back(std::span<double> residual) {
           if (barrier.weight[k] != 0) parting.place[k] = place_of(points[k]);
         partings.push_back(parting);
       });
+  std::vector<InFrame> in_frame;
   for (MetNode& node : met) {
-    const InFrame at = in_frame(node, residual);
-    const Mat3& frame = dofs_.freedoms().nodes[static_cast<std::size_t>(node.node)].frame;
+    const auto& freedoms = dofs_.freedoms().nodes[static_cast<std::size_t>(node.node)];
+    const InFrame& at = in_frame.emplace_back(freedoms, node.inertia,
+                                              cloth_.mass()[static_cast<std::size_t>(node.node)], residual);
+    if (partings.empty()) continue;
+    const Mat3& frame = freedoms.frame;
     node.force = frame.transpose() * at.force;
     node.lightness = frame.transpose() * (at.whole.inverse() * at.free.asDiagonal()) * frame;
   }
@@ -192,7 +192,7 @@ void BarrierInertia::hold_back(std::span<double> residual) {
       if (partings[p].weight[k] != 0)
         by_pairs[partings[p].place[k]] += lambda[p] * partings[p].weight[k] * partings[p].normal;
   for (std::size_t i = 0; i < met.size(); ++i) {
-    const InFrame at = in_frame(met[i], residual);
+    const InFrame& at = in_frame[i];
     const NodeFreedoms& freedoms = dofs_.freedoms().nodes[static_cast<std::size_t>(met[i].node)];
     const Vec3 left = at.force - at.free.asDiagonal() * (freedoms.frame * by_pairs[i]);
     const Vec3 moving = at.mass * at.whole.llt().solve(left), rest = at.force - moving;
