@@ -9,7 +9,6 @@
 //
 //   archive.section("motion", [&] { archive(v_, a_); });
 #pragma once
-#include <concepts>
 #include <cstdint>
 #include <optional>
 #include <span>

@@ -24,7 +24,6 @@
 #pragma once
 #include <array>
 #include <functional>
-#include <vector>
 
 #include "base/error.hpp"
 #include "geometry/vec.hpp"

@@ -1,7 +1,5 @@
 #include "format/deck_write.hpp"
 
-#include <set>
-
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "format/deck_mesh.hpp"

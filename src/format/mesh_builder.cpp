@@ -1,7 +1,6 @@
 #include "format/mesh_builder.hpp"
 
 #include <filesystem>
-#include <numeric>
 
 #include "base/error.hpp"
 #include "base/utf8.hpp"

@@ -5,7 +5,6 @@
 #include <span>
 #include <string>
 #include <unordered_map>
-#include <vector>
 
 #include "format/source.hpp"
 #include "mesh/mesh.hpp"

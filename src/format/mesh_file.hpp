@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "mesh/mesh.hpp"
-#include "system/atomic.hpp"
 
 namespace fabricsh::format {
 

@@ -1,5 +1,4 @@
 // Wavefront .obj: v, f, l, p; groups (g) and objects (o) become sets.
-#include <array>
 
 #include "format/mesh_builder.hpp"
 #include "format/mesh_file.hpp"

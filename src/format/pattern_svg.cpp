@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "base/error.hpp"
-#include "base/number.hpp"
 #include "format/pattern_parts.hpp"
 #include "format/source.hpp"
 #include "format/svg_shapes.hpp"

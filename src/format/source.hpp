@@ -1,7 +1,6 @@
 // A file being read: all its bytes, a position, and errors that name the position. Nothing that the
 // file states is trusted: a count is checked against the bytes left before memory is allocated for it.
 #pragma once
-#include <bit>
 #include <cstdint>
 #include <cstring>
 #include <string>

@@ -1,6 +1,5 @@
 // Splits one line of a table into its cells.
 #pragma once
-#include <string>
 #include <string_view>
 #include <vector>
 

@@ -1,11 +1,8 @@
 #include "format/table_signs.hpp"
 
 #include <algorithm>
-#include <array>
 #include <limits>
-#include <set>
 
-#include "base/error.hpp"
 #include "format/table_line.hpp"
 #include "format/table_rows.hpp"
 

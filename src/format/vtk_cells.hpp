@@ -1,6 +1,5 @@
 // Shared by the readers of VTK's formats: turns cells and integer arrays into a surface mesh with sets.
 #pragma once
-#include <set>
 
 #include "format/mesh_builder.hpp"
 

@@ -1,6 +1,5 @@
 // VTK's legacy .vtk: unstructured grids and polygonal data, text and binary (big-endian),
 // versions 1 to 5. VTK's own reader is not used because it trusts the counts in the file.
-#include <algorithm>
 
 #include "format/mesh_file.hpp"
 #include "format/vtk_cells.hpp"

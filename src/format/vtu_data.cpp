@@ -7,8 +7,6 @@
 #include <vtkSmartPointer.h>
 #include <vtkZLibDataCompressor.h>
 
-#include <algorithm>
-
 namespace fabricsh::format {
 
 namespace {

@@ -1,7 +1,6 @@
 // Loading curves and unloading moduli from stress and strain [williams2010, section 7.1].
 #pragma once
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 

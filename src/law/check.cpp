@@ -1,7 +1,5 @@
 #include "law/check.hpp"
 
-#include <cmath>
-
 #include "base/error.hpp"
 #include "card/fields.hpp"
 #include "law/bending_spring.hpp"

@@ -1,6 +1,5 @@
 // Defects of a card, and facts worth knowing about it, found before a run.
 #pragma once
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>

@@ -10,8 +10,6 @@
 #pragma once
 #include <array>
 #include <memory>
-#include <string>
-#include <vector>
 
 #include "card/card.hpp"
 #include "simd/isa.hpp"

@@ -1,7 +1,5 @@
 #include "law/point.hpp"
 
-#include <cmath>
-
 #include "base/error.hpp"
 #include "law/load_frame.hpp"
 

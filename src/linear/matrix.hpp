@@ -2,7 +2,6 @@
 // matrices and is replaced when entries are added, and the values of its entries.
 #pragma once
 #include <Eigen/Core>
-#include <cassert>
 #include <cstdint>
 #include <memory>
 #include <span>

@@ -2,7 +2,6 @@
 // Term, or by a part that does; the assembly finds the facets when the term is added.
 #pragma once
 #include <Eigen/Core>
-#include <limits>
 #include <span>
 #include <vector>
 

@@ -1,7 +1,6 @@
 // Which degrees of freedom of a node are unknown, held or driven, and in which frame.
 #pragma once
 #include <array>
-#include <cstdint>
 #include <limits>
 #include <optional>
 #include <vector>

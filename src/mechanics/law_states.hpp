@@ -11,7 +11,6 @@
 #include <omp.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <deque>
 #include <span>
 #include <utility>

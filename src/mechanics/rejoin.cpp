@@ -1,5 +1,4 @@
 // Changes of the joints: the unknowns are numbered anew, and what they were before is handed on.
-#include <algorithm>
 #include <map>
 
 #include "base/error.hpp"

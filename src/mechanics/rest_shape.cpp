@@ -1,7 +1,6 @@
 #include "mechanics/rest_shape.hpp"
 
 #include <cmath>
-#include <numbers>
 
 #include "base/error.hpp"
 #include "base/number.hpp"

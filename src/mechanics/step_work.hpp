@@ -1,6 +1,5 @@
 // The work of forces of which only the two ends of a step are known.
 #pragma once
-#include <cmath>
 
 namespace fabricsh::mechanics {
 

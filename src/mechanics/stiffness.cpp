@@ -1,7 +1,6 @@
 #include "mechanics/stiffness.hpp"
 
 #include <algorithm>
-#include <cstdint>
 
 #include "base/error.hpp"
 #include "geometry/node_view.hpp"

@@ -2,11 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
-#include <map>
 #include <numbers>
-#include <numeric>
 #include <unordered_map>
 
 #include "base/number.hpp"

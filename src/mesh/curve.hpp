@@ -3,8 +3,6 @@
 #include <memory>
 #include <vector>
 
-#include "geometry/vec.hpp"
-
 namespace fabricsh::mesh {
 
 using Vec2 = Eigen::Vector2d;

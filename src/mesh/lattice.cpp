@@ -1,7 +1,6 @@
 #include "mesh/lattice.hpp"
 
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <numeric>
 

@@ -1,7 +1,6 @@
 #include "mesh/mesh.hpp"
 
 #include <algorithm>
-#include <string>
 
 #include "base/error.hpp"
 #include "base/number.hpp"

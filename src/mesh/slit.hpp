@@ -1,6 +1,5 @@
 // A slit along a line of edges.
 #pragma once
-#include <string>
 
 #include "mesh/mesh.hpp"
 

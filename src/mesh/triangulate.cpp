@@ -5,8 +5,6 @@
 #include <deque>
 #include <unordered_map>
 
-#include "base/error.hpp"
-
 namespace fabricsh::mesh {
 
 namespace {

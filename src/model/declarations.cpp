@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/error.hpp"
 #include "base/number.hpp"
 #include "law/law.hpp"
 #include "model/declaration_rows.hpp"

@@ -6,7 +6,6 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
-#include "base/suggest.hpp"
 #include "contact/scene.hpp"
 #include "model/declaration_rows.hpp"
 #include "model/model.hpp"

@@ -1,13 +1,9 @@
 #include "model/model.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
-#include <numbers>
 #include <sstream>
 
-#include "base/error.hpp"
-#include "base/number.hpp"
 #include "mesh/check.hpp"
 #include "mesh/corners.hpp"
 #include "section/transverse.hpp"

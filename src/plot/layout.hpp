@@ -1,7 +1,6 @@
 // Positions of the axes, legends and texts of a page, in points from its lower left corner. Separate from
 // the drawing, so that tests can check that no text overlaps another one or is cut off.
 #pragma once
-#include <array>
 #include <string>
 #include <vector>
 

@@ -6,7 +6,6 @@
 #include "base/error.hpp"
 #include "repl/commands.hpp"
 #include "repl/deck_text.hpp"
-#include "repl/interrupt.hpp"
 #include "repl/lexer.hpp"
 #include "script/show/covered.hpp"
 #include "script/show/transcript.hpp"

@@ -31,7 +31,6 @@
 #include <functional>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "base/range.hpp"
 

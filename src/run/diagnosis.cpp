@@ -7,10 +7,8 @@
 #include <numbers>
 #include <utility>
 
-#include "base/number.hpp"
 #include "geometry/node_view.hpp"
 #include "mechanics/terms/cloth.hpp"
-#include "mechanics/terms/contact.hpp"
 #include "mechanics/terms/directors.hpp"
 
 namespace fabricsh::run {

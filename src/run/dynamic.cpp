@@ -9,7 +9,6 @@
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "geometry/box.hpp"
-#include "geometry/node_view.hpp"
 #include "mechanics/terms/contact.hpp"
 #include "mechanics/terms/damping.hpp"
 #include "mechanics/terms/seams.hpp"

@@ -1,7 +1,6 @@
 #include "run/explicit.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <numeric>
 #include <utility>

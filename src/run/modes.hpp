@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "mechanics/motion.hpp"
 #include "model/model.hpp"
 
 namespace fabricsh::run {

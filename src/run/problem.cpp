@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "base/error.hpp"
 #include "geometry/node_view.hpp"
 #include "linear/linear_solver.hpp"
-#include "mechanics/terms/cloth.hpp"
 #include "mechanics/terms/tears.hpp"
 
 namespace fabricsh::run {

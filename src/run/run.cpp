@@ -1,13 +1,11 @@
 // Driving a run: steps and where they end.
 #include "run/run.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <set>
 #include <variant>
 
-#include "base/error.hpp"
 #include "base/number.hpp"
 #include "geometry/node_view.hpp"
 #include "mechanics/terms/contact.hpp"

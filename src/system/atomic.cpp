@@ -11,9 +11,6 @@
 #include <filesystem>
 #include <system_error>
 
-#include "base/error.hpp"
-#include "system/gate.hpp"
-
 namespace fabricsh::system {
 
 namespace fs = std::filesystem;

@@ -4,7 +4,6 @@
 //   incremental  the mean modulus along the straight strain path, with switches inside the step resolved
 // S11 += (dE1 + nu21 dE2) A1 / (1 - nn), and S22 likewise, where A is the modulus of the respective rule.
 #pragma once
-#include <algorithm>
 #include <array>
 
 #include "law/bound.hpp"

@@ -23,7 +23,6 @@
 //   is lost.
 #pragma once
 #include <array>
-#include <cstdint>
 #include <map>
 #include <memory>
 #include <span>

@@ -1,6 +1,5 @@
 #include "mechanics/terms/faces.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "base/ordered_sum.hpp"

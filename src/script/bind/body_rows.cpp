@@ -5,7 +5,6 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
-#include <vector>
 
 #include "base/number.hpp"
 #include "geometry/box.hpp"

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
-#include <map>
 
 #include "format/frame_file.hpp"
 #include "format/source.hpp"
@@ -17,7 +16,6 @@
 #include "script/bind/run.hpp"
 #include "script/call/words.hpp"
 #include "system/atomic.hpp"
-#include "system/paths.hpp"
 
 namespace fabricsh::script {
 

@@ -3,7 +3,6 @@
 
 #include "base/number.hpp"
 #include "geometry/box.hpp"
-#include "model/model.hpp"
 #include "model/outlook.hpp"
 #include "script/bind/body_rows.hpp"
 #include "script/bind/rooms.hpp"

@@ -7,7 +7,6 @@
 #include "format/pvd.hpp"
 #include "script/bind/model.hpp"
 #include "script/bind/run.hpp"
-#include "system/paths.hpp"
 
 namespace fabricsh::script {
 

@@ -9,7 +9,6 @@
 #include "script/bind/run.hpp"
 #include "script/call/words.hpp"
 #include "script/session/at_work.hpp"
-#include "system/paths.hpp"
 
 namespace fabricsh::script {
 

@@ -1,6 +1,5 @@
 // fabric.mesh.panel: the reading of outlines, holes, darts and notches from a deck.
 #pragma once
-#include "mesh/panel.hpp"
 #include "script/bind/rooms.hpp"
 
 namespace fabricsh::script {

@@ -1,7 +1,6 @@
 // fabric.who, fabric.transcript: information on the session for users of the prompt.
 #include <algorithm>
 
-#include "base/error.hpp"
 #include "script/bind/run.hpp"
 #include "script/show/peek.hpp"
 #include "script/show/show.hpp"

@@ -1,9 +1,7 @@
 // The bindings, one file per room of the core. Each function returns the rows of its room; some need the
 // session.
 #pragma once
-#include <optional>
 #include <string>
-#include <vector>
 
 #include "script/call/boundary.hpp"
 #include "script/call/call.hpp"

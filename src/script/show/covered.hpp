@@ -3,7 +3,6 @@
 #include <lua.hpp>
 #include <set>
 #include <string>
-#include <vector>
 
 namespace fabricsh::script {
 

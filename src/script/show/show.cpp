@@ -1,7 +1,6 @@
 #include "script/show/show.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <sstream>
 

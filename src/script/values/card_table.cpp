@@ -5,7 +5,6 @@
 #include <cstring>
 
 #include "card/fields.hpp"
-#include "law/provenance.hpp"
 #include "script/call/parts.hpp"
 #include "script/call/push.hpp"
 
