@@ -1,8 +1,10 @@
 #include "repl/completion.hpp"
 
 #include <algorithm>
+#include <cstdlib>
+#include <optional>
 
-#include "repl/cursor_context.hpp"
+#include "repl/lexer.hpp"
 #include "script/call/boundary.hpp"
 #include "script/call/results.hpp"
 #include "script/call/words.hpp"
@@ -11,6 +13,182 @@
 namespace fabricsh::repl {
 
 namespace {
+
+// --- The context of the cursor in Lua text: what is being typed, in which call, after which object. Uses
+// only the text, not the Lua state.
+
+// The steps of a path such as a.b["c"][2]:d(...).e; the first one is a global.
+struct PathStep {
+  std::string name;  // empty: the step is `number`
+  long long number = 0;
+  bool method = false;  // after a colon
+  bool called = false;  // the result of calling it
+};
+using Path = std::vector<PathStep>;
+
+// A bracket or block that is still open.
+struct OpenBracket {
+  std::string open;                // "(", "{", "[", or the keyword of a block
+  std::optional<Path> callee;      // what is called by ( or {, or indexed by [; empty: not known, or nothing
+  std::size_t argument = 0;        // number of commas so far
+  std::string key;                 // inside {: `key =` of the entry being typed
+  std::vector<std::string> given;  // inside {: the keys of all entries so far
+};
+
+struct CursorContext {
+  enum class ContextKind {
+    nothing,  // a comment, a number
+    word,     // a name
+    member,   // a name after `path.` or `path:`
+    text,     // within quotes
+  };
+  ContextKind kind = ContextKind::nothing;
+  std::size_t from = 0;                  // position where the word begins, without the quote
+  std::string word = {};                 // the part typed so far
+  char quote = '\0';                     // for a string
+  std::optional<Path> path = {};         // for a member; empty: not known
+  bool method = false;                   // after a colon
+  bool behind_value = false;             // nothing typed yet, directly after a string or a closed bracket
+  bool first = false;                    // the word may be the key of an entry in a table
+  std::vector<OpenBracket> frames = {};  // outermost first
+};
+
+using Tokens = std::vector<Token>;
+using TokenKind = Token::TokenKind;
+
+bool ends_value(const Token& token) {
+  return token.kind == TokenKind::name || token.kind == TokenKind::text || token.is(")") || token.is("]") ||
+         token.is("}");
+}
+
+// The step given by ["c"] or [2] in the tokens before `end`.
+std::optional<PathStep> bracket_step(const Tokens& tokens, std::size_t end) {
+  if (end < 4 || !tokens[end - 3].is("[")) return {};
+  const Token& inside = tokens[end - 2];
+  if (inside.kind == TokenKind::text) return PathStep{inside.word};
+  if (inside.kind == TokenKind::number) return PathStep{"", std::strtoll(inside.word.c_str(), nullptr, 10)};
+  return {};
+}
+
+// The token with the bracket that is closed just before `end`; empty if there is none.
+std::optional<std::size_t> opening(const Tokens& tokens, std::size_t end) {
+  int depth = 0;
+  for (std::size_t i = end; i-- > 0;) {
+    depth -= nesting(tokens[i]);
+    if (depth == 0) return i;
+  }
+  return {};
+}
+
+// Where the arguments begin of a call that ends before `end`: f(x), f{x}, f "x"; empty if it is no call.
+std::optional<std::size_t> arguments_of(const Tokens& tokens, std::size_t end) {
+  const Token& last = tokens[end - 1];
+  const bool text = last.kind == TokenKind::text && !last.unfinished;
+  const auto begin = text                           ? std::optional(end - 1)
+                     : last.is(")") || last.is("}") ? opening(tokens, end)
+                                                    : std::nullopt;
+  return begin && *begin > 0 && tokens[*begin - 1].kind == TokenKind::name ? begin : std::nullopt;
+}
+
+// The path that ends before `end`; empty if it is an expression, or no value at all.
+std::optional<Path> path_before(const Tokens& tokens, std::size_t end) {
+  Path path;
+  while (end > 0) {
+    if (tokens[end - 1].is("]")) {
+      const auto step = bracket_step(tokens, end);
+      if (!step) return {};
+      path.insert(path.begin(), *step);
+      end -= 3;
+      continue;
+    }
+    const auto arguments = arguments_of(tokens, end);
+    if (arguments) end = *arguments;
+    const Token& last = tokens[end - 1];
+    if (last.kind != TokenKind::name) return {};
+    const bool dot = end > 1 && tokens[end - 2].is("."), colon = end > 1 && tokens[end - 2].is(":");
+    path.insert(path.begin(), PathStep{last.word, 0, colon, arguments.has_value()});
+    if (!dot && !colon) return path;
+    end -= 2;
+  }
+  return {};
+}
+
+bool at_key(const OpenBracket& frame) { return frame.open == "{" && frame.key.empty(); }
+
+void open_frame(const Tokens& tokens, std::size_t i, std::vector<OpenBracket>& frames) {
+  OpenBracket frame{tokens[i].word, {}, 0, {}, {}};
+  const bool called =
+      i > 0 && ends_value(tokens[i - 1]) && nesting(tokens[i]) > 0 && tokens[i].kind == TokenKind::symbol;
+  if (called) frame.callee = path_before(tokens, i);
+  frames.push_back(std::move(frame));
+}
+
+void follow(const Tokens& tokens, std::size_t i, std::vector<OpenBracket>& frames) {
+  const Token& token = tokens[i];
+  if (nesting(token) > 0) return open_frame(tokens, i, frames);
+  if (frames.empty()) return;
+  OpenBracket& top = frames.back();
+  if (nesting(token) < 0) {
+    frames.pop_back();
+  } else if (token.is(",") || (token.is(";") && top.open == "{")) {
+    ++top.argument;
+    top.key.clear();
+  } else if (token.is("=") && at_key(top) && i > 0 && tokens[i - 1].kind == TokenKind::name) {
+    top.key = tokens[i - 1].word;
+    top.given.push_back(top.key);
+  }
+}
+
+// A string right after a value is the only argument of a call: fabric.card "
+void text_place(const Tokens& tokens, CursorContext& place, std::string_view all) {
+  const Token& text = tokens.back();
+  place.kind = CursorContext::ContextKind::text;
+  place.quote = all[text.begin];
+  place.word = text.word;
+  place.from = all.size() - text.word.size();
+  if (tokens.size() < 2 || !ends_value(tokens[tokens.size() - 2])) return;
+  OpenBracket frame{"(", path_before(tokens, tokens.size() - 1), 0, {}, {}};
+  if (frame.callee) place.frames.push_back(std::move(frame));
+}
+
+// For a name, or the position right after a dot, a colon, or anything else.
+void word_place(const Tokens& tokens, CursorContext& place, std::string_view all) {
+  const bool typed = !tokens.empty() && tokens.back().end == all.size() &&
+                     (tokens.back().kind == TokenKind::name || tokens.back().kind == TokenKind::keyword);
+  const std::size_t before = tokens.size() - (typed ? 1 : 0);
+  place.kind = CursorContext::ContextKind::word;
+  place.from = typed ? tokens.back().begin : all.size();
+  if (typed) place.word = tokens.back().word;
+  if (before == 0) return;
+  const Token& mark = tokens[before - 1];
+  place.behind_value = !typed && ends_value(mark) && mark.end == place.from;
+  place.first = mark.is("{") || mark.is(",") || mark.is(";");
+  if ((!mark.is(".") && !mark.is(":")) || mark.end != place.from) return;
+  place.kind = CursorContext::ContextKind::member;
+  place.method = mark.is(":");
+  place.path = path_before(tokens, before - 1);
+}
+
+CursorContext context_at_end(std::string_view text) {
+  Tokens tokens = tokens_of(text);
+  CursorContext place;
+  const bool comment =
+      !tokens.empty() && tokens.back().kind == TokenKind::comment && tokens.back().unfinished;
+  const bool number =
+      !tokens.empty() && tokens.back().kind == TokenKind::number && tokens.back().end == text.size();
+  if (comment || number) return place;
+  std::erase_if(tokens, [](const Token& token) { return token.kind == TokenKind::comment; });
+  for (std::size_t i = 0; i < tokens.size(); ++i) follow(tokens, i, place.frames);
+  const bool quoted = !tokens.empty() && tokens.back().kind == TokenKind::text && tokens.back().unfinished;
+  if (quoted && text[tokens.back().begin] != '[')
+    text_place(tokens, place, text);
+  else if (!quoted)
+    word_place(tokens, place, text);
+  place.first = place.first && !place.frames.empty() && at_key(place.frames.back());
+  return place;
+}
+
+// ---
 
 using script::Argument;
 using script::Entry;

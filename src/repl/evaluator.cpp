@@ -1,9 +1,9 @@
 #include "repl/evaluator.hpp"
 
 #include <cstdlib>
+#include <lua.hpp>
 
 #include "repl/lexer.hpp"
-#include "repl/present.hpp"
 #include "script/call/chain.hpp"
 #include "script/sandbox/load.hpp"
 #include "script/show/show.hpp"
@@ -11,6 +11,19 @@
 namespace fabricsh::repl {
 
 namespace {
+
+// --- Printing values at the prompt.
+
+// A Lua function: all its arguments as one text, separated by tabs. Of tables the first entries are shown.
+int present_all(lua_State* L) {
+  const int count = lua_gettop(L);
+  std::string out;
+  for (int i = 1; i <= count; ++i) out += (i > 1 ? "\t" : "") + script::show(L, i);
+  lua_pushlstring(L, out.data(), out.size());
+  return 1;
+}
+
+// ---
 
 bool is_numerical(lua_State* L, int index) {
   if (!lua_istable(L, index)) return false;
