@@ -42,7 +42,15 @@ class PieceMaker {
     who_ = file + ": piece '" + piece_.name + "'" +
            (several && !piece_.size.empty() ? ", size '" + piece_.size + "'" : "") + ": ";
   }
-  PatternPiece make();
+  // Makes the piece, or says in it why it cannot be made.
+  PatternPiece make() {
+    try {
+      build();
+    } catch (const Error& error) {
+      piece_.trouble = error.what();
+    }
+    return std::move(piece_);
+  }
 
  private:
   // What the block's name has behind that of the piece: 38 of FRONT-38.
@@ -51,14 +59,128 @@ class PieceMaker {
     const auto at = drawing_.block.find_first_not_of(" _-.", drawing_.name.size());
     return at == std::string::npos || at == drawing_.name.size() ? std::string() : drawing_.block.substr(at);
   }
-  DrawnLine boundary_line();
-  void build();
-  mesh::Loop loop(const DrawnLine& line, bool outline);
-  std::vector<DrawnVertex> cleaned(const DrawnLine& line) const;
-  bool smooth(const Vec2& x) const;
-  void add_notches();
-  void add_grain();
-  void remark_layers();
+
+  // The boundary: one line, or the open ones joined where their ends meet.
+  DrawnLine boundary_line() {
+    std::vector<DrawnLine> drawn;
+    for (const DrawnLine& line : lines(boundary))
+      if (!line.vertices.empty()) drawn.push_back(line);
+    extent_ = extent_of(drawn);
+    const auto closed = std::count_if(drawn.begin(), drawn.end(), [&](const DrawnLine& line) {
+      return line.closed || (line.vertices.back().x - line.vertices.front().x).norm() <= 1e-6 * extent_;
+    });
+    if (drawn.size() == 1 && closed == 0 && drawn.front().vertices.size() < 3) return drawn.front();
+    if (drawn.size() > kMostLines)
+      refuse("expected at most " + std::to_string(kMostLines) + " lines on layer 1, the boundary, got " +
+             std::to_string(drawn.size()));
+    if (closed > 0 || drawn.empty()) {
+      if (drawn.size() != 1)
+        refuse("expected one closed line on layer 1, the boundary, got " + std::to_string(drawn.size()));
+      return drawn.front();
+    }
+    const Chain chain = chained(drawn, kJoined * extent_);
+    if (chain.left > 0 || chain.gap > kJoined * extent_) {
+      const Vec2 end = chain.line.vertices.back().x, start = chain.line.vertices.front().x;
+      std::string words = "open: ";
+      if (drawn.size() == 1)
+        words += "a line ends at ";
+      else
+        words += std::to_string(drawn.size()) + " lines on layer 1 make no closed boundary: after " +
+                 std::to_string(drawn.size() - chain.left) + " of them it ends at ";
+      words += place(end) + ", " + number((end - start).norm()) + " from its start " + place(start);
+      if (chain.left > 0) words += ", and " + number(chain.nearest) + " from the nearest end of another line";
+      refuse(words + " (in units of the file)");
+    }
+    if (const double most = std::max(chain.gap, chain.widest); most > 1e-5 * extent_)
+      piece_.remarks.push_back(who_ + "the lines of its boundary end up to " + number(most * unit_ * 1e3) +
+                               " mm apart and are joined");
+    return chain.line;
+  }
+
+  void build() {
+    for (const char* layer : {boundary, cutout})
+      if (drawing_.others.contains(layer))
+        refuse(std::string("expected lines, polylines and circles on layer ") + layer +
+               ", got an arc, an ellipse or a spline");
+    piece_.panel.outline = loop(boundary_line(), true);
+    name_edges(piece_.panel.outline);
+    for (const DrawnLine& line : lines(cutout)) piece_.panel.holes.push_back(loop(line, false));
+    add_notches();
+    add_grain();
+    remark_layers();
+  }
+
+  // Lines and arcs between corners, and splines through the points of a curve.
+  mesh::Loop loop(const DrawnLine& line, bool outline) {
+    std::vector<DrawnVertex> vertices = cleaned(line);
+    const auto is_smooth = [&](const DrawnVertex& v) { return outline && smooth(v.x); };
+    const auto corner = std::find_if_not(vertices.begin(), vertices.end(), is_smooth);
+    if (corner != vertices.end()) std::rotate(vertices.begin(), corner, vertices.end());
+    mesh::Loop made;
+    const std::size_t n = vertices.size();
+    for (std::size_t i = 0; i < n;) {
+      std::vector<Vec2> through{unit_ * vertices[i].x};
+      const double bulge = vertices[i].bulge;
+      do through.push_back(unit_ * vertices[++i % n].x);
+      while (i < n && is_smooth(vertices[i % n]));
+      made.push_back(
+          {through.size() > 2 ? PlaneCurve::spline(through) : bulged(through[0], through[1], bulge)});
+    }
+    return made;
+  }
+
+  // The vertices, each place once. Error: the line is open, or too short.
+  std::vector<DrawnVertex> cleaned(const DrawnLine& line) const {
+    std::vector<DrawnVertex> kept;
+    for (const DrawnVertex& v : line.vertices) {
+      if (!v.x.allFinite() || !std::isfinite(v.bulge)) refuse("a vertex that is not finite");
+      if (kept.empty() || (kept.back().x - v.x).norm() > 1e-6 * extent_) kept.push_back(v);
+    }
+    if (kept.empty()) refuse("a line without vertices");
+    const double gap = (kept.back().x - kept.front().x).norm();
+    if (kept.size() > 1 && gap <= 1e-6 * extent_)
+      kept.pop_back();
+    else if (!line.closed)
+      refuse("open: a line ends at " + place(kept.back().x) + ", " + number(gap) + " from its start " +
+             place(kept.front().x) + " (in units of the file)");
+    if (kept.size() < 2) refuse("a line of less than two points");
+    return kept;
+  }
+
+  bool smooth(const Vec2& x) const {
+    const auto& marked = points(curve);
+    return std::any_of(marked.begin(), marked.end(),
+                       [&](const Vec2& p) { return (p - x).norm() <= 1e-4 * extent_; });
+  }
+  void add_notches() {
+    int count = 0;
+    for (const std::string& layer : notch_layers)
+      for (const Vec2& x : points(layer))
+        add_notch(piece_, "notch" + std::to_string(++count), unit_ * x, who_);
+  }
+  void add_grain() {
+    const auto& all = lines(grain);
+    if (all.empty() || all.front().vertices.size() < 2) return;
+    const Vec2 along = all.front().vertices.back().x - all.front().vertices.front().x;
+    if (along.norm() == 0) refuse("the grain line on layer 7 has no length");
+    piece_.panel.grain = std::atan2(along.y(), along.x()) * 180 / std::numbers::pi;
+    piece_.has_grain = true;
+  }
+
+  void remark_layers() {
+    std::map<std::string, bool> present;
+    for (const auto& [layer, drawn] : drawing_.lines) present[layer] = true;
+    for (const auto& [layer, drawn] : drawing_.points) present[layer] = true;
+    for (const auto& [layer, drawn] : drawing_.others) present[layer] = true;
+    if (present.contains(mirror))
+      piece_.remarks.push_back(who_ + "has a mirror line (layer 6): this is one half of it");
+    for (const char* used : {boundary, turn, curve, mirror, grain, cutout}) present.erase(used);
+    for (const std::string& used : notch_layers) present.erase(used);
+    std::string words;
+    for (const auto& [layer, is] : present) words += (words.empty() ? "" : ", ") + layer_words(layer);
+    if (!words.empty()) piece_.remarks.push_back(who_ + "layers that are not used: " + words);
+  }
+
   [[noreturn]] void refuse(const std::string& why) const { throw Error(who_ + why); }
   std::string place(const Vec2& x) const { return "(" + number(x.x()) + ", " + number(x.y()) + ")"; }
   const std::vector<DrawnLine>& lines(const std::string& layer) const {
@@ -133,83 +255,11 @@ Chain chained(std::vector<DrawnLine> lines, double reach) {
   return chain;
 }
 
-// The vertices, each place once. Error: the line is open, or too short.
-std::vector<DrawnVertex> PieceMaker::cleaned(const DrawnLine& line) const {
-  std::vector<DrawnVertex> kept;
-  for (const DrawnVertex& v : line.vertices) {
-    if (!v.x.allFinite() || !std::isfinite(v.bulge)) refuse("a vertex that is not finite");
-    if (kept.empty() || (kept.back().x - v.x).norm() > 1e-6 * extent_) kept.push_back(v);
-  }
-  if (kept.empty()) refuse("a line without vertices");
-  const double gap = (kept.back().x - kept.front().x).norm();
-  if (kept.size() > 1 && gap <= 1e-6 * extent_)
-    kept.pop_back();
-  else if (!line.closed)
-    refuse("open: a line ends at " + place(kept.back().x) + ", " + number(gap) + " from its start " +
-           place(kept.front().x) + " (in units of the file)");
-  if (kept.size() < 2) refuse("a line of less than two points");
-  return kept;
-}
-
-bool PieceMaker::smooth(const Vec2& x) const {
-  const auto& marked = points(curve);
-  return std::any_of(marked.begin(), marked.end(),
-                     [&](const Vec2& p) { return (p - x).norm() <= 1e-4 * extent_; });
-}
-
 // From a to b with the bulge of DXF: the height of the arc over its half chord, positive to the right.
 PlaneCurve bulged(const Vec2& a, const Vec2& b, double bulge) {
   if (std::abs(bulge) < 1e-9) return PlaneCurve::line(a, b);
   const Vec2 chord = b - a, right(chord.y(), -chord.x());
   return PlaneCurve::arc_through(a, (a + b) / 2 + bulge / 2 * right, b);
-}
-
-// Lines and arcs between corners, and splines through the points of a curve.
-mesh::Loop PieceMaker::loop(const DrawnLine& line, bool outline) {
-  std::vector<DrawnVertex> vertices = cleaned(line);
-  const auto is_smooth = [&](const DrawnVertex& v) { return outline && smooth(v.x); };
-  const auto corner = std::find_if_not(vertices.begin(), vertices.end(), is_smooth);
-  if (corner != vertices.end()) std::rotate(vertices.begin(), corner, vertices.end());
-  mesh::Loop made;
-  const std::size_t n = vertices.size();
-  for (std::size_t i = 0; i < n;) {
-    std::vector<Vec2> through{unit_ * vertices[i].x};
-    const double bulge = vertices[i].bulge;
-    do through.push_back(unit_ * vertices[++i % n].x);
-    while (i < n && is_smooth(vertices[i % n]));
-    made.push_back(
-        {through.size() > 2 ? PlaneCurve::spline(through) : bulged(through[0], through[1], bulge)});
-  }
-  return made;
-}
-
-void PieceMaker::add_notches() {
-  int count = 0;
-  for (const std::string& layer : notch_layers)
-    for (const Vec2& x : points(layer)) add_notch(piece_, "notch" + std::to_string(++count), unit_ * x, who_);
-}
-
-void PieceMaker::add_grain() {
-  const auto& all = lines(grain);
-  if (all.empty() || all.front().vertices.size() < 2) return;
-  const Vec2 along = all.front().vertices.back().x - all.front().vertices.front().x;
-  if (along.norm() == 0) refuse("the grain line on layer 7 has no length");
-  piece_.panel.grain = std::atan2(along.y(), along.x()) * 180 / std::numbers::pi;
-  piece_.has_grain = true;
-}
-
-void PieceMaker::remark_layers() {
-  std::map<std::string, bool> present;
-  for (const auto& [layer, drawn] : drawing_.lines) present[layer] = true;
-  for (const auto& [layer, drawn] : drawing_.points) present[layer] = true;
-  for (const auto& [layer, drawn] : drawing_.others) present[layer] = true;
-  if (present.contains(mirror))
-    piece_.remarks.push_back(who_ + "has a mirror line (layer 6): this is one half of it");
-  for (const char* used : {boundary, turn, curve, mirror, grain, cutout}) present.erase(used);
-  for (const std::string& used : notch_layers) present.erase(used);
-  std::string words;
-  for (const auto& [layer, is] : present) words += (words.empty() ? "" : ", ") + layer_words(layer);
-  if (!words.empty()) piece_.remarks.push_back(who_ + "layers that are not used: " + words);
 }
 
 // The largest extent of lines, units of the file.
@@ -221,66 +271,6 @@ double extent_of(const std::vector<DrawnLine>& lines) {
       high = high.cwiseMax(v.x);
     }
   return (high - low).maxCoeff();
-}
-
-// The boundary: one line, or the open ones joined where their ends meet.
-DrawnLine PieceMaker::boundary_line() {
-  std::vector<DrawnLine> drawn;
-  for (const DrawnLine& line : lines(boundary))
-    if (!line.vertices.empty()) drawn.push_back(line);
-  extent_ = extent_of(drawn);
-  const auto closed = std::count_if(drawn.begin(), drawn.end(), [&](const DrawnLine& line) {
-    return line.closed || (line.vertices.back().x - line.vertices.front().x).norm() <= 1e-6 * extent_;
-  });
-  if (drawn.size() == 1 && closed == 0 && drawn.front().vertices.size() < 3) return drawn.front();
-  if (drawn.size() > kMostLines)
-    refuse("expected at most " + std::to_string(kMostLines) + " lines on layer 1, the boundary, got " +
-           std::to_string(drawn.size()));
-  if (closed > 0 || drawn.empty()) {
-    if (drawn.size() != 1)
-      refuse("expected one closed line on layer 1, the boundary, got " + std::to_string(drawn.size()));
-    return drawn.front();
-  }
-  const Chain chain = chained(drawn, kJoined * extent_);
-  if (chain.left > 0 || chain.gap > kJoined * extent_) {
-    const Vec2 end = chain.line.vertices.back().x, start = chain.line.vertices.front().x;
-    std::string words = "open: ";
-    if (drawn.size() == 1)
-      words += "a line ends at ";
-    else
-      words += std::to_string(drawn.size()) + " lines on layer 1 make no closed boundary: after " +
-               std::to_string(drawn.size() - chain.left) + " of them it ends at ";
-    words += place(end) + ", " + number((end - start).norm()) + " from its start " + place(start);
-    if (chain.left > 0) words += ", and " + number(chain.nearest) + " from the nearest end of another line";
-    refuse(words + " (in units of the file)");
-  }
-  if (const double most = std::max(chain.gap, chain.widest); most > 1e-5 * extent_)
-    piece_.remarks.push_back(who_ + "the lines of its boundary end up to " + number(most * unit_ * 1e3) +
-                             " mm apart and are joined");
-  return chain.line;
-}
-
-// Makes the piece, or says in it why it cannot be made.
-PatternPiece PieceMaker::make() {
-  try {
-    build();
-  } catch (const Error& error) {
-    piece_.trouble = error.what();
-  }
-  return std::move(piece_);
-}
-
-void PieceMaker::build() {
-  for (const char* layer : {boundary, cutout})
-    if (drawing_.others.contains(layer))
-      refuse(std::string("expected lines, polylines and circles on layer ") + layer +
-             ", got an arc, an ellipse or a spline");
-  piece_.panel.outline = loop(boundary_line(), true);
-  name_edges(piece_.panel.outline);
-  for (const DrawnLine& line : lines(cutout)) piece_.panel.holes.push_back(loop(line, false));
-  add_notches();
-  add_grain();
-  remark_layers();
 }
 
 // The largest length or width of a piece, m.

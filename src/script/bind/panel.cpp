@@ -96,14 +96,113 @@ const std::vector<Argument>& known_piece() {
 class LineReader {
  public:
   LineReader(lua_State* L, std::string path) : L_(L), path_(std::move(path)) {}
-  mesh::Loop read();
+
+  // The table of pieces is at the top of the stack.
+  mesh::Loop read() {
+    if (!lua_istable(L_, -1)) refuse_at(path_, "expected a list of pieces, got " + describe(L_, -1));
+    const int list = lua_gettop(L_);
+    // A line of one piece, { circle={x, y}, radius= }, may be written without the list around it.
+    const bool bare = lua_rawlen(L_, list) == 0;
+    if (bare) lua_pushvalue(L_, list);
+    for (lua_Integer i = 1; bare ? i == 1 : lua_rawgeti(L_, list, i) != LUA_TNIL; ++i) {
+      if (done_) refuse_at(inner(path_, i), "expected nothing after the piece that closes the line");
+      read_piece(bare ? path_ : inner(path_, i));
+      lua_settop(L_, list);
+    }
+    lua_settop(L_, list);
+    if (!done_) close();
+    return std::move(loop_);
+  }
 
  private:
-  void read_piece(const std::string& path);
-  void add(const Fields& given, const std::string& path, bool straight_to, const Vec2& to);
-  PlaneCurve arc(const Fields& given, const std::string& path) const;
-  PlaneCurve curve(const Fields& given, const std::string& path) const;
-  void close();
+  // The piece is at the top of the stack: {x, y, name=}, {arc=}, {spline=}, {bezier=}, {circle=} or {name=}.
+  void read_piece(const std::string& path) {
+    if (!lua_istable(L_, -1))
+      refuse_at(path, "expected {x, y}, {arc=}, {spline=}, {bezier=}, {circle=} or {name=}, got " +
+                          describe(L_, -1));
+    const bool point = lua_rawlen(L_, -1) > 0;
+    const int piece = lua_gettop(L_);
+    Vec2 to = start_;
+    if (point) to = read_point(L_, path);
+    lua_newtable(L_);  // the named fields alone, which Fields checks
+    for (lua_pushnil(L_); lua_next(L_, piece) != 0; lua_pop(L_, 1)) {
+      if (lua_type(L_, -2) == LUA_TNUMBER && point) continue;
+      lua_pushvalue(L_, -2);
+      lua_pushvalue(L_, -2);
+      lua_rawset(L_, -5);
+    }
+    const Fields given(L_, lua_gettop(L_), known_piece(), path + ".");
+    int kinds = point ? 1 : 0;
+    for (const char* kind : {"arc", "spline", "bezier", "circle"}) kinds += given.has(kind) ? 1 : 0;
+    if (kinds > 1) refuse_at(path, "expected one piece, a point or one of arc, spline, bezier, circle");
+    if (given.has("radius") != given.has("circle")) refuse_at(path, "expected circle and radius together");
+    if (kinds == 0 && !given.has("name"))
+      refuse_at(path, "expected {x, y}, {arc=}, {spline=}, {bezier=}, {circle=} or {name=}");
+    add(given, path, point || kinds == 0, to);
+  }
+
+  void add(const Fields& given, const std::string& path, bool straight_to, const Vec2& to) {
+    const bool circle = given.has("circle");
+    if (!started_ && !circle) {
+      if (!straight_to || given.has("elements") || given.has("name"))
+        refuse_at(path,
+                  "expected the line to start with a point {x, y}, and names with the pieces behind it");
+      started_ = true;
+      start_ = now_ = to;
+      return;
+    }
+    if (started_ && circle) refuse_at(path, "expected a circle to be the only piece of its line");
+    const PlaneCurve made = straight_to ? PlaneCurve::line(now_, to) : curve(given, path);
+    loop_.push_back({made, given.text("name"), given.has("elements") ? given.integer("elements") : 0});
+    now_ = made.end();
+    done_ = circle || (straight_to && to == start_);
+  }
+
+  PlaneCurve arc(const Fields& given, const std::string& path) const {
+    const std::string inside = path + ".arc.";
+    const Fields arc = given.fields("arc");
+    if (arc.has("through") == arc.has("centre"))
+      refuse_at(path + ".arc", "expected either through={x, y} or centre={x, y}");
+    const Vec2 to = point_in(arc, "to", inside);
+    if (arc.has("through")) return PlaneCurve::arc_through(now_, point_in(arc, "through", inside), to);
+    return PlaneCurve::arc_about(point_in(arc, "centre", inside), now_, to, arc.flag("clockwise"));
+  }
+
+  PlaneCurve curve(const Fields& given, const std::string& path) const {
+    try {
+      if (given.has("arc")) return arc(given, path);
+      if (given.has("circle"))
+        return PlaneCurve::circle(point_in(given, "circle", path + "."), given.number("radius"));
+      const bool spline = given.has("spline");
+      std::vector<Vec2> points{now_};
+      const auto more = points_in(given, spline ? "spline" : "bezier", path + ".", spline ? 1 : 3);
+      points.insert(points.end(), more.begin(), more.end());
+      if (spline) return PlaneCurve::spline(points);
+      if (more.size() != 3)
+        refuse_at(path + ".bezier", "expected 3 points, got " + std::to_string(more.size()));
+      return PlaneCurve::bezier(points);
+    } catch (const Error& error) {
+      const std::string words = error.what();
+      if (words.starts_with("field ")) throw;
+      refuse_at(path, words);
+    }
+  }
+
+  // A line whose last piece does not end at its start is closed by a straight one; if the two are nearly at
+  // one place, that place was probably meant.
+  void close() {
+    if (loop_.empty())
+      refuse_at(path_, "expected at least three pieces, got " + std::to_string(started_ ? 1 : 0));
+    double length = 0;
+    for (const mesh::OutlinePiece& piece : loop_) length += piece.curve.length();
+    const double gap = (now_ - start_).norm();
+    if (gap <= 1e-9 * length) return;
+    if (gap < 1e-2 * length)
+      refuse_at(path_, "open: it ends at " + mesh::place_text(now_) + ", " + fabricsh::number(gap) +
+                           " m from its start " + mesh::place_text(start_) +
+                           " (end it there, or close it with {name='...'})");
+    loop_.push_back({PlaneCurve::line(now_, start_)});
+  }
 
   lua_State* L_;
   std::string path_;
@@ -111,111 +210,6 @@ class LineReader {
   bool started_ = false, done_ = false;
   Vec2 start_ = Vec2::Zero(), now_ = Vec2::Zero();
 };
-
-// The table of pieces is at the top of the stack.
-mesh::Loop LineReader::read() {
-  if (!lua_istable(L_, -1)) refuse_at(path_, "expected a list of pieces, got " + describe(L_, -1));
-  const int list = lua_gettop(L_);
-  // A line of one piece, { circle={x, y}, radius= }, may be written without the list around it.
-  const bool bare = lua_rawlen(L_, list) == 0;
-  if (bare) lua_pushvalue(L_, list);
-  for (lua_Integer i = 1; bare ? i == 1 : lua_rawgeti(L_, list, i) != LUA_TNIL; ++i) {
-    if (done_) refuse_at(inner(path_, i), "expected nothing after the piece that closes the line");
-    read_piece(bare ? path_ : inner(path_, i));
-    lua_settop(L_, list);
-  }
-  lua_settop(L_, list);
-  if (!done_) close();
-  return std::move(loop_);
-}
-
-// The piece is at the top of the stack: {x, y, name=}, {arc=}, {spline=}, {bezier=}, {circle=} or {name=}.
-void LineReader::read_piece(const std::string& path) {
-  if (!lua_istable(L_, -1))
-    refuse_at(path,
-              "expected {x, y}, {arc=}, {spline=}, {bezier=}, {circle=} or {name=}, got " + describe(L_, -1));
-  const bool point = lua_rawlen(L_, -1) > 0;
-  const int piece = lua_gettop(L_);
-  Vec2 to = start_;
-  if (point) to = read_point(L_, path);
-  lua_newtable(L_);  // the named fields alone, which Fields checks
-  for (lua_pushnil(L_); lua_next(L_, piece) != 0; lua_pop(L_, 1)) {
-    if (lua_type(L_, -2) == LUA_TNUMBER && point) continue;
-    lua_pushvalue(L_, -2);
-    lua_pushvalue(L_, -2);
-    lua_rawset(L_, -5);
-  }
-  const Fields given(L_, lua_gettop(L_), known_piece(), path + ".");
-  int kinds = point ? 1 : 0;
-  for (const char* kind : {"arc", "spline", "bezier", "circle"}) kinds += given.has(kind) ? 1 : 0;
-  if (kinds > 1) refuse_at(path, "expected one piece, a point or one of arc, spline, bezier, circle");
-  if (given.has("radius") != given.has("circle")) refuse_at(path, "expected circle and radius together");
-  if (kinds == 0 && !given.has("name"))
-    refuse_at(path, "expected {x, y}, {arc=}, {spline=}, {bezier=}, {circle=} or {name=}");
-  add(given, path, point || kinds == 0, to);
-}
-
-void LineReader::add(const Fields& given, const std::string& path, bool straight_to, const Vec2& to) {
-  const bool circle = given.has("circle");
-  if (!started_ && !circle) {
-    if (!straight_to || given.has("elements") || given.has("name"))
-      refuse_at(path, "expected the line to start with a point {x, y}, and names with the pieces behind it");
-    started_ = true;
-    start_ = now_ = to;
-    return;
-  }
-  if (started_ && circle) refuse_at(path, "expected a circle to be the only piece of its line");
-  const PlaneCurve made = straight_to ? PlaneCurve::line(now_, to) : curve(given, path);
-  loop_.push_back({made, given.text("name"), given.has("elements") ? given.integer("elements") : 0});
-  now_ = made.end();
-  done_ = circle || (straight_to && to == start_);
-}
-
-PlaneCurve LineReader::arc(const Fields& given, const std::string& path) const {
-  const std::string inside = path + ".arc.";
-  const Fields arc = given.fields("arc");
-  if (arc.has("through") == arc.has("centre"))
-    refuse_at(path + ".arc", "expected either through={x, y} or centre={x, y}");
-  const Vec2 to = point_in(arc, "to", inside);
-  if (arc.has("through")) return PlaneCurve::arc_through(now_, point_in(arc, "through", inside), to);
-  return PlaneCurve::arc_about(point_in(arc, "centre", inside), now_, to, arc.flag("clockwise"));
-}
-
-PlaneCurve LineReader::curve(const Fields& given, const std::string& path) const {
-  try {
-    if (given.has("arc")) return arc(given, path);
-    if (given.has("circle"))
-      return PlaneCurve::circle(point_in(given, "circle", path + "."), given.number("radius"));
-    const bool spline = given.has("spline");
-    std::vector<Vec2> points{now_};
-    const auto more = points_in(given, spline ? "spline" : "bezier", path + ".", spline ? 1 : 3);
-    points.insert(points.end(), more.begin(), more.end());
-    if (spline) return PlaneCurve::spline(points);
-    if (more.size() != 3)
-      refuse_at(path + ".bezier", "expected 3 points, got " + std::to_string(more.size()));
-    return PlaneCurve::bezier(points);
-  } catch (const Error& error) {
-    const std::string words = error.what();
-    if (words.starts_with("field ")) throw;
-    refuse_at(path, words);
-  }
-}
-
-// A line whose last piece does not end at its start is closed by a straight one; if the two are nearly at one
-// place, that place was probably meant.
-void LineReader::close() {
-  if (loop_.empty())
-    refuse_at(path_, "expected at least three pieces, got " + std::to_string(started_ ? 1 : 0));
-  double length = 0;
-  for (const mesh::OutlinePiece& piece : loop_) length += piece.curve.length();
-  const double gap = (now_ - start_).norm();
-  if (gap <= 1e-9 * length) return;
-  if (gap < 1e-2 * length)
-    refuse_at(path_, "open: it ends at " + mesh::place_text(now_) + ", " + fabricsh::number(gap) +
-                         " m from its start " + mesh::place_text(start_) +
-                         " (end it there, or close it with {name='...'})");
-  loop_.push_back({PlaneCurve::line(now_, start_)});
-}
 
 mesh::Loop read_line(lua_State* L, const std::string& path) { return LineReader(L, path).read(); }
 
