@@ -30,6 +30,67 @@ std::string layer_words(const std::string& layer) {
   return "'" + layer + "'" + (found == known.end() ? "" : " (" + found->second + ")");
 }
 
+// Ends of lines that are nearer than this part of a piece's extent are meant to meet.
+constexpr double kJoined = 2e-3;
+
+constexpr std::size_t kMostLines = 10'000;  // of a boundary in single lines
+
+// Open lines in the order and direction in which they follow each other.
+struct Chain {
+  DrawnLine line;      // closed
+  std::size_t left;    // lines that do not follow
+  double gap, widest;  // between its end and its start; the largest between two of its lines
+  double nearest;      // from its end to the nearest line that is left
+};
+
+// The line from its end to its start. The bulge of a vertex belongs to what follows it.
+DrawnLine reversed(DrawnLine line) {
+  auto& v = line.vertices;
+  std::reverse(v.begin(), v.end());
+  for (std::size_t i = 0; i + 1 < v.size(); ++i) v[i].bulge = -v[i + 1].bulge;
+  v.back().bulge = 0;
+  return line;
+}
+
+// From the first line on, at each end the nearest end of those that are left, unless the start is nearer.
+Chain chained(std::vector<DrawnLine> lines, double reach) {
+  constexpr double far = std::numeric_limits<double>::infinity();
+  Chain chain{lines.front(), lines.size() - 1, far, 0, far};
+  lines.erase(lines.begin());
+  auto& v = chain.line.vertices;
+  while (true) {
+    const Vec2 end = v.back().x;
+    std::size_t next = 0;
+    bool turned = false;
+    chain.gap = v.size() > 2 ? (end - v.front().x).norm() : far;
+    chain.nearest = far;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      for (const bool backward : {false, true}) {
+        const Vec2& x = backward ? lines[i].vertices.back().x : lines[i].vertices.front().x;
+        if ((x - end).norm() < chain.nearest) chain.nearest = (x - end).norm(), next = i, turned = backward;
+      }
+    if (!(chain.nearest <= reach) || chain.gap < chain.nearest) break;
+    const DrawnLine more = turned ? reversed(lines[next]) : lines[next];
+    chain.widest = std::max(chain.widest, chain.nearest);
+    v.back().bulge = more.vertices.front().bulge;
+    v.insert(v.end(), more.vertices.begin() + 1, more.vertices.end());
+    lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(next));
+    --chain.left;
+  }
+  if (chain.gap <= reach && v.size() > 2) {
+    chain.line.closed = true;
+    v.pop_back();  // the start stands for both
+  }
+  return chain;
+}
+
+// From a to b with the bulge of DXF: the height of the arc over its half chord, positive to the right.
+PlaneCurve bulged(const Vec2& a, const Vec2& b, double bulge) {
+  if (std::abs(bulge) < 1e-9) return PlaneCurve::line(a, b);
+  const Vec2 chord = b - a, right(chord.y(), -chord.x());
+  return PlaneCurve::arc_through(a, (a + b) / 2 + bulge / 2 * right, b);
+}
+
 // Makes one piece of a drawing.
 class PieceMaker {
  public:
@@ -200,67 +261,6 @@ class PieceMaker {
   PatternPiece piece_;
   double extent_ = 0;  // of the boundary, units of the file
 };
-
-// Ends of lines that are nearer than this part of a piece's extent are meant to meet.
-constexpr double kJoined = 2e-3;
-
-constexpr std::size_t kMostLines = 10'000;  // of a boundary in single lines
-
-// Open lines in the order and direction in which they follow each other.
-struct Chain {
-  DrawnLine line;      // closed
-  std::size_t left;    // lines that do not follow
-  double gap, widest;  // between its end and its start; the largest between two of its lines
-  double nearest;      // from its end to the nearest line that is left
-};
-
-// The line from its end to its start. The bulge of a vertex belongs to what follows it.
-DrawnLine reversed(DrawnLine line) {
-  auto& v = line.vertices;
-  std::reverse(v.begin(), v.end());
-  for (std::size_t i = 0; i + 1 < v.size(); ++i) v[i].bulge = -v[i + 1].bulge;
-  v.back().bulge = 0;
-  return line;
-}
-
-// From the first line on, at each end the nearest end of those that are left, unless the start is nearer.
-Chain chained(std::vector<DrawnLine> lines, double reach) {
-  constexpr double far = std::numeric_limits<double>::infinity();
-  Chain chain{lines.front(), lines.size() - 1, far, 0, far};
-  lines.erase(lines.begin());
-  auto& v = chain.line.vertices;
-  while (true) {
-    const Vec2 end = v.back().x;
-    std::size_t next = 0;
-    bool turned = false;
-    chain.gap = v.size() > 2 ? (end - v.front().x).norm() : far;
-    chain.nearest = far;
-    for (std::size_t i = 0; i < lines.size(); ++i)
-      for (const bool backward : {false, true}) {
-        const Vec2& x = backward ? lines[i].vertices.back().x : lines[i].vertices.front().x;
-        if ((x - end).norm() < chain.nearest) chain.nearest = (x - end).norm(), next = i, turned = backward;
-      }
-    if (!(chain.nearest <= reach) || chain.gap < chain.nearest) break;
-    const DrawnLine more = turned ? reversed(lines[next]) : lines[next];
-    chain.widest = std::max(chain.widest, chain.nearest);
-    v.back().bulge = more.vertices.front().bulge;
-    v.insert(v.end(), more.vertices.begin() + 1, more.vertices.end());
-    lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(next));
-    --chain.left;
-  }
-  if (chain.gap <= reach && v.size() > 2) {
-    chain.line.closed = true;
-    v.pop_back();  // the start stands for both
-  }
-  return chain;
-}
-
-// From a to b with the bulge of DXF: the height of the arc over its half chord, positive to the right.
-PlaneCurve bulged(const Vec2& a, const Vec2& b, double bulge) {
-  if (std::abs(bulge) < 1e-9) return PlaneCurve::line(a, b);
-  const Vec2 chord = b - a, right(chord.y(), -chord.x());
-  return PlaneCurve::arc_through(a, (a + b) / 2 + bulge / 2 * right, b);
-}
 
 // The largest extent of lines, units of the file.
 double extent_of(const std::vector<DrawnLine>& lines) {

@@ -196,6 +196,15 @@ struct ElementGeometry {
   }
 };
 
+// Whether x lies on the segment from a to b, away from its ends.
+bool lies_between(const Vec3& x, const Vec3& a, const Vec3& b) {
+  constexpr double near = 1e-6, end = 1e-3;  // of its length
+  const Vec3 along = b - a;
+  const double length2 = along.squaredNorm(), fraction = (x - a).dot(along) / length2;
+  return fraction > end && fraction < 1 - end &&
+         (x - a - fraction * along).squaredNorm() < near * near * length2;
+}
+
 class Checker {
  public:
   explicit Checker(const Mesh& mesh) : mesh_(mesh), edges_(edges(mesh)) { report_.mesh = mesh.origin; }
@@ -494,18 +503,7 @@ class Checker {
   Report report_;
 };
 
-namespace {
-
-// Whether x lies on the segment from a to b, away from its ends.
-bool lies_between(const Vec3& x, const Vec3& a, const Vec3& b) {
-  constexpr double near = 1e-6, end = 1e-3;  // of its length
-  const Vec3 along = b - a;
-  const double length2 = along.squaredNorm(), fraction = (x - a).dot(along) / length2;
-  return fraction > end && fraction < 1 - end &&
-         (x - a - fraction * along).squaredNorm() < near * near * length2;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 }  // namespace
 

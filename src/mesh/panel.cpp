@@ -55,6 +55,42 @@ Panel doubled(const Panel& shape) {
   return twice;
 }
 
+double distance(const Vec2& x, const Vec2& a, const Vec2& b) {
+  const double share = std::clamp((x - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+  return (x - a - share * (b - a)).norm();
+}
+
+// The least distance of a point of the lattice from the rim, of the smaller step. By trial: of the shares
+// from 0.35 to 0.8 the one with the best worst angle over circles, trapezoids and a bodice (27 degrees).
+constexpr double clearance = 0.7;
+
+// The same where nodes move afterwards, which needs less, and a narrow panel keeps more rows.
+constexpr double clearance_moved = 0.45;
+
+// How far a quadrilateral is from a rectangle: the sine of its worst corner; 0 if it is not convex or if that
+// corner is below 45 or above 135 degrees.
+double squareness(const std::array<Index, 4>& ids, const Points& points) {
+  double worst = 1;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto x = [&](std::size_t k) -> const Vec2& { return points.local[at(ids[k % 4])]; };
+    const Vec2 a = x(i + 1) - x(i), b = x(i + 3) - x(i);
+    worst = std::min(worst, (a.x() * b.y() - a.y() * b.x()) / (a.norm() * b.norm()));
+  }
+  return worst < std::sqrt(0.5) ? 0 : worst;
+}
+
+// Whether the four are the corners of one cell of the lattice.
+bool one_cell(const std::array<Index, 4>& ids, const Points& points) {
+  std::array<Index, 2> low{most_cells, most_cells}, high{-1, -1};
+  for (const Index id : ids)
+    for (std::size_t k = 0; k < 2; ++k) {
+      if (points.cell[at(id)][k] < 0) return false;
+      low[k] = std::min(low[k], points.cell[at(id)][k]);
+      high[k] = std::max(high[k], points.cell[at(id)][k]);
+    }
+  return high[0] - low[0] == 1 && high[1] - low[1] == 1;
+}
+
 class PanelMesher {
  public:
   explicit PanelMesher(const Panel& shape, Kind kind = Kind::mixed)
@@ -401,41 +437,6 @@ class PanelMesher {
   Points points_;
   std::vector<std::array<Index, 4>> elements_;
 };
-
-double distance(const Vec2& x, const Vec2& a, const Vec2& b) {
-  const double share = std::clamp((x - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
-  return (x - a - share * (b - a)).norm();
-}
-
-// The least distance of a point of the lattice from the rim, of the smaller step. By trial: of the shares
-// from 0.35 to 0.8 the one with the best worst angle over circles, trapezoids and a bodice (27 degrees).
-constexpr double clearance = 0.7;
-// The same where nodes move afterwards, which needs less, and a narrow panel keeps more rows.
-constexpr double clearance_moved = 0.45;
-
-// How far a quadrilateral is from a rectangle: the sine of its worst corner; 0 if it is not convex or if that
-// corner is below 45 or above 135 degrees.
-double squareness(const std::array<Index, 4>& ids, const Points& points) {
-  double worst = 1;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const auto x = [&](std::size_t k) -> const Vec2& { return points.local[at(ids[k % 4])]; };
-    const Vec2 a = x(i + 1) - x(i), b = x(i + 3) - x(i);
-    worst = std::min(worst, (a.x() * b.y() - a.y() * b.x()) / (a.norm() * b.norm()));
-  }
-  return worst < std::sqrt(0.5) ? 0 : worst;
-}
-
-// Whether the four are the corners of one cell of the lattice.
-bool one_cell(const std::array<Index, 4>& ids, const Points& points) {
-  std::array<Index, 2> low{most_cells, most_cells}, high{-1, -1};
-  for (const Index id : ids)
-    for (std::size_t k = 0; k < 2; ++k) {
-      if (points.cell[at(id)][k] < 0) return false;
-      low[k] = std::min(low[k], points.cell[at(id)][k]);
-      high[k] = std::max(high[k], points.cell[at(id)][k]);
-    }
-  return high[0] - low[0] == 1 && high[1] - low[1] == 1;
-}
 
 // Degrees from the grain to the nearest line along or across it, -45 to 45.
 double off_grain(double degrees, double grain) { return std::remainder(degrees - grain, 90.0); }
