@@ -1,11 +1,17 @@
 #include "app/environment.hpp"
 
 #include <dlfcn.h>
+#include <fcntl.h>
 #include <malloc.h>
+#include <stdlib.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <system_error>
 
 #include "simd/isa.hpp"
 
@@ -21,6 +27,19 @@ const char* better_kernels() {
   if (name == nullptr || std::strcmp(name(), "Prescott") != 0) return nullptr;
   const Isa isa = best_isa();
   return isa == Isa::avx512 ? "SkylakeX" : isa == Isa::avx2 ? "Haswell" : nullptr;
+}
+
+// Only on_exit() passes the exit code. `owner` is the process that called it: a copy of that process prints
+// through the same file.
+void look(int code, void* owner) {
+  if (getpid() != static_cast<pid_t>(reinterpret_cast<std::intptr_t>(owner))) return;
+  errno = 0;
+  const bool flushed = std::fflush(stdout) == 0;
+  if (flushed && std::ferror(stdout) == 0) return;
+  const std::string reason = flushed || errno == 0 ? "" : ": " + std::generic_category().message(errno);
+  std::fprintf(stderr, "fabricsh: standard output is incomplete%s\n", reason.c_str());
+  std::fflush(nullptr);
+  _exit(code == 0 ? 1 : code);
 }
 
 }  // namespace
@@ -53,6 +72,14 @@ void settle_environment(char** words) {
   if (std::getenv("OMP_WAIT_POLICY") == nullptr) set("GOMP_SPINCOUNT", "5000");
   set("OPENBLAS_CORETYPE", better_kernels());
   if (anew) execv("/proc/self/exe", words);
+}
+
+void watch_output() { on_exit(look, reinterpret_cast<void*>(static_cast<std::intptr_t>(getpid()))); }
+
+// open() returns the smallest free number.
+void hold_standard_streams() {
+  for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; ++stream)
+    if (fcntl(stream, F_GETFD) < 0) ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }
 
 }  // namespace fabricsh::app

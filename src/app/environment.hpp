@@ -18,4 +18,17 @@ void settle_environment(char** words);
 // Freed memory of up to 16 MB stays with the program.
 void keep_freed_memory();
 
+// --- Reports output that did not reach standard output.
+
+// After this call every end of the program checks standard output: if it is full or closed, that is reported,
+// and the exit code 0 becomes 1.
+void watch_output();
+
+// --- Standard input, output and error that the caller has closed.
+
+// Fills those that are closed with /dev/null, opened the wrong way round: using them fails as before, but no
+// file that is opened later gets their number and with it what is printed. To be called before any file is
+// opened.
+void hold_standard_streams();
+
 }  // namespace fabricsh::app

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/command_line.hpp"
 #include "script/session/limits.hpp"
 
 namespace fabricsh::app {
@@ -16,5 +17,12 @@ void raise_wall(const std::vector<std::string>& readable, const std::string& wri
 // Ends the process with a message when its CPU time is used up. Limits files to 4 GiB, and data memory to the
 // given limit plus the needs of libraries and threads.
 void limit_process(const script::SafeOptions& limits);
+
+// --- --safe: folders and limits for an untrusted deck. First the wall is raised, then the program is
+// restarted so that all its threads are behind the wall, then the gate is closed and the deck run.
+
+// Raises the wall and restarts the program; the second time it closes the gate and returns. Error: an invalid
+// folder, or one that contains too much.
+void go_safe(const CommandLine& command, char** words);
 
 }  // namespace fabricsh::app

@@ -5,9 +5,28 @@
 #include <vector>
 
 #include "plot/figure.hpp"
-#include "plot/scale.hpp"
 
 namespace fabricsh::plot {
+
+struct Tick {
+  double value = 0;
+  std::string text;  // empty: a minor tick
+};
+
+struct Scale {
+  double low = 0, high = 1;
+  bool logarithmic = false;
+  std::vector<Tick> ticks = {};
+
+  double part(double value) const;  // position: 0 at the lower end, 1 at the upper end
+  double at(double part) const;     // the value at a position
+  double held(double value) const;  // the value; on a logarithmic scale its lower end for zero and below
+};
+
+// A scale for values from low to high with steps of 1, 2 or 5 times a power of ten. Ends that the
+// axis does not fix are moved outwards to the next tick. length: of the axis, points; letter: font size
+// of the tick labels; upright: the axis is vertical.
+Scale scale_of(const Axis& axis, double low, double high, double length, double letter, bool upright);
 
 struct PageBox {
   double left = 0, bottom = 0, right = 0, top = 0;  // points

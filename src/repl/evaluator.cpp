@@ -5,7 +5,7 @@
 
 #include "repl/lexer.hpp"
 #include "script/call/chain.hpp"
-#include "script/sandbox/load.hpp"
+#include "script/sandbox/sandbox.hpp"
 #include "script/show/show.hpp"
 
 namespace fabricsh::repl {

@@ -1,11 +1,11 @@
 #include "repl/prompt.hpp"
 
+#include <algorithm>
 #include <set>
 #include <utility>
 
 #include "base/error.hpp"
 #include "repl/commands.hpp"
-#include "repl/deck_text.hpp"
 #include "repl/lexer.hpp"
 #include "script/show/covered.hpp"
 #include "script/show/transcript.hpp"
@@ -65,6 +65,26 @@ class OwnNames {
 
 bool blank(const std::string& text) { return text.find_first_not_of(" \t\n\r") == std::string::npos; }
 
+std::string commented(const std::string& text, const std::string& mark) {
+  std::string out = mark;
+  for (const char c : text) out += c == '\n' ? "\n" + mark : std::string(1, c);
+  return out + "\n";
+}
+
+// Ends a comment at the end of the input, which would otherwise include the text appended to it.
+std::string closed(const std::string& input) {
+  const auto tokens = tokens_of(input);
+  return !tokens.empty() && tokens.back().kind == Token::TokenKind::comment ? input + "\n" : input;
+}
+
+std::string statements(const std::string& input) {
+  const auto tokens = tokens_of(input);
+  if (outermost(tokens, "return")) return "_show((function(...)\n" + input + "\nend)(...))\n";
+  if (!chunk_locals(tokens).empty() || outermost(tokens, "::")) return "do\n" + input + "\nend\n";
+  // otherwise a bracket at the beginning would call the preceding value
+  return (!tokens.empty() && tokens.front().is("(") ? ";" : "") + input + "\n";
+}
+
 }  // namespace
 
 std::string advice(const std::string& input) {
@@ -117,6 +137,22 @@ EvaluationOutcome converse(script::Session& session, Lines& lines, const Voice& 
     input.clear();
   }
   return first;
+}
+
+std::string deck_text(const std::string& input, const Result& result) {
+  const auto tokens = tokens_of(input);
+  const auto is_blank = [](const Token& t) { return t.is(";") || t.kind == Token::TokenKind::comment; };
+  if (std::all_of(tokens.begin(), tokens.end(), is_blank)) return input + "\n";
+  if (result.outcome != EvaluationOutcome::done)
+    return commented(input, "-- ") +
+           commented(result.message.substr(0, result.message.find('\n')), "--   failed: ");
+  return result.expression ? "_show(" + closed(without_equals(input)) + ")\n" : statements(input);
+}
+
+std::string deck_call(const std::string& path) {
+  std::string quoted;
+  for (const char c : path) quoted += (c == '"' || c == '\\' ? "\\" : "") + std::string(1, c);
+  return "dofile \"" + quoted + "\"\n";
 }
 
 }  // namespace fabricsh::repl

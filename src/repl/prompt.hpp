@@ -1,6 +1,7 @@
 // The interactive session: reads, evaluates and prints until the input ends.
 #pragma once
 #include <ostream>
+#include <string>
 
 #include "repl/editor.hpp"
 #include "repl/evaluator.hpp"
@@ -23,5 +24,14 @@ EvaluationOutcome converse(script::Session& session, Lines& lines, const Voice& 
 
 // Advice on input with an effect that is rarely intended; empty: none.
 std::string advice(const std::string& input);
+
+// --- Converts prompt input to a part of a deck, so that all of it has the same effect as a single chunk.
+
+// A failed input becomes a comment; an expression is printed by _show(...); an input with local names or a
+// return is enclosed in a block.
+std::string deck_text(const std::string& input, const Result& result);
+
+// For a deck that was run before the prompt started.
+std::string deck_call(const std::string& path);
 
 }  // namespace fabricsh::repl

@@ -1,10 +1,11 @@
-// Reading the rigid bodies of a run, and the pair that is closest to contact.
+// Reading the rigid bodies of a run, the pair that is closest to contact, and the gas of volumes.
 #pragma once
 #include <string>
 #include <vector>
 
 #include "contact/intersect.hpp"
 #include "mechanics/terms/contact.hpp"
+#include "model/gas.hpp"
 #include "run/readings.hpp"
 
 namespace fabricsh::run {
@@ -32,5 +33,14 @@ Touching nearest_pair(const Readings& run);  // Error: the model has no contact
 
 // All bodies, in the order in which the contacts name them; empty without contact.
 std::vector<BodyShown> shown_bodies(const Readings& run);
+
+struct GasReading {
+  double pressure;     // Pa, above that outside
+  double volume;       // m3
+  double mass;         // kg
+  double temperature;  // K
+};
+// Error: the volume is not one of the run's model.
+GasReading gas_state(const Readings& run, const model::GasGiven& gas);
 
 }  // namespace fabricsh::run

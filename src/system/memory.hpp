@@ -1,4 +1,4 @@
-// The memory of this process.
+// The memory of this process, and the stack of a thread, which a user may have limited (ulimit -s).
 #pragma once
 #include <cstddef>
 #include <string>
@@ -14,5 +14,9 @@ struct MemoryLimit {
   std::string option;         // of the shell that sets it: "ulimit -v"
 };
 MemoryLimit memory_limit();
+
+// Whether little is left of the stack: less than what a run, its solver and its outputs take, or than half of
+// a small stack. To be asked where calls can nest as deeply as a deck likes.
+bool stack_is_short();
 
 }  // namespace fabricsh::system

@@ -5,7 +5,7 @@
 
 #include "base/error.hpp"
 #include "catch.hpp"
-#include "lab/sequence.hpp"
+#include "lab/statistics.hpp"
 
 using namespace fabricsh;
 

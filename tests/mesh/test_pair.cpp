@@ -2,8 +2,8 @@
 #include "catch.hpp"
 #include "mesh/check.hpp"
 #include "mesh/generators.hpp"
-#include "mesh/pair.hpp"
 #include "mesh/panel.hpp"
+#include "mesh/refine.hpp"
 #include "message_of.hpp"
 
 using namespace fabricsh;

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "catch.hpp"
-#include "render/bodies.hpp"
+#include "render/sheet.hpp"
 
 using namespace fabricsh::render;
 

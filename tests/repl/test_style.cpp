@@ -1,6 +1,6 @@
 // Colours: only on a terminal, and not where somebody asked for none.
 #include "catch.hpp"
-#include "repl/style.hpp"
+#include "repl/editor.hpp"
 
 using namespace fabricsh::repl;
 

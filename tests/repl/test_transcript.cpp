@@ -4,7 +4,6 @@
 #include <sstream>
 
 #include "catch.hpp"
-#include "repl/deck_text.hpp"
 #include "repl/prompt.hpp"
 #include "script/open/open_session.hpp"
 #include "script/show/transcript.hpp"

@@ -10,10 +10,9 @@
 #include "script/bind/rooms.hpp"
 #include "script/call/parts.hpp"
 #include "script/call/words.hpp"
-#include "script/sandbox/load.hpp"
+#include "script/sandbox/sandbox.hpp"
 #include "script/show/show.hpp"
 #include "script/values/card_rows.hpp"
-#include "script/values/card_table.hpp"
 #include "system/gate.hpp"
 #include "system/paths.hpp"
 

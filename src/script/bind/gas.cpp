@@ -1,10 +1,9 @@
 // model:gas and analysis:gas.
-#include "run/gas.hpp"
-
 #include <cmath>
 
 #include "base/number.hpp"
 #include "model/declaration_rows.hpp"
+#include "run/bodies.hpp"
 #include "script/bind/model.hpp"
 #include "script/bind/rooms.hpp"
 #include "script/bind/run.hpp"

@@ -6,7 +6,6 @@
 #include "lab/backbone.hpp"
 #include "lab/markers.hpp"
 #include "lab/pull.hpp"
-#include "lab/sequence.hpp"
 #include "lab/statistics.hpp"
 #include "script/bind/rooms.hpp"
 #include "script/bind/run.hpp"

@@ -5,7 +5,6 @@
 
 #include "base/number.hpp"
 #include "geometry/box.hpp"
-#include "mesh/hole.hpp"
 #include "mesh/slit.hpp"
 #include "script/bind/panel.hpp"
 #include "script/call/words.hpp"

@@ -4,7 +4,6 @@
 #include "geometry/box.hpp"
 #include "mesh/check.hpp"
 #include "mesh/generators.hpp"
-#include "mesh/pair.hpp"
 #include "mesh/refine.hpp"
 #include "model/outlook.hpp"
 #include "script/bind/mesh.hpp"

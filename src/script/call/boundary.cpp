@@ -14,8 +14,8 @@
 #include "script/call/refusals.hpp"
 #include "script/call/words.hpp"
 #include "system/atomic.hpp"
+#include "system/memory.hpp"
 #include "system/paths.hpp"
-#include "system/stack.hpp"
 
 namespace fabricsh::script {
 

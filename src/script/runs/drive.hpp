@@ -17,4 +17,18 @@ void note_failure(DeckRun& run, const std::exception& error);
 // The call restore(), which a restarted deck also skips if it was made before the checkpoint.
 void go_back(DeckRun& run, const std::shared_ptr<const run::Run::Snapshot>& snapshot);
 
+// --- Progress of a run, and Ctrl-C, while it is driven.
+
+// Ctrl-C or SIGTERM stopped the run at its last committed step.
+class Interrupted : public Error {
+ public:
+  using Error::Error;
+};
+
+// "ended by SIGTERM": the signal that ends the program.
+std::string ended_by(const Session& session);
+
+// What reports the progress of a run several times a second, and ends the call after Ctrl-C.
+std::shared_ptr<run::Listener> make_watch(DeckRun& run);
+
 }  // namespace fabricsh::script

@@ -8,7 +8,7 @@
 #include <random>
 
 #include "base/error.hpp"
-#include "script/sandbox/load.hpp"
+#include "format/source.hpp"
 #include "script/sandbox/lua.hpp"
 #include "system/gate.hpp"
 #include "system/paths.hpp"
@@ -197,6 +197,13 @@ constexpr luaL_Reg natives[] = {{"open", open_stream},
                                 {"paid", paid},
                                 {nullptr, nullptr}};
 
+// Skips a byte-order mark and a first line that begins with '#', whose end is kept for the line numbers.
+std::string_view text_of(std::string_view bytes) {
+  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
+  if (bytes.starts_with('#')) bytes.remove_prefix(std::min(bytes.find('\n'), bytes.size()));
+  return bytes;
+}
+
 }  // namespace
 
 void confine(Session& session) {
@@ -209,6 +216,19 @@ void confine(Session& session) {
   lua_remove(L, -2);
   if (lua_pcall(L, 2, 0, 0) != LUA_OK) throw Error(lua_tostring(L, -1));
   lua_settop(L, 0);
+}
+
+int load_file(lua_State* L, const std::string& path) {
+  if (path.empty()) return luaL_loadfilex(L, nullptr, "t");
+  std::string bytes;
+  try {
+    bytes = format::read_file(path);
+  } catch (const Error& error) {
+    lua_pushstring(L, error.what());
+    return LUA_ERRFILE;
+  }
+  const std::string_view text = text_of(bytes);
+  return luaL_loadbufferx(L, text.data(), text.size(), ("@" + path).c_str(), "t");
 }
 
 }  // namespace fabricsh::script

@@ -4,7 +4,7 @@
 
 #include "script/call/boundary.hpp"
 #include "script/runs/run.hpp"
-#include "script/values/card_table.hpp"
+#include "script/values/card_rows.hpp"
 
 namespace fabricsh::script {
 

@@ -6,7 +6,7 @@
 #include "base/archive.hpp"
 #include "script/call/parts.hpp"
 #include "script/call/words.hpp"
-#include "script/values/card_table.hpp"
+#include "script/values/card_rows.hpp"
 
 namespace fabricsh::script {
 
