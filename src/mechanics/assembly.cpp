@@ -5,7 +5,6 @@
 #include "base/error.hpp"
 #include "geometry/node_view.hpp"
 #include "linear/vector.hpp"
-#include "mechanics/terms/bands.hpp"
 #include "mechanics/terms/cloth.hpp"
 #include "mechanics/terms/contact.hpp"
 #include "mechanics/terms/directors.hpp"
@@ -30,14 +29,8 @@ Assembly::Assembly(const model::Model& model)
   if (Tears::possible(model)) make<Tears>(model, std::as_const(configuration_), cloth, dofs_);
   if (!model.all<model::Seam>().empty()) make<Seams>(model, std::as_const(configuration_), cloth, dofs_);
   make<Directors>(model, std::as_const(configuration_), cloth, dofs_);
-  if (std::any_of(model.gravity().begin(), model.gravity().end(), [](const auto& g) { return bool(g); }))
-    make<Gravity>(model, cloth.mass(), cloth.mass_moment());
-  if (!model.all<model::ForceLoad>().empty() || !model.all<model::TractionLoad>().empty())
-    make<DeadLoads>(model);
-  if (!model.all<model::PressureLoad>().empty()) make<Pressure>(model, dofs_.freedoms());
-  if (!model.all<model::MomentLoad>().empty()) make<Moments>(model);
-  if (!model.all<model::GroundSpring>().empty()) make<Springs>(model);
-  if (!model.all<model::EdgeBand>().empty()) make<EdgeBands>(model);
+  for (auto& load : loads_of(model, cloth.mass(), cloth.mass_moment(), dofs_.freedoms()))
+    terms_.add(std::move(load));
   if (Hinges::possible(model)) make<Hinges>(model, std::as_const(configuration_));
   Gas* const gas = model.all<model::GasPointer>().empty() ? nullptr : &make<Gas>(model);
   if (model.interactions().any()) {

@@ -8,11 +8,27 @@
 #include "base/error.hpp"
 #include "geometry/node_view.hpp"
 #include "geometry/turning.hpp"
+#include "mechanics/mesh_tools.hpp"
 #include "mechanics/terms/faces.hpp"
+#include "model/rest_mesh.hpp"
 
 namespace fabricsh::mechanics {
 
 namespace {
+
+// A vector history distributed over the nodes of a set.
+struct DistributedLoad {
+  mesh::NodeSet nodes;
+  std::vector<double> weight;
+  model::Components value;
+  Mat3 frame;
+  Vec3 at(double time) const {
+    Vec3 total = Vec3::Zero();
+    for (int c = 0; c < 3; ++c)
+      if (value[c]) total += value[c]->value(time) * frame.row(c).transpose();
+    return total;
+  }
+};
 
 Vec3 value_at(const model::Components& value, double time) {
   Vec3 v = Vec3::Zero();
@@ -37,84 +53,89 @@ DistributedLoad spread(const mesh::Mesh& mesh, const std::string& set, const mod
   return s;
 }
 
-}  // namespace
-
-Vec3 DistributedLoad::at(double time) const {
-  Vec3 total = Vec3::Zero();
-  for (int c = 0; c < 3; ++c)
-    if (value[c]) total += value[c]->value(time) * frame.row(c).transpose();
-  return total;
-}
-
 // --- gravity
 
-Gravity::Gravity(const model::Model& model, const std::vector<double>& mass,
-                 const std::vector<double>& mass_moment)
-    : acceleration_(model.gravity()), mass_(mass), mass_moment_(mass_moment) {
-  const bool weighs =
-      std::any_of(acceleration_.begin(), acceleration_.end(), [](const auto& g) { return bool(g); });
-  turns_ = weighs && std::any_of(mass_moment_.begin(), mass_moment_.end(), [](double m) { return m != 0; });
-  set_time(0);
-}
-
-Vec3 Gravity::at(double time) const { return value_at(acceleration_, time); }
-bool Gravity::constant() const { return is_constant(acceleration_); }
-
-void Gravity::add_dead(double time, std::span<double> on_x) const {
-  const Vec3 gravity = at(time);
-  for (std::size_t i = 0; i < mass_.size(); ++i)
-    fabricsh::at(on_x, static_cast<Index>(i)) += mass_[i] * gravity;
-}
-
-Outcome Gravity::add_forces(const law::Step&, const Trial&, Forces& forces) {
-  for (std::size_t i = 0; turns_ && i < mass_.size(); ++i)
-    fabricsh::at(forces.on_d, static_cast<Index>(i)) -= mass_moment_[i] * at_trial_time_;
-  return {};
-}
-
-void Gravity::add_follower(double time, const Trial&, std::span<double>, std::span<double> on_d) const {
-  const Vec3 gravity = at(time);
-  for (std::size_t i = 0; turns_ && i < mass_.size(); ++i)
-    fabricsh::at(on_d, static_cast<Index>(i)) += mass_moment_[i] * gravity;
-}
-
-void Gravity::add_tangent(const Trial& trial, TangentSink& sink) const {
-  if (!(at_trial_time_.norm() > 0)) return;
-  const auto d = trial.configuration.d();
-  for (std::size_t i = 0; i < mass_.size(); ++i) {
-    if (mass_moment_[i] == 0) continue;
-    const auto n = static_cast<Index>(i);
-    // The second variation of the director.
-    sink.on_director(
-        n, (mass_moment_[i] * at_trial_time_).dot(fabricsh::at(d, n)) * Eigen::Matrix2d::Identity());
+// Weight on the nodes; also on their directors if the reference surface is not the middle surface.
+class Gravity final : public Term, public FollowerLoad {
+ public:
+  // mass: kg per node; mass_moment: its first moment about the reference surface, kg m.
+  Gravity(const model::Model& model, const std::vector<double>& mass, const std::vector<double>& mass_moment)
+      : acceleration_(model.gravity()), mass_(mass), mass_moment_(mass_moment) {
+    const bool weighs =
+        std::any_of(acceleration_.begin(), acceleration_.end(), [](const auto& g) { return bool(g); });
+    turns_ = weighs && std::any_of(mass_moment_.begin(), mass_moment_.end(), [](double m) { return m != 0; });
+    set_time(0);
   }
-}
+  const char* name() const override { return "gravity"; }
+  void set_time(double time) override { at_trial_time_ = at(time); }
+  void add_dead(double time, std::span<double> on_x) const override {
+    const Vec3 gravity = at(time);
+    for (std::size_t i = 0; i < mass_.size(); ++i)
+      fabricsh::at(on_x, static_cast<Index>(i)) += mass_[i] * gravity;
+  }
+  bool constant() const override { return is_constant(acceleration_); }
+  bool follows_directors() const override { return turns_; }
+  void add_follower(double time, const Trial&, std::span<double>, std::span<double> on_d) const override {
+    const Vec3 gravity = at(time);
+    for (std::size_t i = 0; turns_ && i < mass_.size(); ++i)
+      fabricsh::at(on_d, static_cast<Index>(i)) += mass_moment_[i] * gravity;
+  }
+  Outcome add_forces(const law::Step&, const Trial&, Forces& forces) override {
+    for (std::size_t i = 0; turns_ && i < mass_.size(); ++i)
+      fabricsh::at(forces.on_d, static_cast<Index>(i)) -= mass_moment_[i] * at_trial_time_;
+    return {};
+  }
+
+  void add_tangent(const Trial& trial, TangentSink& sink) const override {
+    if (!(at_trial_time_.norm() > 0)) return;
+    const auto d = trial.configuration.d();
+    for (std::size_t i = 0; i < mass_.size(); ++i) {
+      if (mass_moment_[i] == 0) continue;
+      const auto n = static_cast<Index>(i);
+      // The second variation of the director.
+      sink.on_director(
+          n, (mass_moment_[i] * at_trial_time_).dot(fabricsh::at(d, n)) * Eigen::Matrix2d::Identity());
+    }
+  }
+
+ private:
+  Vec3 at(double time) const { return value_at(acceleration_, time); }
+  model::Components acceleration_;
+  const std::vector<double>&mass_, &mass_moment_;
+  bool turns_ = false;  // whether it acts on directors
+  Vec3 at_trial_time_ = Vec3::Zero();
+};
 
 // --- dead loads
 
-DeadLoads::DeadLoads(const model::Model& model) {
-  const auto& mesh = model.mesh();
-  for (const auto& f : model.all<model::ForceLoad>())
-    loads_.push_back(spread(mesh, f.set, f.total, f.frame, true));
-  for (const auto& t : model.all<model::TractionLoad>())
-    loads_.push_back(spread(mesh, t.set, t.intensity, t.frame, false));
-}
-
-void DeadLoads::add_dead(double time, std::span<double> on_x) const {
-  for (const auto& load : loads_) {
-    const Vec3 total = load.at(time);
-    for (std::size_t i = 0; i < load.nodes.size(); ++i) at(on_x, load.nodes[i]) += load.weight[i] * total;
+// Forces and tractions with constant direction, per reference area. Error: a traction on a set that has
+// neither whole elements nor whole edges.
+class DeadLoads final : public Term {
+ public:
+  explicit DeadLoads(const model::Model& model) {
+    const auto& mesh = model.mesh();
+    for (const auto& f : model.all<model::ForceLoad>())
+      loads_.push_back(spread(mesh, f.set, f.total, f.frame, true));
+    for (const auto& t : model.all<model::TractionLoad>())
+      loads_.push_back(spread(mesh, t.set, t.intensity, t.frame, false));
   }
-}
+  const char* name() const override { return "forces"; }
+  void add_dead(double time, std::span<double> on_x) const override {
+    for (const auto& load : loads_) {
+      const Vec3 total = load.at(time);
+      for (std::size_t i = 0; i < load.nodes.size(); ++i) at(on_x, load.nodes[i]) += load.weight[i] * total;
+    }
+  }
+  bool constant() const override {
+    return std::all_of(loads_.begin(), loads_.end(),
+                       [](const DistributedLoad& s) { return is_constant(s.value); });
+  }
 
-bool DeadLoads::constant() const {
-  return std::all_of(loads_.begin(), loads_.end(),
-                     [](const DistributedLoad& s) { return is_constant(s.value); });
-}
+ private:
+  std::vector<DistributedLoad> loads_;
+};
 
 // --- pressure
-
-namespace {
 
 // The directions in which a node may move, as far as supports leave them to it; empty: it is tied.
 std::optional<std::vector<Vec3>> free_directions(const NodeFreedoms& node) {
@@ -166,121 +187,274 @@ bool edges_are_held(const model::Model& model, const Freedoms& freedoms,
   });
 }
 
-}  // namespace
-
-Pressure::Pressure(const model::Model& model, const Freedoms& freedoms) {
-  const auto& mesh = model.mesh();
-  for (const auto& p : model.all<model::PressureLoad>()) {
-    Faces faces{{}, p.value};
-    for (const auto e : mesh.elements_in(mesh.set(p.set))) faces.elements.push_back(mesh.elements[e]);
-    faces_.push_back(std::move(faces));
+// Pressure along the normal of the present surface: f_A = p sum_g N_A a1 x a2. It has a potential, p times
+// the volume that the surface sweeps, and a symmetric stiffness, where its edges stay or move in planes.
+class Pressure final : public Term, public FollowerLoad {
+ public:
+  Pressure(const model::Model& model, const Freedoms& freedoms) {
+    const auto& mesh = model.mesh();
+    for (const auto& p : model.all<model::PressureLoad>()) {
+      Faces faces{{}, p.value};
+      for (const auto e : mesh.elements_in(mesh.set(p.set))) faces.elements.push_back(mesh.elements[e]);
+      faces_.push_back(std::move(faces));
+    }
+    edges_are_held_ = std::all_of(faces_.begin(), faces_.end(), [&](const Faces& faces) {
+      return edges_are_held(model, freedoms, faces.elements);
+    });
+    set_time(0);
   }
-  edges_are_held_ = std::all_of(faces_.begin(), faces_.end(), [&](const Faces& faces) {
-    return edges_are_held(model, freedoms, faces.elements);
-  });
-  set_time(0);
-}
 
-void Pressure::set_time(double time) {
-  at_trial_time_.clear();
-  for (const auto& p : faces_) at_trial_time_.push_back(p.value.value(time));
-}
+  const char* name() const override { return "pressure"; }
+  void set_time(double time) override {
+    at_trial_time_.clear();
+    for (const auto& p : faces_) at_trial_time_.push_back(p.value.value(time));
+  }
+  bool follows_positions() const override { return true; }
+  void add_follower(double time, const Trial& trial, std::span<double> on_x, std::span<double>) const {
+    for (const auto& faces : faces_)
+      add_pressure(faces.elements, faces.value.value(time), trial.configuration.x(), on_x);
+  }
+  bool symmetric() const override { return edges_are_held_; }
+  Outcome add_forces(const law::Step&, const Trial& trial, Forces& forces) override {
+    for (std::size_t k = 0; k < faces_.size(); ++k)
+      add_pressure(faces_[k].elements, -at_trial_time_[k], trial.configuration.x(), forces.on_x);
+    return {};
+  }
+  void add_tangent(const Trial& trial, TangentSink& sink) const override {
+    for (std::size_t k = 0; k < faces_.size(); ++k)
+      add_pressure_tangent(faces_[k].elements, at_trial_time_[k], trial.configuration.x(), sink);
+  }
 
-Outcome Pressure::add_forces(const law::Step&, const Trial& trial, Forces& forces) {
-  for (std::size_t k = 0; k < faces_.size(); ++k)
-    add_pressure(faces_[k].elements, -at_trial_time_[k], trial.configuration.x(), forces.on_x);
-  return {};
-}
-
-void Pressure::add_follower(double time, const Trial& trial, std::span<double> on_x,
-                            std::span<double>) const {
-  for (const auto& faces : faces_)
-    add_pressure(faces.elements, faces.value.value(time), trial.configuration.x(), on_x);
-}
-
-void Pressure::add_tangent(const Trial& trial, TangentSink& sink) const {
-  for (std::size_t k = 0; k < faces_.size(); ++k)
-    add_pressure_tangent(faces_[k].elements, at_trial_time_[k], trial.configuration.x(), sink);
-}
+ private:
+  struct Faces {
+    std::vector<std::array<Index, 4>> elements;
+    model::History value;
+  };
+  std::vector<Faces> faces_;
+  std::vector<double> at_trial_time_;  // Pa
+  bool edges_are_held_ = false;
+};
 
 // --- moments
 
-Moments::Moments(const model::Model& model) : at_trial_time_(model.mesh().nodes.size(), Vec3::Zero()) {
-  for (const auto& m : model.all<model::MomentLoad>())
-    loads_.push_back(spread(model.mesh(), m.set, m.total, m.frame, true));
-  set_time(0);
-}
-
-std::vector<Vec3> Moments::at_time(double time) const {
-  std::vector<Vec3> all(at_trial_time_.size(), Vec3::Zero());
-  for (const auto& m : loads_) {
-    const Vec3 total = m.at(time);
-    for (std::size_t i = 0; i < m.nodes.size(); ++i) all[m.nodes[i]] += m.weight[i] * total;
+// Moments about axes fixed in space: the work M . (d x delta d) gives M x d on a director. Not symmetric.
+class Moments final : public Term, public FollowerLoad {
+ public:
+  explicit Moments(const model::Model& model) : at_trial_time_(model.mesh().nodes.size(), Vec3::Zero()) {
+    for (const auto& m : model.all<model::MomentLoad>())
+      loads_.push_back(spread(model.mesh(), m.set, m.total, m.frame, true));
+    set_time(0);
   }
-  return all;
-}
-
-void Moments::set_time(double time) { at_trial_time_ = at_time(time); }
-
-Outcome Moments::add_forces(const law::Step&, const Trial& trial, Forces& forces) {
-  const auto d = trial.configuration.d();
-  for (std::size_t i = 0; i < at_trial_time_.size(); ++i)
-    at(forces.on_d, static_cast<Index>(i)) -= at_trial_time_[i].cross(at(d, static_cast<Index>(i)));
-  return {};
-}
-
-void Moments::add_follower(double time, const Trial& trial, std::span<double>, std::span<double> on_d) const {
-  const auto d = trial.configuration.d();
-  const auto moments = at_time(time);
-  for (std::size_t i = 0; i < moments.size(); ++i)
-    at(on_d, static_cast<Index>(i)) += moments[i].cross(at(d, static_cast<Index>(i)));
-}
-
-void Moments::add_tangent(const Trial& trial, TangentSink& sink) const {
-  const auto d = trial.configuration.d(), b1 = trial.configuration.b1();
-  for (std::size_t i = 0; i < at_trial_time_.size(); ++i) {
-    const auto n = static_cast<Index>(i);
-    const Vec3& M = at_trial_time_[i];
-    const Vec3 dd = at(d, n), first = at(b1, n), second = dd.cross(first);
-    Eigen::Matrix2d k = M.cross(dd).dot(dd) * Eigen::Matrix2d::Identity();  // second variation of d
-    k(0, 0) -= M.cross(first).dot(first);
-    k(0, 1) -= M.cross(second).dot(first);
-    k(1, 0) -= M.cross(first).dot(second);
-    k(1, 1) -= M.cross(second).dot(second);
-    sink.on_director(n, k);
+  const char* name() const override { return "moments"; }
+  void set_time(double time) override { at_trial_time_ = at_time(time); }
+  bool follows_directors() const override { return true; }
+  void add_follower(double time, const Trial& trial, std::span<double>,
+                    std::span<double> on_d) const override {
+    const auto d = trial.configuration.d();
+    const auto moments = at_time(time);
+    for (std::size_t i = 0; i < moments.size(); ++i)
+      at(on_d, static_cast<Index>(i)) += moments[i].cross(at(d, static_cast<Index>(i)));
   }
-}
+  bool symmetric() const override { return false; }
+  const std::vector<Vec3>* moments() const override { return &at_trial_time_; }
+  Outcome add_forces(const law::Step&, const Trial& trial, Forces& forces) override {
+    const auto d = trial.configuration.d();
+    for (std::size_t i = 0; i < at_trial_time_.size(); ++i)
+      at(forces.on_d, static_cast<Index>(i)) -= at_trial_time_[i].cross(at(d, static_cast<Index>(i)));
+    return {};
+  }
+
+  void add_tangent(const Trial& trial, TangentSink& sink) const override {
+    const auto d = trial.configuration.d(), b1 = trial.configuration.b1();
+    for (std::size_t i = 0; i < at_trial_time_.size(); ++i) {
+      const auto n = static_cast<Index>(i);
+      const Vec3& M = at_trial_time_[i];
+      const Vec3 dd = at(d, n), first = at(b1, n), second = dd.cross(first);
+      Eigen::Matrix2d k = M.cross(dd).dot(dd) * Eigen::Matrix2d::Identity();  // second variation of d
+      k(0, 0) -= M.cross(first).dot(first);
+      k(0, 1) -= M.cross(second).dot(first);
+      k(1, 0) -= M.cross(first).dot(second);
+      k(1, 1) -= M.cross(second).dot(second);
+      sink.on_director(n, k);
+    }
+  }
+
+ private:
+  std::vector<Vec3> at_time(double time) const {
+    std::vector<Vec3> all(at_trial_time_.size(), Vec3::Zero());
+    for (const auto& m : loads_) {
+      const Vec3 total = m.at(time);
+      for (std::size_t i = 0; i < m.nodes.size(); ++i) all[m.nodes[i]] += m.weight[i] * total;
+    }
+    return all;
+  }
+  std::vector<DistributedLoad> loads_;
+  std::vector<Vec3> at_trial_time_;  // N m per node
+};
 
 // --- springs
 
-Springs::Springs(const model::Model& model) {
-  for (const auto& s : model.all<model::GroundSpring>()) {
-    const auto& nodes = model.mesh().set(s.set);
-    const Tributary t = tributary(model.mesh(), nodes);
-    const Vec3 k(s.stiffness[0], s.stiffness[1], s.stiffness[2]);
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-      springs_.push_back({nodes[i], t.measure[i] / t.total * s.frame.transpose() * k.asDiagonal() * s.frame});
+// Linear springs to ground.
+class Springs final : public Term {
+ public:
+  explicit Springs(const model::Model& model) {
+    for (const auto& s : model.all<model::GroundSpring>()) {
+      const auto& nodes = model.mesh().set(s.set);
+      const Tributary t = tributary(model.mesh(), nodes);
+      const Vec3 k(s.stiffness[0], s.stiffness[1], s.stiffness[2]);
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+        springs_.push_back(
+            {nodes[i], t.measure[i] / t.total * s.frame.transpose() * k.asDiagonal() * s.frame});
+    }
   }
-}
-
-Outcome Springs::add_forces(const law::Step&, const Trial& trial, Forces& forces) {
-  const auto x = trial.configuration.x();
-  for (const auto& s : springs_) at(forces.on_x, s.node) += s.stiffness * (at(x, s.node) - trial.X[s.node]);
-  return {};
-}
-
-void Springs::add_tangent(const Trial&, TangentSink& sink) const {
-  for (const auto& s : springs_) sink.on_positions(s.node, s.node, s.stiffness);
-}
-
-void Springs::add_energies(const Trial& trial, std::vector<Energy>& out) const {
-  const auto x = trial.configuration.x();
-  double sum = 0;
-  for (const auto& s : springs_) {
-    const Vec3 u = at(x, s.node) - trial.X[s.node];
-    sum += u.dot(s.stiffness * u) / 2;
+  const char* name() const override { return "springs"; }
+  Outcome add_forces(const law::Step&, const Trial& trial, Forces& forces) override {
+    const auto x = trial.configuration.x();
+    for (const auto& s : springs_) at(forces.on_x, s.node) += s.stiffness * (at(x, s.node) - trial.X[s.node]);
+    return {};
   }
-  out.push_back({"springs", Account::stored, sum});
+  void add_tangent(const Trial&, TangentSink& sink) const override {
+    for (const auto& s : springs_) sink.on_positions(s.node, s.node, s.stiffness);
+  }
+  void add_energies(const Trial& trial, std::vector<Energy>& out) const override {
+    const auto x = trial.configuration.x();
+    double sum = 0;
+    for (const auto& s : springs_) {
+      const Vec3 u = at(x, s.node) - trial.X[s.node];
+      sum += u.dot(s.stiffness * u) / 2;
+    }
+    out.push_back({"springs", Account::stored, sum});
+  }
+
+ private:
+  struct Grounded {
+    Index node;
+    Mat3 stiffness;
+  };
+  std::vector<Grounded> springs_;
+};
+
+// --- bands
+
+constexpr double kTaut = 1e-9;  // a strain above minus this is one of a taut band, for tangents
+
+// Bands along edges (model/declarations.hpp): between neighbouring nodes of an edge a spring that pulls and
+// never pushes, whose length without force is that of the edge, less the ease.
+class EdgeBands final : public Term {
+ public:
+  explicit EdgeBands(const model::Model& model) : bands_(model.all<model::EdgeBand>()) {
+    const mesh::Mesh rest = model::rest_mesh(model);
+    for (std::size_t i = 0; i < bands_.size(); ++i) {
+      const model::EdgeChain chain = model::chain_of(rest, bands_[i].set);
+      const std::size_t count = chain.nodes.size();
+      for (std::size_t k = 0; k + (chain.ring ? 0 : 1) < count; ++k) {
+        const bool last = k + 1 == count;
+        const double end = last ? chain.length : chain.along[k + 1];
+        pieces_.push_back({chain.nodes[k], chain.nodes[last ? 0 : k + 1], end - chain.along[k], i});
+      }
+    }
+    pulling_.assign(pieces_.size(), 0);
+    now_ = pulling_;
+  }
+
+  const char* name() const override { return "bands"; }
+
+  Outcome add_forces(const law::Step&, const Trial& trial, Forces& forces) override {
+    const auto x = trial.configuration.x();
+    work_ = {};
+    aimed_ = trial.time;
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+      const BandPiece& piece = pieces_[i];
+      const double e = strain(piece, trial);
+      now_[i] = pull_on_rest(piece, e);
+      const double way = rest(piece, trial.time) - rest(piece, time_);
+      work_ += {(now_[i] + pulling_[i]) / 2 * way, std::abs((now_[i] - pulling_[i]) / 2 * way)};
+      if (!(e > 0)) continue;
+      const Vec3 force = bands_[piece.band].stiffness * e * (at(x, piece.b) - at(x, piece.a)).normalized();
+      at(forces.on_x, piece.a) -= force;
+      at(forces.on_x, piece.b) += force;
+    }
+    return {};
+  }
+
+  // In explicit motion, where it bounds the step, also of slack bands.
+  void add_tangent(const Trial& trial, TangentSink& sink) const override {
+    const bool bounds =
+        trial.motion != nullptr && trial.motion->moves() && trial.motion->damping_weight() == 0;
+    const auto x = trial.configuration.x();
+    for (const BandPiece& piece : pieces_) {
+      const double e = strain(piece, trial), stiffness = bands_[piece.band].stiffness;
+      if (!(e > -kTaut) && !bounds) continue;
+      const Vec3 way = at(x, piece.b) - at(x, piece.a), n = way.normalized();
+      const Mat3 along = n * n.transpose();
+      const Mat3 k = stiffness / rest(piece, trial.time) * along +
+                     stiffness * std::max(0.0, e) / way.norm() * (Mat3::Identity() - along);
+      sink.on_positions(piece.a, piece.a, k);
+      sink.on_positions(piece.b, piece.b, k);
+      sink.on_positions(piece.a, piece.b, -k);
+      sink.on_positions(piece.b, piece.a, -k);
+    }
+  }
+
+  void add_energies(const Trial& trial, std::vector<Energy>& out) const override {
+    double stored = 0;
+    for (const BandPiece& piece : pieces_) {
+      const double e = std::max(0.0, strain(piece, trial));
+      stored += bands_[piece.band].stiffness * rest(piece, trial.time) * e * e / 2;
+    }
+    out.push_back({"bands", Account::stored, stored});
+  }
+  StepWork step_work() const override { return work_; }
+  void commit() override {
+    pulling_ = now_;
+    time_ = aimed_;
+  }
+  void keep(Archive& archive) override { archive(time_, pulling_); }
+
+ private:
+  struct BandPiece {
+    Index a, b;
+    double length;  // m, of the edge
+    std::size_t band;
+  };
+  // m
+  double rest(const BandPiece& piece, double time) const {
+    const model::EdgeBand& band = bands_[piece.band];
+    const double s = band.over ? std::clamp(time / *band.over, 0.0, 1.0) : 1;
+    return piece.length * (1 - band.ease * s * s * s * (10 - 15 * s + 6 * s * s));
+  }
+  double strain(const BandPiece& piece, const Trial& trial) const {
+    const auto x = trial.configuration.x();
+    return (at(x, piece.b) - at(x, piece.a)).norm() / rest(piece, trial.time) - 1;
+  }
+  // N, d(energy) / d(rest length)
+  // Of S L e^2 / 2 with e = l/L - 1: S (1 - (l/L)^2) / 2.
+  double pull_on_rest(const BandPiece& piece, double strain) const {
+    return strain > 0 ? bands_[piece.band].stiffness * (1 - (1 + strain) * (1 + strain)) / 2 : 0;
+  }
+
+  const std::vector<model::EdgeBand> bands_;
+  std::vector<BandPiece> pieces_;
+  std::vector<double> pulling_, now_;  // N: the last of these at the committed and the trial state
+  double time_ = 0, aimed_ = 0;        // s: committed, of the trial state
+  StepWork work_;                      // of shortening the bands in the step
+};
+
+}  // namespace
+
+std::vector<std::unique_ptr<Term>> loads_of(const model::Model& model, const std::vector<double>& mass,
+                                            const std::vector<double>& mass_moment,
+                                            const Freedoms& freedoms) {
+  std::vector<std::unique_ptr<Term>> all;
+  if (std::any_of(model.gravity().begin(), model.gravity().end(), [](const auto& g) { return bool(g); }))
+    all.push_back(std::make_unique<Gravity>(model, mass, mass_moment));
+  if (!model.all<model::ForceLoad>().empty() || !model.all<model::TractionLoad>().empty())
+    all.push_back(std::make_unique<DeadLoads>(model));
+  if (!model.all<model::PressureLoad>().empty()) all.push_back(std::make_unique<Pressure>(model, freedoms));
+  if (!model.all<model::MomentLoad>().empty()) all.push_back(std::make_unique<Moments>(model));
+  if (!model.all<model::GroundSpring>().empty()) all.push_back(std::make_unique<Springs>(model));
+  if (!model.all<model::EdgeBand>().empty()) all.push_back(std::make_unique<EdgeBands>(model));
+  return all;
 }
 
 }  // namespace fabricsh::mechanics
