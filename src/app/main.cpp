@@ -13,7 +13,6 @@
 #include "app/environment.hpp"
 #include "app/progress.hpp"
 #include "app/wall.hpp"
-#include "repl/commands.hpp"
 #include "repl/evaluator.hpp"
 #include "repl/history.hpp"
 #include "repl/interrupt.hpp"

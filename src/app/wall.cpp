@@ -21,7 +21,6 @@
 
 #include "base/error.hpp"
 #include "system/computing_time.hpp"
-#include "system/descriptor.hpp"
 #include "system/gate.hpp"
 #include "system/paths.hpp"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/archive.hpp"
-#include "system/descriptor.hpp"
+#include "system/gate.hpp"
 
 namespace fabricsh::format {
 

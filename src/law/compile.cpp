@@ -5,9 +5,9 @@
 
 #include "base/error.hpp"
 #include "card/fields.hpp"
-#include "law/by_direction.hpp"
 #include "law/curve.hpp"
 #include "law/data.hpp"
+#include "law/law.hpp"
 #include "law/laws.hpp"
 #include "law/potential.hpp"
 #include "law/text.hpp"

@@ -175,4 +175,15 @@ double backbone_modulus(const Law& law, int axis, double x) {
   return x < 0 && axis != 3 ? curve_of(law, axis).initial : backbone_at(curve_of(law, axis), std::fabs(x)).D;
 }
 
+ByDirection by_direction(const Law& law) {
+  if (law.kind == CompiledKind::elastic) return {{law.elastic.C11, law.elastic.C22}, law.elastic.G12};
+  const WovenData& w = law.woven;
+  ByDirection out;
+  out.shear = backbone_modulus(law, 3, 0);
+  for (int i = 0; i < 2; ++i)
+    out.axis[i] =
+        std::max(w.axis[i].unloading * w.loop[i].steepest + w.coupling * w.axis[i].poisson, w.axis[i].slack);
+  return out;
+}
+
 }  // namespace fabricsh::law

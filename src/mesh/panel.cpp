@@ -15,7 +15,6 @@
 #include "mesh/lattice.hpp"
 #include "mesh/matching.hpp"
 #include "mesh/rim.hpp"
-#include "mesh/smoothing.hpp"
 #include "mesh/triangulate.hpp"
 
 namespace fabricsh::mesh {

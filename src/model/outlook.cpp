@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "base/number.hpp"
-#include "law/by_direction.hpp"
 #include "law/law.hpp"
 
 namespace fabricsh::model {

@@ -11,7 +11,7 @@
 
 #include "base/error.hpp"
 #include "system/atomic.hpp"
-#include "system/descriptor.hpp"
+#include "system/gate.hpp"
 
 namespace fabricsh::repl {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "base/error.hpp"
-#include "repl/commands.hpp"
+#include "repl/evaluator.hpp"
 #include "repl/lexer.hpp"
 #include "script/show/covered.hpp"
 #include "script/show/transcript.hpp"

@@ -2,11 +2,85 @@
 #include "run/run_state.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "base/error.hpp"
+#include "base/ordered_sum.hpp"
+#include "geometry/node_view.hpp"
 #include "run/run.hpp"
 
 namespace fabricsh::run {
+
+namespace {
+
+// Work by the trapezoidal rule from the committed to the trial configuration.
+double trapezoid(std::span<const double> before, std::span<const double> now, std::span<const double> from,
+                 std::span<const double> to) {
+  return ordered_sum(now.size(), [&](std::size_t i) { return (before[i] + now[i]) / 2 * (to[i] - from[i]); });
+}
+
+// Half of what the change of the forces would work over the displacement: the trapezoidal rule's work plus
+// and minus this is that of either state's forces alone.
+double half_change(std::span<const double> before, std::span<const double> now, std::span<const double> from,
+                   std::span<const double> to) {
+  return ordered_sum(now.size(), [&](std::size_t i) { return (now[i] - before[i]) / 2 * (to[i] - from[i]); });
+}
+
+// J, of the supports that turn in a step: along the arcs on which they go, with forces that turn with them,
+// and along the chords; and half of what the change of the forces would work.
+struct TurningWork {
+  double arcs = 0, chords = 0, change = 0;
+};
+
+TurningWork work_of_turning(const mechanics::Assembly& assembly, const std::vector<TurningSupport>& before,
+                            const std::vector<TurningSupport>& now) {
+  TurningWork sum;
+  const auto& freedoms = assembly.dofs().freedoms();
+  const auto& state = assembly.state();
+  const auto from = state.committed_kinematics(), to = state.x();
+  mechanics::Index history = -1;
+  double turn = 0;  // rad, in the step
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    const auto& node = freedoms.nodes[now[i].node];
+    const auto& motion = freedoms.motions[mechanics::motion_of(node.equation[3])];
+    if (std::exchange(history, motion.history) != motion.history) {
+      const auto angle = [&](double t) { return motion.of(freedoms.histories[history].value(t)); };
+      turn = angle(assembly.trial().time) - angle(state.time());
+    }
+    const Vec3 chord = at(to, now[i].node) - at(from, now[i].node), axis = *node.turn_axis;
+    const double half = std::sin(turn / 2), longer = std::abs(half) > 1e-9 ? turn / 2 / half - 1 : 0;
+    const Vec3 arc = chord + longer * (chord - axis.dot(chord) * axis);
+    const Mat3 half_turn = Eigen::AngleAxisd(turn / 2, axis).toRotationMatrix();
+    const Vec3 first = half_turn * before[i].force, last = half_turn.transpose() * now[i].force;
+    const double moment = (before[i].moment + now[i].moment) / 2;
+    sum.arcs += moment * turn + (first + last).dot(arc) / 2;
+    sum.chords += moment * std::sin(turn) + (before[i].force + now[i].force).dot(chord) / 2;
+    sum.change += (now[i].moment - before[i].moment) / 2 * turn + (last - first).dot(arc) / 2;
+  }
+  return sum;
+}
+
+bool turns_about_centre(const mechanics::Freedoms& freedoms, mechanics::Index node) {
+  const auto equation = freedoms.nodes[node].equation[0];
+  return equation != mechanics::tied && equation <= mechanics::driven(0) &&
+         freedoms.motions[mechanics::motion_of(equation)].kind == mechanics::DrivenFreedom::FreedomKind::arm;
+}
+
+bool any_load(std::span<const double> dead) {
+  return std::any_of(dead.begin(), dead.end(), [](double f) { return f != 0; });
+}
+
+// Whether the working forces are only dead loads that are constant in time.
+bool is_constant(const mechanics::Assembly& assembly) {
+  const auto followers = assembly.terms().all<mechanics::FollowerLoad>();
+  return assembly.dofs().driven_nodes().empty() && assembly.terms().constant_loads() &&
+         std::none_of(followers.begin(), followers.end(), [](const auto* load) {
+           return load->follows_positions() || load->follows_directors();
+         });
+}
+
+}  // namespace
 
 RunState::RunState(std::shared_ptr<model::Model> model, double duration, std::shared_ptr<Notices> notices)
     : model_(std::move(model)), duration_(duration), notices_(std::move(notices)) {}
@@ -113,6 +187,90 @@ void Run::resume(const std::string& bytes) {
     if (!std::any_of(warnings_->begin(), warnings_->end(),
                      [&](const Warning& kept) { return kept.text == w.text; }))
       warnings_->push_back(w);
+}
+
+void find_working_forces(const mechanics::Assembly& assembly, std::span<const double> dead,
+                         WorkingForces& out) {
+  out.on_x.assign(dead.begin(), dead.end());
+  out.on_d.clear();
+  const auto& dofs = assembly.dofs();
+  const auto& nodes = dofs.freedoms().nodes;
+  const auto followers = assembly.terms().all<mechanics::FollowerLoad>();
+  if (std::any_of(followers.begin(), followers.end(), [](const auto* l) { return l->follows_directors(); }))
+    out.on_d.assign(dead.size(), 0);
+  const mechanics::Trial trial = assembly.trial();
+  for (const auto* const load : followers) load->add_follower(trial.time, trial, out.on_x, out.on_d);
+  const auto internal = assembly.internal();
+  const auto d = assembly.state().d();
+  out.turning.clear();
+  for (const auto n : dofs.driven_nodes()) {
+    const Vec3 force = dofs.support_force(n, internal.on_x, dead);
+    const auto& axis = nodes[n].turn_axis;
+    const bool circles = axis && turns_about_centre(dofs.freedoms(), n);
+    if (!circles) at(out.on_x, n) += force;
+    if (axis)
+      out.turning.push_back(
+          {n, circles ? force : Vec3::Zero(), axis->dot(at(d, n).cross(at(internal.on_d, n)))});
+  }
+}
+
+void ExternalWork::start(mechanics::Assembly& assembly, std::span<const double> dead) {
+  find_working_forces(assembly, dead, before_);
+  loaded_.reset();
+}
+
+// change: if not null, gets half of what the change of the forces would work over the step.
+mechanics::StepWork ExternalWork::of_step(mechanics::Assembly& assembly, std::span<const double> dead,
+                                          bool bounded, double* change_out) {
+  const mechanics::Configuration& now = assembly.state();
+  const std::size_t n = 3 * now.nodes();
+  const auto from = now.committed_kinematics();
+  mechanics::StepWork sum = assembly.terms().step_work();
+  if (is_constant(assembly)) {  // only dead loads that are constant
+    if (!loaded_) loaded_ = any_load(dead);
+    sum.work += *loaded_ ? trapezoid(dead, dead, from.first(n), now.x()) : 0;
+    return sum;
+  }
+  find_working_forces(assembly, dead, now_);
+  double work = trapezoid(before_.on_x, now_.on_x, from.first(n), now.x());
+  double change = bounded ? half_change(before_.on_x, now_.on_x, from.first(n), now.x()) : 0;
+  if (!now_.on_d.empty()) {
+    work += trapezoid(before_.on_d, now_.on_d, from.subspan(n, n), now.d());
+    if (bounded) change += half_change(before_.on_d, now_.on_d, from.subspan(n, n), now.d());
+  }
+  // Forces of the cloth turn with its supports. Those of weights do not, and beside pressures only chords
+  // close the balance of what turns as a whole; there the work is uncertain by the difference.
+  TurningWork turning;
+  if (!now_.turning.empty()) {
+    turning = work_of_turning(assembly, before_.turning, now_.turning);
+    const bool loaded = assembly.terms().find<mechanics::FollowerLoad>() != nullptr || any_load(dead);
+    work += loaded ? turning.chords : turning.arcs;
+  }
+  if (change_out != nullptr) *change_out = change + turning.change;
+  sum += {work, std::abs(change + turning.change) + std::abs(turning.arcs - turning.chords)};
+  std::swap(before_, now_);
+  return sum;
+}
+
+void ExternalWork::add(mechanics::Assembly& assembly, std::span<const double> dead) {
+  add(of_step(assembly, dead, false).work);
+}
+
+mechanics::StepWork ExternalWork::add_bounded(mechanics::Assembly& assembly, std::span<const double> dead) {
+  const mechanics::StepWork step = of_step(assembly, dead, true);
+  add(step.work);
+  return step;
+}
+
+void ExternalWork::add_weighted(mechanics::Assembly& assembly, std::span<const double> dead, double theta) {
+  double change = 0;
+  const mechanics::StepWork step = of_step(assembly, dead, true, &change);
+  add(step.work + (2 * theta - 1) * change);
+}
+
+void ExternalWork::add(double work) {
+  total_ += work;
+  largest_ = std::max(largest_, std::abs(total_));
 }
 
 }  // namespace fabricsh::run

@@ -6,9 +6,9 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
-#include "law/by_direction.hpp"
 #include "law/compression.hpp"
 #include "law/data.hpp"
+#include "law/law.hpp"
 
 namespace fabricsh::section {
 

@@ -4,11 +4,29 @@
 // links or by replacing a folder meanwhile, because each folder is opened inside its parent, not by its path.
 #pragma once
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
-#include "system/descriptor.hpp"
-
 namespace fabricsh::system {
+
+class Descriptor {
+ public:
+  explicit Descriptor(int number = -1) : number_(number) {}
+  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+  Descriptor& operator=(Descriptor&& other) noexcept {
+    std::swap(number_, other.number_);
+    return *this;
+  }
+  ~Descriptor();
+  int number() const { return number_; }
+  bool open() const { return number_ >= 0; }
+  // Writes all bytes. Returns 0 or the system's reason.
+  int write(std::string_view bytes) const;
+
+ private:
+  int number_;
+};
 
 // A name inside an open folder, as the system's *at() calls take it. With the
 // open gate the folder is the current one and the name is the whole path.

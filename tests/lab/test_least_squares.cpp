@@ -7,7 +7,6 @@
 
 #include "lab/least_squares.hpp"
 #include "lab/parallel.hpp"
-#include "lab/settle.hpp"
 #include "message_of.hpp"
 #include "scratch.hpp"
 

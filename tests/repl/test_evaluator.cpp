@@ -4,7 +4,6 @@
 #include <sstream>
 
 #include "catch.hpp"
-#include "repl/commands.hpp"
 #include "repl/evaluator.hpp"
 #include "repl/interrupt.hpp"
 #include "repl/prompt.hpp"

@@ -16,7 +16,6 @@
 #include "mechanics/rest_shape.hpp"
 #include "mechanics/terms/cloth_rates.hpp"
 #include "mechanics/terms/cloth_readings.hpp"
-#include "mechanics/terms/cloth_strained.hpp"
 #include "model/model.hpp"
 #include "simd/aligned.hpp"
 
