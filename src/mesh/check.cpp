@@ -210,197 +210,13 @@ class Checker {
   explicit Checker(const Mesh& mesh) : mesh_(mesh), edges_(edges(mesh)) { report_.mesh = mesh.origin; }
 
   Report run() {
-    void shapes() {
-      Measures& m = report_.measures;
-      m.shortest = std::numeric_limits<double>::infinity();
-      m.least_angle = 180;
-      std::vector<Index> degenerates, inverted, long_ones, warped, sharp, blunt, tapered;
-      double widest = 0, narrowest = 1;  // degrees; fraction
-      for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
-        const auto id = static_cast<Index>(e);
-        const ElementGeometry shape(mesh_, mesh_.elements[e]);
-        ++(shape.n == 3 ? m.triangles : m.quadrilaterals);
-        m.area += shape.area().norm();
-        m.shortest = std::min(m.shortest, shape.shortest());
-        m.longest = std::max(m.longest, shape.longest());
-        if (degenerate(shape, mesh_.elements[e])) {
-          degenerates.push_back(id);
-          continue;
-        }
-        if (shape.inverted()) inverted.push_back(id);
-        const double aspect = shape.longest() / shape.shortest(), warping = shape.warping(),
-                     least = shape.least_angle();
-        if (aspect > most_aspect) long_ones.push_back(id);
-        if (warping > most_warping && !shape.inverted()) warped.push_back(id);
-        if (least < least_corner) sharp.push_back(id);
-        if (!shape.inverted()) {
-          const double corner = shape.largest_angle(), taper = shape.taper();
-          if (shape.n == 4 && corner > most_corner) blunt.push_back(id);
-          if (taper < least_taper) tapered.push_back(id);
-          if (shape.n == 4) widest = std::max(widest, corner);
-          narrowest = std::min(narrowest, taper);
-        }
-        m.aspect = std::max(m.aspect, aspect);
-        m.warping = std::max(m.warping, warping);
-        m.least_angle = std::min(m.least_angle, least);
-      }
-      add_elements("degenerate", Severity::error, degenerates,
-                   "no area, an edge without length, or a node twice");
-      add_elements(
-          "inverted", Severity::error, inverted,
-          "a corner turns the other way (nodes in the wrong order, or a corner of 180 degrees and more)");
-      add_elements("aspect", Severity::warning, long_ones,
-                   "the longest side is up to " + shown(m.aspect) + " times the shortest");
-      add_elements(
-          "warping", Severity::warning, warped,
-          "out of plane, the halves of the quadrilateral meet at up to " + shown(m.warping) + " degrees");
-      add_elements("angle", Severity::warning, sharp, "corners down to " + shown(m.least_angle) + " degrees");
-      add_elements(
-          "wide", Severity::warning, blunt,
-          "corners of quadrilaterals up to " + shown(widest) +
-              " degrees, almost a straight line: strains there have no meaning (move the node, or two "
-              "triangles)");
-      add_elements(
-          "taper", Severity::warning, tapered,
-          "the narrowest corner spans down to " + shown(narrowest) +
-              " of the area of the widest: strains differ much over the quadrilateral, its fields are "
-              "their means");
-    }
-
-    void repeated() {
-      add_elements("repeated", Severity::error, repeated_elements(mesh_),
-                   "on the same nodes as an element before");
-    }
-
-    void sides() {
-      const Orientation found = orientation(mesh_, edges_);
-      report_.measures.parts = found.parts();
-      std::vector<Index> turned, one_sided;
-      for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
-        const bool moebius = found.one_sided[static_cast<std::size_t>(found.part[e])] != 0;
-        if (moebius) one_sided.push_back(static_cast<Index>(e));
-        if (!moebius && found.turned[e] != 0) turned.push_back(static_cast<Index>(e));
-      }
-      add_elements("orientation", Severity::error, turned,
-                   "normal against that of the neighbours (mesh:orient() turns it)");
-      add_elements("one_sided", Severity::error, one_sided,
-                   "in a strip with one side only, no orientation exists");
-    }
-
-    // The directors of a shell are the normals at its nodes, each the mean of its elements'. At a sharp fold
-    // there is none, or it points against an element.
-    void folds() {
-      const std::vector<Vec3> normals = node_normals(mesh_);
-      std::vector<char> used(mesh_.nodes.size(), 0);
-      std::vector<Index> elements, nodes;
-      for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
-        const auto& ids = mesh_.elements[e];
-        for (const Index id : ids)
-          if (id >= 0) used[static_cast<std::size_t>(id)] = 1;
-        const ElementGeometry shape(mesh_, ids);
-        if (!degenerate(shape, ids) && !shape.inverted() && !spans_volume(mesh_, ids, normals))
-          elements.push_back(static_cast<Index>(e));
-      }
-      for (std::size_t i = 0; i < used.size(); ++i)
-        if (used[i] == 1 && normals[i].norm() == 0) nodes.push_back(static_cast<Index>(i));
-      if (elements.empty() && nodes.empty()) return;
-      std::string text =
-          elements.empty() ? "" : listed("element", elements) + ": against the mean normal at its nodes";
-      if (!nodes.empty())
-        text += (text.empty() ? "" : "; ") + listed("node", nodes) + ": no normal, its elements cancel";
-      add("fold", Severity::error,
-          text +
-              " (a fold of more than 90 degrees: round it off by a few elements, or give its sides nodes of "
-              "their own and join them by a tie)",
-          std::move(elements), std::move(nodes));
-    }
-
-    void shared_edges() {
-      std::vector<Edge> free;
-      std::vector<Index> elements, nodes;
-      Index count = 0;
-      for_each_edge(edges_, [&](const Edge* begin, const Edge* end) {
-        if (end - begin == 1) free.push_back(*begin);
-        if (end - begin < 3) return;
-        ++count;
-        nodes.insert(nodes.end(), {begin->first, begin->second});
-        for (const Edge* edge = begin; edge != end; ++edge) elements.push_back(edge->element);
-      });
-      for (auto* list : {&elements, &nodes}) {
-        std::sort(list->begin(), list->end());
-        list->erase(std::unique(list->begin(), list->end()), list->end());
-      }
-      if (count > 0) {
-        std::string text = listed("element", elements) + ": three or more of them meet at an edge, " +
-                           std::to_string(count) + (count == 1 ? " edge" : " edges") + " in all";
-        add("nonmanifold", Severity::warning, std::move(text), std::move(elements), std::move(nodes));
-      }
-      free_edges(free);
-    }
-
-    void unused() {
-      std::vector<char> used(mesh_.nodes.size(), 0);
-      for (const auto& ids : mesh_.elements)
-        for (const Index id : ids)
-          if (id >= 0) used[static_cast<std::size_t>(id)] = 1;
-      std::vector<Index> nodes;
-      for (std::size_t i = 0; i < used.size(); ++i)
-        if (used[i] == 0) nodes.push_back(static_cast<Index>(i));
-      if (!nodes.empty())
-        add("unused", Severity::error, listed("node", nodes) + ": in no element", {}, nodes);
-    }
-
-    // Finds nodes closer than 1e-6 of the mesh's size, about what the single precision of many files leaves.
-    // Cells have twice that width, so that a near node lies in one of the eight cells around the nearest
-    // corner of its cell.
-    void duplicates() {
-      if (mesh_.nodes.empty()) return;
-      const BoundingBox all = box_of(mesh_.nodes);
-      const double near = 1e-6 * all.size().norm();
-      if (near == 0) return;
-      using Cell = std::array<std::int64_t, 3>;
-      const auto hash = [](const Cell& b) {
-        return static_cast<std::size_t>(b[0]) * 73856093u ^ static_cast<std::size_t>(b[1]) * 19349663u ^
-               static_cast<std::size_t>(b[2]) * 83492791u;
-      };
-      std::unordered_map<Cell, Index, decltype(hash)> cells(mesh_.nodes.size(), hash);
-      const std::vector<Index> part =
-          report_.measures.parts > 1 && of_file(mesh_) ? part_of_nodes() : NodeSet();
-      std::vector<Index> nodes, apart;
-      for (std::size_t i = 0; i < mesh_.nodes.size(); ++i) {
-        const Vec3 place = (mesh_.nodes[i] - all.low) / (2 * near);
-        bool found = false;
-        Index before = 0;
-        for (int corner = 0; corner < 8 && !found; ++corner) {
-          Cell cell;
-          for (std::size_t k = 0; k < 3; ++k)
-            cell[k] = static_cast<std::int64_t>(
-                std::floor(place[static_cast<int>(k)] + ((corner >> k & 1) != 0 ? 0.5 : -0.5)));
-          const auto at = cells.find(cell);
-          found = at != cells.end() &&
-                  (mesh_.nodes[static_cast<std::size_t>(at->second)] - mesh_.nodes[i]).norm() <= near;
-          if (found) before = at->second;
-        }
-        if (found) nodes.push_back(static_cast<Index>(i));
-        if (found && !part.empty() && part[static_cast<std::size_t>(before)] != part[i])
-          apart.push_back(static_cast<Index>(i));
-        const Cell own{static_cast<std::int64_t>(std::floor(place[0])),
-                       static_cast<std::int64_t>(std::floor(place[1])),
-                       static_cast<std::int64_t>(std::floor(place[2]))};
-        cells.emplace(own, static_cast<Index>(i));
-      }
-      if (!nodes.empty())
-        add("duplicate", Severity::warning,
-            listed("node", nodes) + ": at the place of a node before, and not joined to it", {}, nodes);
-      if (!apart.empty())
-        add("apart", Severity::error,
-            "the sheet is in " + std::to_string(report_.measures.parts) + " parts that are not connected; " +
-                listed("node", apart) +
-                ": at the place of a node of another part (fabric.mesh.read{ file=..., join=true } joins "
-                "them)",
-            {}, apart);
-    }
-
+    shapes();
+    repeated();
+    sides();
+    folds();
+    shared_edges();
+    unused();
+    duplicates();
     std::stable_sort(report_.items.begin(), report_.items.end(),
                      [](const Finding& a, const Finding& b) { return a.severity > b.severity; });
     return std::move(report_);
@@ -424,11 +240,131 @@ class Checker {
     return shape.shortest() <= 1e-12 * longest || shape.area().norm() <= 1e-12 * longest * longest;
   }
 
-  void shapes();
-  void folds();
-  void repeated();
-  void sides();
-  void shared_edges();
+  void shapes() {
+    Measures& m = report_.measures;
+    m.shortest = std::numeric_limits<double>::infinity();
+    m.least_angle = 180;
+    std::vector<Index> degenerates, inverted, long_ones, warped, sharp, blunt, tapered;
+    double widest = 0, narrowest = 1;  // degrees; fraction
+    for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
+      const auto id = static_cast<Index>(e);
+      const ElementGeometry shape(mesh_, mesh_.elements[e]);
+      ++(shape.n == 3 ? m.triangles : m.quadrilaterals);
+      m.area += shape.area().norm();
+      m.shortest = std::min(m.shortest, shape.shortest());
+      m.longest = std::max(m.longest, shape.longest());
+      if (degenerate(shape, mesh_.elements[e])) {
+        degenerates.push_back(id);
+        continue;
+      }
+      if (shape.inverted()) inverted.push_back(id);
+      const double aspect = shape.longest() / shape.shortest(), warping = shape.warping(),
+                   least = shape.least_angle();
+      if (aspect > most_aspect) long_ones.push_back(id);
+      if (warping > most_warping && !shape.inverted()) warped.push_back(id);
+      if (least < least_corner) sharp.push_back(id);
+      if (!shape.inverted()) {
+        const double corner = shape.largest_angle(), taper = shape.taper();
+        if (shape.n == 4 && corner > most_corner) blunt.push_back(id);
+        if (taper < least_taper) tapered.push_back(id);
+        if (shape.n == 4) widest = std::max(widest, corner);
+        narrowest = std::min(narrowest, taper);
+      }
+      m.aspect = std::max(m.aspect, aspect);
+      m.warping = std::max(m.warping, warping);
+      m.least_angle = std::min(m.least_angle, least);
+    }
+    add_elements("degenerate", Severity::error, degenerates,
+                 "no area, an edge without length, or a node twice");
+    add_elements(
+        "inverted", Severity::error, inverted,
+        "a corner turns the other way (nodes in the wrong order, or a corner of 180 degrees and more)");
+    add_elements("aspect", Severity::warning, long_ones,
+                 "the longest side is up to " + shown(m.aspect) + " times the shortest");
+    add_elements(
+        "warping", Severity::warning, warped,
+        "out of plane, the halves of the quadrilateral meet at up to " + shown(m.warping) + " degrees");
+    add_elements("angle", Severity::warning, sharp, "corners down to " + shown(m.least_angle) + " degrees");
+    add_elements("wide", Severity::warning, blunt,
+                 "corners of quadrilaterals up to " + shown(widest) +
+                     " degrees, almost a straight line: strains there have no meaning (move the node, or two "
+                     "triangles)");
+    add_elements("taper", Severity::warning, tapered,
+                 "the narrowest corner spans down to " + shown(narrowest) +
+                     " of the area of the widest: strains differ much over the quadrilateral, its fields are "
+                     "their means");
+  }
+
+  // The directors of a shell are the normals at its nodes, each the mean of its elements'. At a sharp fold
+  // there is none, or it points against an element.
+  void folds() {
+    const std::vector<Vec3> normals = node_normals(mesh_);
+    std::vector<char> used(mesh_.nodes.size(), 0);
+    std::vector<Index> elements, nodes;
+    for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
+      const auto& ids = mesh_.elements[e];
+      for (const Index id : ids)
+        if (id >= 0) used[static_cast<std::size_t>(id)] = 1;
+      const ElementGeometry shape(mesh_, ids);
+      if (!degenerate(shape, ids) && !shape.inverted() && !spans_volume(mesh_, ids, normals))
+        elements.push_back(static_cast<Index>(e));
+    }
+    for (std::size_t i = 0; i < used.size(); ++i)
+      if (used[i] == 1 && normals[i].norm() == 0) nodes.push_back(static_cast<Index>(i));
+    if (elements.empty() && nodes.empty()) return;
+    std::string text =
+        elements.empty() ? "" : listed("element", elements) + ": against the mean normal at its nodes";
+    if (!nodes.empty())
+      text += (text.empty() ? "" : "; ") + listed("node", nodes) + ": no normal, its elements cancel";
+    add("fold", Severity::error,
+        text +
+            " (a fold of more than 90 degrees: round it off by a few elements, or give its sides nodes of "
+            "their own and join them by a tie)",
+        std::move(elements), std::move(nodes));
+  }
+
+  void repeated() {
+    add_elements("repeated", Severity::error, repeated_elements(mesh_),
+                 "on the same nodes as an element before");
+  }
+
+  void sides() {
+    const Orientation found = orientation(mesh_, edges_);
+    report_.measures.parts = found.parts();
+    std::vector<Index> turned, one_sided;
+    for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
+      const bool moebius = found.one_sided[static_cast<std::size_t>(found.part[e])] != 0;
+      if (moebius) one_sided.push_back(static_cast<Index>(e));
+      if (!moebius && found.turned[e] != 0) turned.push_back(static_cast<Index>(e));
+    }
+    add_elements("orientation", Severity::error, turned,
+                 "normal against that of the neighbours (mesh:orient() turns it)");
+    add_elements("one_sided", Severity::error, one_sided,
+                 "in a strip with one side only, no orientation exists");
+  }
+
+  void shared_edges() {
+    std::vector<Edge> free;
+    std::vector<Index> elements, nodes;
+    Index count = 0;
+    for_each_edge(edges_, [&](const Edge* begin, const Edge* end) {
+      if (end - begin == 1) free.push_back(*begin);
+      if (end - begin < 3) return;
+      ++count;
+      nodes.insert(nodes.end(), {begin->first, begin->second});
+      for (const Edge* edge = begin; edge != end; ++edge) elements.push_back(edge->element);
+    });
+    for (auto* list : {&elements, &nodes}) {
+      std::sort(list->begin(), list->end());
+      list->erase(std::unique(list->begin(), list->end()), list->end());
+    }
+    if (count > 0) {
+      std::string text = listed("element", elements) + ": three or more of them meet at an edge, " +
+                         std::to_string(count) + (count == 1 ? " edge" : " edges") + " in all";
+      add("nonmanifold", Severity::warning, std::move(text), std::move(elements), std::move(nodes));
+    }
+    free_edges(free);
+  }
 
   // Border lines are the connected pieces of the free edges.
   void free_edges(const std::vector<Edge>& free) {
@@ -486,8 +422,67 @@ class Checker {
     add("hanging", Severity::warning, std::move(text), std::move(elements), std::move(nodes));
   }
 
-  void unused();
-  void duplicates();
+  void unused() {
+    std::vector<char> used(mesh_.nodes.size(), 0);
+    for (const auto& ids : mesh_.elements)
+      for (const Index id : ids)
+        if (id >= 0) used[static_cast<std::size_t>(id)] = 1;
+    std::vector<Index> nodes;
+    for (std::size_t i = 0; i < used.size(); ++i)
+      if (used[i] == 0) nodes.push_back(static_cast<Index>(i));
+    if (!nodes.empty()) add("unused", Severity::error, listed("node", nodes) + ": in no element", {}, nodes);
+  }
+
+  // Finds nodes closer than 1e-6 of the mesh's size, about what the single precision of many files leaves.
+  // Cells have twice that width, so that a near node lies in one of the eight cells around the nearest corner
+  // of its cell.
+  void duplicates() {
+    if (mesh_.nodes.empty()) return;
+    const BoundingBox all = box_of(mesh_.nodes);
+    const double near = 1e-6 * all.size().norm();
+    if (near == 0) return;
+    using Cell = std::array<std::int64_t, 3>;
+    const auto hash = [](const Cell& b) {
+      return static_cast<std::size_t>(b[0]) * 73856093u ^ static_cast<std::size_t>(b[1]) * 19349663u ^
+             static_cast<std::size_t>(b[2]) * 83492791u;
+    };
+    std::unordered_map<Cell, Index, decltype(hash)> cells(mesh_.nodes.size(), hash);
+    const std::vector<Index> part =
+        report_.measures.parts > 1 && of_file(mesh_) ? part_of_nodes() : NodeSet();
+    std::vector<Index> nodes, apart;
+    for (std::size_t i = 0; i < mesh_.nodes.size(); ++i) {
+      const Vec3 place = (mesh_.nodes[i] - all.low) / (2 * near);
+      bool found = false;
+      Index before = 0;
+      for (int corner = 0; corner < 8 && !found; ++corner) {
+        Cell cell;
+        for (std::size_t k = 0; k < 3; ++k)
+          cell[k] = static_cast<std::int64_t>(
+              std::floor(place[static_cast<int>(k)] + ((corner >> k & 1) != 0 ? 0.5 : -0.5)));
+        const auto at = cells.find(cell);
+        found = at != cells.end() &&
+                (mesh_.nodes[static_cast<std::size_t>(at->second)] - mesh_.nodes[i]).norm() <= near;
+        if (found) before = at->second;
+      }
+      if (found) nodes.push_back(static_cast<Index>(i));
+      if (found && !part.empty() && part[static_cast<std::size_t>(before)] != part[i])
+        apart.push_back(static_cast<Index>(i));
+      const Cell own{static_cast<std::int64_t>(std::floor(place[0])),
+                     static_cast<std::int64_t>(std::floor(place[1])),
+                     static_cast<std::int64_t>(std::floor(place[2]))};
+      cells.emplace(own, static_cast<Index>(i));
+    }
+    if (!nodes.empty())
+      add("duplicate", Severity::warning,
+          listed("node", nodes) + ": at the place of a node before, and not joined to it", {}, nodes);
+    if (!apart.empty())
+      add("apart", Severity::error,
+          "the sheet is in " + std::to_string(report_.measures.parts) + " parts that are not connected; " +
+              listed("node", apart) +
+              ": at the place of a node of another part (fabric.mesh.read{ file=..., join=true } joins them)",
+          {}, apart);
+  }
+
   // The part of each node, by an element that has it.
   std::vector<Index> part_of_nodes() const {
     const Orientation found = orientation(mesh_, edges_);

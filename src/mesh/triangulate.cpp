@@ -151,9 +151,9 @@ class Triangles {
   std::unordered_map<std::uint64_t, std::size_t> left_;
 };
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+std::size_t nth(Index i) { return static_cast<std::size_t>(i); }
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+double doubled_triangle(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 // One over x, and its tangent from there below a least value, so that elements turned inside out have a
 // price.
@@ -165,7 +165,7 @@ class Smoother {
       : nodes_(nodes), elements_(elements), around_(nodes.size()) {
     double sum = 0;
     for (std::size_t e = 0; e < elements.size(); ++e) {
-      for (const Index id : elements[e]) around_[at(id)].push_back(e);
+      for (const Index id : elements[e]) around_[nth(id)].push_back(e);
       sum += area(e);
     }
     mean_ = sum / static_cast<double>(elements.size());
@@ -173,7 +173,7 @@ class Smoother {
 
   // By trial in eight directions, over shares of the shortest distance that become smaller.
   void move(Index node) {
-    Vec2& x = nodes_[at(node)];
+    Vec2& x = nodes_[nth(node)];
     double now = cost(node), step = 0.2 * shortest(node);
     for (int k = 0; k < 5; ++k, step /= 2)
       for (const Vec2& way : ways) {
@@ -199,21 +199,21 @@ class Smoother {
                                                Vec2{-diagonal, -diagonal},
                                                Vec2{diagonal, -diagonal}};
 
-  const Vec2& corner(std::size_t e, std::size_t i) const { return nodes_[at(elements_[e][i % 4])]; }
+  const Vec2& corner(std::size_t e, std::size_t i) const { return nodes_[nth(elements_[e][i % 4])]; }
 
   double area(std::size_t e) const {
-    return cross(corner(e, 2) - corner(e, 0), corner(e, 3) - corner(e, 1)) / 2;
+    return doubled_triangle(corner(e, 2) - corner(e, 0), corner(e, 3) - corner(e, 1)) / 2;
   }
 
   // By trial the share of the areas: from 0 to 16 the explicit step over some panels grows by an eighth, and
   // the mean of the smallest angles falls from 47 to 44 degrees.
   double cost(Index node) const {
     double sum = 0;
-    for (const std::size_t e : around_[at(node)]) {
+    for (const std::size_t e : around_[nth(node)]) {
       sum += 4 * price(area(e) / mean_, 0.1);
       for (std::size_t i = 0; i < 4; ++i) {
         const Vec2 a = corner(e, i + 1) - corner(e, i), b = corner(e, i + 3) - corner(e, i);
-        sum += price(2 * cross(a, b) / (a.squaredNorm() + b.squaredNorm()), 0.05);
+        sum += price(2 * doubled_triangle(a, b) / (a.squaredNorm() + b.squaredNorm()), 0.05);
       }
     }
     return sum;
@@ -221,9 +221,9 @@ class Smoother {
 
   double shortest(Index node) const {
     double least = std::numeric_limits<double>::infinity();
-    for (const std::size_t e : around_[at(node)])
+    for (const std::size_t e : around_[nth(node)])
       for (const Index id : elements_[e])
-        if (id != node) least = std::min(least, (nodes_[at(id)] - nodes_[at(node)]).norm());
+        if (id != node) least = std::min(least, (nodes_[nth(id)] - nodes_[nth(node)]).norm());
     return least;
   }
 
