@@ -91,6 +91,17 @@ PlaneCurve bulged(const Vec2& a, const Vec2& b, double bulge) {
   return PlaneCurve::arc_through(a, (a + b) / 2 + bulge / 2 * right, b);
 }
 
+// The largest extent of lines, units of the file.
+double extent_of(const std::vector<DrawnLine>& lines) {
+  Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (const DrawnLine& line : lines)
+    for (const DrawnVertex& v : line.vertices) {
+      low = low.cwiseMin(v.x);
+      high = high.cwiseMax(v.x);
+    }
+  return (high - low).maxCoeff();
+}
+
 // Makes one piece of a drawing.
 class PieceMaker {
  public:
@@ -261,17 +272,6 @@ class PieceMaker {
   PatternPiece piece_;
   double extent_ = 0;  // of the boundary, units of the file
 };
-
-// The largest extent of lines, units of the file.
-double extent_of(const std::vector<DrawnLine>& lines) {
-  Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity()), high = -low;
-  for (const DrawnLine& line : lines)
-    for (const DrawnVertex& v : line.vertices) {
-      low = low.cwiseMin(v.x);
-      high = high.cwiseMax(v.x);
-    }
-  return (high - low).maxCoeff();
-}
 
 // The largest length or width of a piece, m.
 double reach_of(const PatternPiece& piece) {

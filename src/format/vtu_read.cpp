@@ -39,96 +39,6 @@ struct VtuStored {
   std::string type;  // Int8 ... UInt64, Float32, Float64
 };
 
-class VtuDecoder {
- public:
-  VtuDecoder(const Source& source, VtuEncoding encoding)
-      : source_(source), encoding_(std::move(encoding)), ratio_(most_ratio(encoding_.compressor)) {
-    if (!encoding_.compressor.empty() && compressor_of(encoding_.compressor) == nullptr)
-      source_.fail("unknown compressor " + in_quotes(encoding_.compressor));
-    budget_ = ratio_ * source.size();
-  }
-  // All values of the array. Error: text that is not a number, or sizes that do not match the bytes.
-  std::vector<std::int64_t> integers(const VtuStored& stored) {
-    if (!is_integer_type(stored.type))
-      source_.fail("expected an array of integers, got " + in_quotes(stored.type));
-    return values<std::int64_t>(stored);
-  }
-  std::vector<double> reals(const VtuStored& stored) {
-    if (!is_integer_type(stored.type) && stored.type != "Float32" && stored.type != "Float64")
-      source_.fail("expected an array of numbers, got " + in_quotes(stored.type));
-    return values<double>(stored);
-  }
-
- private:
-  template <class T>
-  std::vector<T> values(const VtuStored& stored) {
-    if (stored.form == VtuStored::Encoding::ascii) return words<T>(source_, stored.bytes);
-    const std::string bytes = stored.form == VtuStored::Encoding::raw ? payload(stored.bytes)
-                                                                      : payload(decode_base64(stored.bytes));
-    if (bytes.size() % size_of(stored.type) != 0)
-      source_.fail("an array of " + stored.type + " has " + std::to_string(bytes.size()) + " bytes");
-    return converted<T>(stored.type, bytes, encoding_.big_endian);
-  }
-  // the bytes of the numbers, from base64 or raw
-  // Layout: [number of bytes][bytes].
-  std::string payload(std::string_view stored) {
-    if (!encoding_.compressor.empty()) return inflated(stored);
-    const std::uint64_t bytes = header(stored);
-    if (bytes > stored.size())
-      source_.fail("an array claims " + std::to_string(bytes) + " bytes, but only " +
-                   std::to_string(stored.size()) + " follow");
-    count_bytes(bytes);
-    return std::string(stored.substr(0, bytes));
-  }
-
-  // the same of compressed blocks
-  // Layout: [blocks][size of a block][size of the last one, 0: full][compressed size of each block][blocks].
-  std::string inflated(std::string_view stored) {
-    const std::uint64_t blocks = header(stored), size = header(stored), last = header(stored);
-    const std::size_t each = encoding_.long_header ? 8 : 4;
-    if (blocks > stored.size() / each)
-      source_.fail("an array claims " + std::to_string(blocks) + " compressed blocks");
-    if (last > size) source_.fail("the last block of an array claims to be larger than the others");
-    std::vector<std::uint64_t> sizes(blocks);
-    for (auto& compressed : sizes) compressed = header(stored);
-    const auto compressor = compressor_of(encoding_.compressor);
-    std::string bytes;
-    for (std::uint64_t b = 0; b < blocks; ++b) {
-      const std::uint64_t wanted = b + 1 == blocks && last != 0 ? last : size;
-      if (sizes[b] > stored.size()) source_.fail("the file ends within a compressed block");
-      if (wanted / ratio_ > sizes[b]) source_.fail("a compressed block claims more bytes than it can hold");
-      count_bytes(wanted);
-      const std::size_t before = bytes.size();
-      bytes.resize(before + wanted);
-      if (wanted > 0 &&
-          uncompress(compressor, stored.substr(0, sizes[b]), bytes.data() + before, wanted) != wanted)
-        source_.fail("a compressed block is damaged");
-      stored.remove_prefix(sizes[b]);
-    }
-    return bytes;
-  }
-
-  // takes the next number of a header off the front
-  std::uint64_t header(std::string_view& stored) const {
-    const std::size_t size = encoding_.long_header ? 8 : 4;
-    if (stored.size() < size) source_.fail("the file ends within the header of an array");
-    Source number("", stored.substr(0, size));
-    number.swap_bytes(encoding_.big_endian);
-    stored.remove_prefix(size);
-    return encoding_.long_header ? number.raw<std::uint64_t>("") : number.raw<std::uint32_t>("");
-  }
-  // error: more than the budget
-  void count_bytes(std::uint64_t bytes) {
-    if (bytes > budget_) source_.fail("the arrays claim more bytes than a file of this size can hold");
-    budget_ -= bytes;
-  }
-
-  const Source& source_;
-  VtuEncoding encoding_;
-  std::uint64_t ratio_;   // the largest possible ratio of this compression
-  std::uint64_t budget_;  // bytes of arrays that may still be decoded from this file
-};
-
 // The largest possible compression ratio: deflate 1032, LZ4 255, LZMA some thousands for constant data.
 std::uint64_t most_ratio(const std::string& compressor) {
   if (compressor == "vtkZLibDataCompressor") return 1040;
@@ -231,6 +141,96 @@ std::string decode_base64(std::string_view text) {
   }
   return bytes;
 }
+
+class VtuDecoder {
+ public:
+  VtuDecoder(const Source& source, VtuEncoding encoding)
+      : source_(source), encoding_(std::move(encoding)), ratio_(most_ratio(encoding_.compressor)) {
+    if (!encoding_.compressor.empty() && compressor_of(encoding_.compressor) == nullptr)
+      source_.fail("unknown compressor " + in_quotes(encoding_.compressor));
+    budget_ = ratio_ * source.size();
+  }
+  // All values of the array. Error: text that is not a number, or sizes that do not match the bytes.
+  std::vector<std::int64_t> integers(const VtuStored& stored) {
+    if (!is_integer_type(stored.type))
+      source_.fail("expected an array of integers, got " + in_quotes(stored.type));
+    return values<std::int64_t>(stored);
+  }
+  std::vector<double> reals(const VtuStored& stored) {
+    if (!is_integer_type(stored.type) && stored.type != "Float32" && stored.type != "Float64")
+      source_.fail("expected an array of numbers, got " + in_quotes(stored.type));
+    return values<double>(stored);
+  }
+
+ private:
+  template <class T>
+  std::vector<T> values(const VtuStored& stored) {
+    if (stored.form == VtuStored::Encoding::ascii) return words<T>(source_, stored.bytes);
+    const std::string bytes = stored.form == VtuStored::Encoding::raw ? payload(stored.bytes)
+                                                                      : payload(decode_base64(stored.bytes));
+    if (bytes.size() % size_of(stored.type) != 0)
+      source_.fail("an array of " + stored.type + " has " + std::to_string(bytes.size()) + " bytes");
+    return converted<T>(stored.type, bytes, encoding_.big_endian);
+  }
+  // the bytes of the numbers, from base64 or raw
+  // Layout: [number of bytes][bytes].
+  std::string payload(std::string_view stored) {
+    if (!encoding_.compressor.empty()) return inflated(stored);
+    const std::uint64_t bytes = header(stored);
+    if (bytes > stored.size())
+      source_.fail("an array claims " + std::to_string(bytes) + " bytes, but only " +
+                   std::to_string(stored.size()) + " follow");
+    count_bytes(bytes);
+    return std::string(stored.substr(0, bytes));
+  }
+
+  // the same of compressed blocks
+  // Layout: [blocks][size of a block][size of the last one, 0: full][compressed size of each block][blocks].
+  std::string inflated(std::string_view stored) {
+    const std::uint64_t blocks = header(stored), size = header(stored), last = header(stored);
+    const std::size_t each = encoding_.long_header ? 8 : 4;
+    if (blocks > stored.size() / each)
+      source_.fail("an array claims " + std::to_string(blocks) + " compressed blocks");
+    if (last > size) source_.fail("the last block of an array claims to be larger than the others");
+    std::vector<std::uint64_t> sizes(blocks);
+    for (auto& compressed : sizes) compressed = header(stored);
+    const auto compressor = compressor_of(encoding_.compressor);
+    std::string bytes;
+    for (std::uint64_t b = 0; b < blocks; ++b) {
+      const std::uint64_t wanted = b + 1 == blocks && last != 0 ? last : size;
+      if (sizes[b] > stored.size()) source_.fail("the file ends within a compressed block");
+      if (wanted / ratio_ > sizes[b]) source_.fail("a compressed block claims more bytes than it can hold");
+      count_bytes(wanted);
+      const std::size_t before = bytes.size();
+      bytes.resize(before + wanted);
+      if (wanted > 0 &&
+          uncompress(compressor, stored.substr(0, sizes[b]), bytes.data() + before, wanted) != wanted)
+        source_.fail("a compressed block is damaged");
+      stored.remove_prefix(sizes[b]);
+    }
+    return bytes;
+  }
+
+  // takes the next number of a header off the front
+  std::uint64_t header(std::string_view& stored) const {
+    const std::size_t size = encoding_.long_header ? 8 : 4;
+    if (stored.size() < size) source_.fail("the file ends within the header of an array");
+    Source number("", stored.substr(0, size));
+    number.swap_bytes(encoding_.big_endian);
+    stored.remove_prefix(size);
+    return encoding_.long_header ? number.raw<std::uint64_t>("") : number.raw<std::uint32_t>("");
+  }
+  // error: more than the budget
+  void count_bytes(std::uint64_t bytes) {
+    if (bytes > budget_) source_.fail("the arrays claim more bytes than a file of this size can hold");
+    budget_ -= bytes;
+  }
+
+  const Source& source_;
+  VtuEncoding encoding_;
+  std::uint64_t ratio_;   // the largest possible ratio of this compression
+  std::uint64_t budget_;  // bytes of arrays that may still be decoded from this file
+};
 
 // ---
 

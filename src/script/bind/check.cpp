@@ -10,24 +10,21 @@ namespace fabricsh::script {
 namespace {
 
 void push_item(lua_State* L, const law::CheckItem& item) {
-  push_record(L, "key", item.key, "severity", name(item.severity), "text", item.text);
-  lua_newtable(L);
-  for (const auto& [name, value] : item.numbers) put(L, name.c_str(), value);
-  lua_setfield(L, -2, "numbers");
+  push_record(L, "key", item.key, "severity", name(item.severity), "text", item.text, "numbers", [&] {
+    lua_newtable(L);
+    for (const auto& [name, value] : item.numbers) put(L, name.c_str(), value);
+  });
 }
 
 // Pushes where the law of the thesis is not definite, by path and pair of branches; empty for other cards.
 void push_criterion(lua_State* L, const card::Card& card, bool usable) {
-  lua_newtable(L);
   const auto* woven = std::get_if<card::Woven>(&card.law);
-  if (woven == nullptr || !usable) return;
-  lua_Integer place = 0;
-  for (const auto& row : law::criterion_table(*woven, *law::compile(card))) {
+  if (woven == nullptr || !usable) return lua_newtable(L);
+  push_list(L, law::criterion_table(*woven, *law::compile(card)), [L](const auto& row) {
     push_record(L, "path", row.path, "warp", law::name(row.warp), "weft", law::name(row.weft));
     if (!std::isnan(row.first)) put(L, "first", row.first);
     put(L, "last", row.last);
-    lua_rawseti(L, -2, ++place);
-  }
+  });
 }
 
 double element_size(const Call& call) {

@@ -7,16 +7,11 @@
 namespace fabricsh::script {
 
 void push_warnings(lua_State* L, const WarningLog::Warnings& warnings) {
-  lua_createtable(L, static_cast<int>(warnings.size()), 0);
-  lua_Integer place = 0;
-  for (const run::Warning& w : warnings) {
+  push_list(L, warnings, [L](const run::Warning& w) {
     push_record(L, "code", w.code, "text", w.text, "time", w.time);
-    if (w.element >= 0) {
-      put(L, "element", w.element + 1);
-    }
+    if (w.element >= 0) put(L, "element", w.element + 1);
     put(L, "serious", w.serious);
-    lua_rawseti(L, -2, ++place);
-  }
+  });
 }
 
 namespace {

@@ -228,8 +228,6 @@ void set_times(const Call& call, const std::vector<TimeFrame>& moments, format::
   for (const TimeFrame& moment : moments) scene.times.push_back((moment.time - first) * slower);
 }
 
-void set_count(lua_State* L, const char* name, std::size_t count) { put(L, name, count); }
-
 int gltf(Call& call) {
   check_arguments(call);
   const Wanted wanted = wanted_field(call);
@@ -250,13 +248,9 @@ int gltf(Call& call) {
   system::make_folder_for(file);
   system::write_file(file, bytes);
   lua_State* L = call.L();
-  push_record(L, "file", file);
-  set_count(L, "frames", moments.size());
-  put(L, "duration", scene.times.back());
-  set_count(L, "bytes", bytes.size());
-  if (!wanted.none) {
-    put(L, "low", range.low, "high", range.high);
-  }
+  push_record(L, "file", file, "frames", moments.size(), "duration", scene.times.back(), "bytes",
+              bytes.size());
+  if (!wanted.none) put(L, "low", range.low, "high", range.high);
   return 1;
 }
 

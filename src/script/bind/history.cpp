@@ -64,28 +64,14 @@ int value(Call& call) { return push_value(call.L(), call.self<History>()->value(
 
 bool is_function(const History& h) { return !h.is_constant() && h.kinks().empty(); }
 
-void push_point(lua_State* L, double time, double value, lua_Integer place) {
-  lua_createtable(L, 2, 0);
-  lua_pushnumber(L, time);
-  lua_rawseti(L, -2, 1);
-  lua_pushnumber(L, value);
-  lua_rawseti(L, -2, 2);
-  lua_rawseti(L, -2, place);
-}
-
 // At its kinks a history has the values that it was given.
 int points(Call& call) {
   lua_State* L = call.L();
   const auto h = call.self<History>();
-  if (is_function(*h)) {
-    lua_pushnil(L);
-    return 1;
-  }
-  lua_createtable(L, static_cast<int>(h->kinks().size()), 0);
-  if (h->is_constant()) push_point(L, 0, h->value(0), 1);
-  lua_Integer place = 0;
-  for (const double time : h->kinks()) push_point(L, time, h->value(time), ++place);
-  return 1;
+  if (is_function(*h)) return lua_pushnil(L), 1;
+  return push_list(L, h->is_constant() ? std::vector<double>{0} : h->kinks(), [&](double time) {
+    push_numbers(L, {time, h->value(time)});
+  });
 }
 
 // For example "<history of 3 points to 2 s, 0 to 0.018>".

@@ -131,22 +131,14 @@ int parallel(Call& call) {
     session.call_off();
     throw Error("interrupted");
   }
-  lua_createtable(L, static_cast<int>(answers.size()), 0);
-  lua_Integer place = 0;
-  for (const lab::WorkerResult& answer : answers) {
+  return push_list(L, answers, [&](const lab::WorkerResult& answer) {
     const WarningLog::LogPosition before = session.log().end();
     session.log().adopt(answer.attached);
     push_numbers(L, answer.values);
-    if (collects) {
-      put(L, "warnings", [&] { push_warnings(L, session.log().since(before)); });
-    }
+    if (collects) put(L, "warnings", [&] { push_warnings(L, session.log().since(before)); });
     if (!answer.error.empty()) put(L, "trouble", answer.error);
-    if (answer.died) {
-      put(L, "died", true);
-    }
-    lua_rawseti(L, -2, ++place);
-  }
-  return 1;
+    if (answer.died) put(L, "died", true);
+  });
 }
 
 void push_points(lua_State* L, const lab::Points& points) {

@@ -54,19 +54,10 @@ const char* word(lab::BranchKind kind) {
 }
 
 int branches(Call& call) {
-  lua_State* L = call.L();
-  lua_newtable(L);
-  lua_Integer place = 0;
-  for (const lab::PullBranch& b : lab::branches(call.numbers("displacement"), call.number("tolerance"))) {
-    push_record(L, "kind", word(b.kind), "first", b.begin + 1, "last", b.end);
-    lua_rawseti(L, -2, ++place);
-  }
-  return 1;
-}
-
-void set_row(lua_State* L, const char* name, const std::optional<std::size_t>& row) {
-  if (!row) return;
-  put(L, name, *row + 1);
+  return push_list(call.L(), lab::branches(call.numbers("displacement"), call.number("tolerance")),
+                   [L = call.L()](const lab::PullBranch& b) {
+                     push_record(L, "kind", word(b.kind), "first", b.begin + 1, "last", b.end);
+                   });
 }
 
 // Rows of yield (the tangent falls below half of its largest value) and of failure (the largest stress,
@@ -76,8 +67,8 @@ int marks(Call& call) {
   const auto E = call.numbers("E"), S = call.numbers("S");
   const auto marks = lab::yield_and_failure(E, S, E.size(), call.number("kept"));
   lua_newtable(call.L());
-  set_row(call.L(), "yield", marks.yield);
-  set_row(call.L(), "failure", marks.failure);
+  if (marks.yield) put(call.L(), "yield", *marks.yield + 1);
+  if (marks.failure) put(call.L(), "failure", *marks.failure + 1);
   return 1;
 }
 
@@ -106,14 +97,11 @@ std::vector<lab::Tension> tensions(const Call& call) {
 
 void push_candidate(lua_State* L, const lab::DegreeCandidate& c) {
   push_record(L, "degree", static_cast<double>(c.degree), "criterion", c.criterion, "initial", c.initial,
-              "least", c.least, "admissible", c.admissible);
-  lua_newtable(L);
-  lua_Integer place = 0;
-  for (const lab::SpecimenFit& s : c.specimens) {
-    push_record(L, "loading", s.d, "slack", s.slack, "reach", s.reach, "residual", s.residual);
-    lua_rawseti(L, -2, ++place);
-  }
-  lua_setfield(L, -2, "specimens");
+              "least", c.least, "admissible", c.admissible, "specimens", [&] {
+                push_list(L, c.specimens, [L](const lab::SpecimenFit& s) {
+                  push_record(L, "loading", s.d, "slack", s.slack, "reach", s.reach, "residual", s.residual);
+                });
+              });
 }
 
 std::vector<int> degrees(const Call& call) {
@@ -131,21 +119,9 @@ std::vector<int> degrees(const Call& call) {
 int backbone(Call& call) {
   lua_State* L = call.L();
   const auto candidates = lab::fit_backbones(tensions(call), {degrees(call), call.flag("find_slack")});
-  lua_newtable(L);
-  lua_Integer place = 0;
-  for (const lab::DegreeCandidate& c : candidates) {
-    push_candidate(L, c);
-    lua_rawseti(L, -2, ++place);
-  }
-  if (const auto best = lab::choose(candidates)) {
-    put(L, "chosen", *best + 1);
-  }
+  push_list(L, candidates, [L](const lab::DegreeCandidate& c) { push_candidate(L, c); });
+  if (const auto best = lab::choose(candidates)) put(L, "chosen", *best + 1);
   return 1;
-}
-
-void push_averaged_specimen(lua_State* L, const lab::AveragedSpecimen& s) {
-  push_record(L, "S", s.S, "slack", s.slack, "slack_low", s.slack_low, "slack_high", s.slack_high, "none",
-              s.none, "reach", s.reach, "residual", s.residual);
 }
 
 // Loading curves averaged over laws and over where contact may have begun: E, specimens={ {S (at E), slack,
@@ -165,22 +141,16 @@ int averaged(Call& call) {
   for (const lab::Tension& t : loading)
     if (t.E.size() < 6) call.refuse("curves", "expected at least 6 points of every specimen");
   const lab::AveragedCurves c = lab::average_curves(loading, options);
-  push_record(L, "E", c.E, "within", c.within, "common", c.common, "correlation", c.correlation);
-  lua_newtable(L);
-  lua_Integer place = 0;
-  for (const lab::AveragedSpecimen& s : c.specimens) {
-    push_averaged_specimen(L, s);
-    lua_rawseti(L, -2, ++place);
-  }
-  lua_setfield(L, -2, "specimens");
-  lua_newtable(L);
-  place = 0;
-  for (const lab::AveragedLaw& law : c.laws) {
+  const auto push_specimen = [L](const lab::AveragedSpecimen& s) {
+    push_record(L, "S", s.S, "slack", s.slack, "slack_low", s.slack_low, "slack_high", s.slack_high, "none",
+                s.none, "reach", s.reach, "residual", s.residual);
+  };
+  const auto push_law = [L](const lab::AveragedLaw& law) {
     push_record(L, "name", law.name, "weight", law.weight);
-    lua_rawseti(L, -2, ++place);
-  }
-  lua_setfield(L, -2, "laws");
-  return 1;
+  };
+  return push_record(
+      L, "E", c.E, "within", c.within, "common", c.common, "correlation", c.correlation, "specimens",
+      [&] { push_list(L, c.specimens, push_specimen); }, "laws", [&] { push_list(L, c.laws, push_law); });
 }
 
 // Points {{0, 0}, {E, S}, ...} of a strictly rising curve through the means of bins: a card's loading.

@@ -68,15 +68,11 @@ int registry_rows(lua_State* L) {
 
 // fields(): a list of {name, unit, shape, place, sentence, components}, in the order of files.
 int result_fields(lua_State* L) {
-  lua_newtable(L);
-  lua_Integer place = 0;
-  for (const auto& field : run::result_fields()) {
+  return push_list(L, run::result_fields(), [L](const auto& field) {
     push_record(L, "name", field.name, "unit", field.unit, "shape", run::name(field.shape), "place",
                 run::name(field.place), "sentence", field.sentence, "usual", field.usual, "components",
                 field.components);
-    lua_rawseti(L, -2, ++place);
-  }
-  return 1;
+  });
 }
 
 // name_of(f): the row's name of a registered function, or nil.
@@ -124,10 +120,8 @@ int show_value(lua_State* L) {
 }  // namespace
 
 void push_registry(lua_State* L) {
-  const luaL_Reg functions[] = {{"rows", registry_rows}, {"name_of", name_of},      {"class_of", class_of},
-                                {"card_of", card_of},    {"fields", result_fields}, {"nearest", nearest_name},
-                                {"show", show_value},    {nullptr, nullptr}};
-  luaL_newlib(L, functions);
+  push_record(L, "rows", registry_rows, "name_of", name_of, "class_of", class_of, "card_of", card_of,
+              "fields", result_fields, "nearest", nearest_name, "show", show_value);
 }
 
 }  // namespace fabricsh::script

@@ -40,28 +40,8 @@ void push_column(lua_State* L, const format::TableColumn& column) {
   push_record(L, "name", column.name, "unit", column.unit, "values", column.values);
   if (!column.error.empty()) put(L, "trouble", column.error);
   if (!column.doubt.empty()) put(L, "doubt", column.doubt);
-  if (!column.heads.empty()) {
-    put(L, "heads", column.heads);
-  }
-  if (!column.words.empty()) {
-    put(L, "words", column.words);
-  }
-}
-
-void push_lines(lua_State* L, const format::Table& table) {
-  put(L, "lines", [&] {
-    push_list(L, table.lines, [&](const auto& one) { lua_pushinteger(L, static_cast<lua_Integer>(one)); });
-  });
-}
-
-void push_left_out(lua_State* L, const format::Table& table) {
-  lua_createtable(L, static_cast<int>(table.left_out.size()), 0);
-  lua_Integer place = 0;
-  for (const format::LeftOut& one : table.left_out) {
-    push_record(L, "text", one.text, "line", one.line, "numbers", one.numbers);
-    lua_rawseti(L, -2, ++place);
-  }
-  lua_setfield(L, -2, "left_out");
+  if (!column.heads.empty()) put(L, "heads", column.heads);
+  if (!column.words.empty()) put(L, "words", column.words);
 }
 
 void push_table(lua_State* L, const std::string& file, const format::Table& table) {
@@ -74,9 +54,13 @@ void push_table(lua_State* L, const std::string& file, const format::Table& tabl
     push_column(L, column);
     lua_rawseti(L, -2, ++place);
   }
-  put(L, "preamble", table.preamble);
-  push_lines(L, table);
-  push_left_out(L, table);
+  const auto push_left_out = [L](const format::LeftOut& one) {
+    push_record(L, "text", one.text, "line", one.line, "numbers", one.numbers);
+  };
+  put(
+      L, "preamble", table.preamble, "lines",
+      [&] { push_list(L, table.lines, [L](const auto& one) { push_value(L, one); }); }, "left_out",
+      [&] { push_list(L, table.left_out, push_left_out); });
   set_text_of(L, "fabricsh.table", table_text);
 }
 
