@@ -152,7 +152,7 @@ class GmshReader {
     if (members != nullptr) members->insert(members->end(), corners.begin(), corners.end());
   }
   // The first tag is the physical group (0: none); here each group is treated as an entity of its own.
-  GmshReader::Tags* members_2(int dimension, const Tags& tags) {
+  Tags* members_2(int dimension, const Tags& tags) {
     if (tags.empty() || tags[0] == 0) return nullptr;
     groups_[{dimension, tags[0]}] = {tags[0]};
     return &members_[{dimension, tags[0]}];
@@ -242,12 +242,7 @@ class GmshReader {
   // An entity: number, position or bounding box, physical groups, entities on its border.
   void read_entity_4(int dimension) {
     const auto number = stored_integer("the number of an entity");
-    for (int i = 0; i < (dimension == 0 ? 3 : 6); ++i) stored_real("a coordinate");
-    Tags groups = read_groups_4();
-    if (dimension > 0) {
-      const auto n = stored_count("a number of bordering entities", 2, 4);
-      for (std::int64_t i = 0; i < n; ++i) stored_integer("the number of an entity");
-    }
+    Tags groups = read_shape_4(dimension);
     if (dimension < 3) groups_[{dimension, number}] = std::move(groups);
   }
 
@@ -270,20 +265,19 @@ class GmshReader {
                parent = stored_integer("the number of an entity");
     const auto partitions = stored_count("a number of partitions", 2, 4);
     for (std::int64_t i = 0; i < partitions; ++i) stored_integer("a partition");
-    for (int i = 0; i < (dimension == 0 ? 3 : 6); ++i) stored_real("a coordinate");
-    Tags groups = read_groups_4();
-    if (dimension > 0) {
-      const auto n = stored_count("a number of bordering entities", 2, 4);
-      for (std::int64_t i = 0; i < n; ++i) stored_integer("the number of an entity");
-    }
+    Tags groups = read_shape_4(dimension);
     const auto whole = groups_.find({parent_dimension, parent});
     if (groups.empty() && parent_dimension == dimension && whole != groups_.end()) groups = whole->second;
     if (dimension < 3) groups_[{dimension, number}] = std::move(groups);
   }
 
-  GmshReader::Tags read_groups_4() {
+  // Position or bounding box, physical groups, entities on its border.
+  Tags read_shape_4(int dimension) {
+    for (int i = 0; i < (dimension == 0 ? 3 : 6); ++i) stored_real("a coordinate");
     Tags groups(static_cast<std::size_t>(stored_count("a number of physical groups", 2, 4)));
     for (auto& group : groups) group = stored_integer("the number of a physical group");
+    const auto n = dimension > 0 ? stored_count("a number of bordering entities", 2, 4) : 0;
+    for (std::int64_t i = 0; i < n; ++i) stored_integer("the number of an entity");
     return groups;
   }
   void read_nodes_4() {

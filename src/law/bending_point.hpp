@@ -2,6 +2,8 @@
 #pragma once
 #include <optional>
 
+#include "base/error.hpp"
+#include "card/fields.hpp"
 #include "law/bending_spring.hpp"
 
 namespace fabricsh::law {
@@ -16,10 +18,33 @@ struct BendSample {
 class BendingPoint {
  public:
   // Error: the card has no bending of its own, or its bending is refused.
-  explicit BendingPoint(const card::Card& card);
+  explicit BendingPoint(const card::Card& card) {
+    if (!card.bending)
+      throw Error(card::at_field(card, "bending") +
+                  "expected the card's own bending, {warp=, weft=, twist=} in N.m, got nil");
+    springs_ = bending_springs(card);
+  }
   // Reaches the total curvature in one straight increment and commits; components without a value stay.
-  BendSample bend(std::optional<double> k11, std::optional<double> k22, std::optional<double> k12);
-  void reset();  // returns to flat virgin cloth
+  BendSample bend(std::optional<double> k11, std::optional<double> k22, std::optional<double> k12) {
+    BendSample out;
+    out.k11 = k11.value_or(sample_.k11);
+    out.k22 = k22.value_or(sample_.k22);
+    out.k12 = k12.value_or(sample_.k12);
+    const double kappa[] = {out.k11, out.k22, 2 * out.k12};
+    double* const M[] = {&out.M11, &out.M22, &out.M12};
+    for (std::size_t i = 0; i < springs_.size(); ++i) {
+      *M[i] = bending_moment(springs_[i], AtSwitch::loading, kappa[i], states_[i]).M;
+      out.stored += bending_stored(springs_[i], kappa[i], states_[i]);
+      out.dissipated += states_[i].lost;
+    }
+    return sample_ = out;
+  }
+
+  // returns to flat virgin cloth
+  void reset() {
+    states_ = {};
+    sample_ = {};
+  }
 
  private:
   std::array<BendingSpring, 3> springs_;

@@ -12,7 +12,9 @@ class Inertia final : public Term, public OnMotion {
       : mass_(mass), rotary_(rotary) {}
   const char* name() const override { return "inertia"; }
   MassFactors on_mass() const override { return {1, 0}; }
-  void add_energies(const Trial& trial, std::vector<Energy>& out) const override;
+  void add_energies(const Trial& trial, std::vector<Energy>& out) const override {
+    out.push_back({"kinetic", Account::kinetic, trial.motion == nullptr ? 0 : trial.motion->kinetic()});
+  }
   const std::vector<double>& mass() const { return mass_; }
   const std::vector<double>& rotary() const { return rotary_; }
 
@@ -26,7 +28,9 @@ class MassDamping final : public Term, public OnMotion {
   explicit MassDamping(double rate) : rate_(rate) {}  // a: 1/s
   const char* name() const override { return "mass damping"; }
   MassFactors on_mass() const override { return {0, rate_}; }
-  void add_energies(const Trial&, std::vector<Energy>& out) const override;
+  void add_energies(const Trial&, std::vector<Energy>& out) const override {
+    out.push_back({"mass damping", Account::damping, lost_});
+  }
   void finish_step(const Motion& motion) override { lost_ += motion.work_of_velocity(rate_); }
   void keep(Archive& archive) override { archive(lost_); }
 

@@ -1,6 +1,4 @@
 // fabric.model{...}: the bodies of a model and their materials.
-#include "script/bind/body_rows.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <memory>

@@ -6,7 +6,6 @@
 #include "base/number.hpp"
 #include "geometry/box.hpp"
 #include "mesh/slit.hpp"
-#include "script/bind/panel.hpp"
 #include "script/call/words.hpp"
 #include "script/show/show.hpp"
 

@@ -14,7 +14,9 @@ Argument components_row(const char* unit, const char* sentence);
 Argument frame_row();
 model::BodyLoad read_body_load(const Call& call, model::RigidPointer body);  // of "components"
 Argument set_or_body_row();
-std::string sample_model();  // for examples: defines fabric, mesh and m, a strip of three elements
+std::vector<Argument> model_rows();  // of fabric.model: its bodies, each with a card or plies and regions
+int make_model(Call& call);          // pushes the model
+std::string sample_model();          // for examples: defines fabric, mesh and m, a strip of three elements
 // Stores the field "model" of the call as the property of that name of the analysis object on top of the
 // stack.
 void keep_model(const Call& call);

@@ -1,4 +1,5 @@
-#include "script/bind/panel.hpp"
+// fabric.mesh.panel and mesh:wrap: the reading of outlines, holes, darts and notches from a deck.
+#include "mesh/panel.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -8,9 +9,9 @@
 #include "base/number.hpp"
 #include "format/pattern.hpp"
 #include "mesh/check.hpp"
-#include "mesh/panel.hpp"
 #include "mesh/rim.hpp"
 #include "mesh/wrap.hpp"
+#include "script/bind/mesh.hpp"
 #include "script/bind/model.hpp"
 #include "script/call/boundary.hpp"
 #include "script/call/words.hpp"

@@ -120,8 +120,10 @@ int show_value(lua_State* L) {
 }  // namespace
 
 void push_registry(lua_State* L) {
-  push_record(L, "rows", registry_rows, "name_of", name_of, "class_of", class_of, "card_of", card_of,
-              "fields", result_fields, "nearest", nearest_name, "show", show_value);
+  const luaL_Reg functions[] = {{"rows", registry_rows}, {"name_of", name_of},      {"class_of", class_of},
+                                {"card_of", card_of},    {"fields", result_fields}, {"nearest", nearest_name},
+                                {"show", show_value},    {nullptr, nullptr}};
+  luaL_newlib(L, functions);
 }
 
 }  // namespace fabricsh::script
