@@ -2,7 +2,6 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "render/complaints.hpp"
 #include "render/display.hpp"
 #include "render/draw.hpp"
 

@@ -8,7 +8,7 @@
 #include "base/number.hpp"
 #include "geometry/node_view.hpp"
 #include "mechanics/dofs.hpp"
-#include "mechanics/sewn_edges.hpp"
+#include "mechanics/sewing.hpp"
 
 namespace fabricsh::mechanics {
 

@@ -5,7 +5,9 @@
 #include <numbers>
 
 #include "base/number.hpp"
+#include "contact/law.hpp"
 #include "law/law.hpp"
+#include "section/section.hpp"
 
 namespace fabricsh::model {
 
@@ -177,6 +179,15 @@ std::string warning_of(const Outlook& o) {
         "makes "
         "them of all elements of any mesh, so that one may begin with elements of twice the size";
   return text;
+}
+
+Loose loose(const card::Card& card) {
+  const section::Section s = section::integrated(card, card.thickness, 1, 0);
+  if (s.compression.empty()) return {card.thickness, s.solid_thickness};
+  contact::LawData data;
+  data.floor = s.compression.front().first / 2;  // where contact begins does not depend on it
+  data.curve = s.compression;
+  return {contact::ContactLaw(data).gap(), s.solid_thickness};
 }
 
 }  // namespace fabricsh::model

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "card/card.hpp"
 #include "model/model.hpp"
 
 namespace fabricsh::model {
@@ -37,5 +38,15 @@ std::vector<Outlook> outlook(const Model& model);  // of each region
 std::array<std::string, 2> words(const Outlook& outlook);
 // What to warn of; empty: nothing.
 std::string warning_of(const Outlook& outlook);
+
+// --- How thick cloth is that nothing presses, as contact has it.
+
+struct Loose {
+  double thickness = 0;        // m, at which contact with a plate on either side begins
+  double solid_thickness = 0;  // m, what the fibres alone fill
+};
+
+// Without a measured compression contact begins at the thickness of the card.
+Loose loose(const card::Card& card);
 
 }  // namespace fabricsh::model

@@ -6,7 +6,6 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
-#include "plot/finish.hpp"
 #include "plot/gnuplot.hpp"
 #include "plot/layout.hpp"
 #include "plot/script.hpp"

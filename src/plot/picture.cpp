@@ -7,7 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
-#include "plot/finish.hpp"
+#include "plot/gnuplot.hpp"
 #include "system/atomic.hpp"
 #include "system/child.hpp"
 

@@ -5,9 +5,12 @@
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <vtkLogger.h>
+#include <vtkOutputWindow.h>
+#include <vtkSmartPointer.h>
 
+#include <algorithm>
 #include <cstdlib>
-#include <string>
 
 #include "base/error.hpp"
 #include "system/child.hpp"
@@ -44,6 +47,33 @@ pid_t start(int pipe) {
   return reason == 0 ? child : 0;
 }
 
+class MessageCollector : public vtkOutputWindow {
+ public:
+  static MessageCollector* New() {
+    auto* made = new MessageCollector;
+    made->InitializeObjectBase();
+    return made;
+  }
+  MessageCollector(const MessageCollector&) = delete;
+  MessageCollector& operator=(const MessageCollector&) = delete;
+  void DisplayText(const char* text) override {
+    if (said.empty() && text != nullptr) said = text;
+  }
+  std::string said;
+
+ protected:
+  MessageCollector() = default;
+};
+
+// "ERROR: In file.cxx, line 1\nvtkReader (0x1): the words\n\n" -> "the words"
+std::string plain(const std::string& text) {
+  const std::size_t address = text.find("(0x"),
+                    start = address == std::string::npos ? address : text.find("): ", address);
+  std::string words = start == std::string::npos ? text : text.substr(start + 3);
+  words.erase(std::min(words.find('\n'), words.size()));
+  return words;
+}
+
 }  // namespace
 
 Display::Display() {
@@ -68,6 +98,19 @@ Display::~Display() {
   if (server_ <= 0) return;
   kill(server_, SIGTERM);
   waitpid(server_, nullptr, 0);
+}
+
+void collect_complaints() {
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+  vtkOutputWindow::SetInstance(vtkSmartPointer<MessageCollector>::New());
+}
+
+std::string take_complaint() {
+  auto* collector = dynamic_cast<MessageCollector*>(vtkOutputWindow::GetInstance());
+  if (collector == nullptr) return {};
+  const std::string words = plain(collector->said);
+  collector->said.clear();
+  return words;
 }
 
 }  // namespace fabricsh::render

@@ -1,6 +1,8 @@
-// A display for machines without a screen.
+// A display for machines without a screen, and the messages that VTK would print.
 #pragma once
 #include <sys/types.h>
+
+#include <string>
 
 namespace fabricsh::render {
 
@@ -16,5 +18,11 @@ class Display {
  private:
   pid_t server_ = 0;
 };
+
+// After this call VTK prints nothing.
+void collect_complaints();
+// The first message since the last call, without
+// its position in VTK's sources; empty: no message.
+std::string take_complaint();
 
 }  // namespace fabricsh::render

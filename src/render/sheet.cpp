@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "render/complaints.hpp"
+#include "render/display.hpp"
 
 namespace fabricsh::render {
 

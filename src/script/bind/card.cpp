@@ -6,7 +6,7 @@
 #include "card/estimate.hpp"
 #include "card/fields.hpp"
 #include "law/provenance.hpp"
-#include "model/loose.hpp"
+#include "model/outlook.hpp"
 #include "script/bind/rooms.hpp"
 #include "script/call/parts.hpp"
 #include "script/call/words.hpp"
