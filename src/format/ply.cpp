@@ -10,29 +10,28 @@ namespace fabricsh::format {
 
 namespace {
 
-enum class Number { i8, u8, i16, u16, i32, u32, f32, f64 };
-
-constexpr std::array<std::pair<std::string_view, Number>, 16> types = {{{"char", Number::i8},
-                                                                        {"uchar", Number::u8},
-                                                                        {"short", Number::i16},
-                                                                        {"ushort", Number::u16},
-                                                                        {"int", Number::i32},
-                                                                        {"uint", Number::u32},
-                                                                        {"float", Number::f32},
-                                                                        {"double", Number::f64},
-                                                                        {"int8", Number::i8},
-                                                                        {"uint8", Number::u8},
-                                                                        {"int16", Number::i16},
-                                                                        {"uint16", Number::u16},
-                                                                        {"int32", Number::i32},
-                                                                        {"uint32", Number::u32},
-                                                                        {"float32", Number::f32},
-                                                                        {"float64", Number::f64}}};
+constexpr std::array<std::pair<std::string_view, StoredNumber>, 16> types = {
+    {{"char", StoredNumber::i8},
+     {"uchar", StoredNumber::u8},
+     {"short", StoredNumber::i16},
+     {"ushort", StoredNumber::u16},
+     {"int", StoredNumber::i32},
+     {"uint", StoredNumber::u32},
+     {"float", StoredNumber::f32},
+     {"double", StoredNumber::f64},
+     {"int8", StoredNumber::i8},
+     {"uint8", StoredNumber::u8},
+     {"int16", StoredNumber::i16},
+     {"uint16", StoredNumber::u16},
+     {"int32", StoredNumber::i32},
+     {"uint32", StoredNumber::u32},
+     {"float32", StoredNumber::f32},
+     {"float64", StoredNumber::f64}}};
 
 struct Property {
   std::string name;
   bool list = false;
-  Number count = Number::u8, type = Number::f32;
+  StoredNumber count = StoredNumber::u8, type = StoredNumber::f32;
 };
 
 struct PlyElement {
@@ -86,9 +85,8 @@ class PlyReader {
     return value;
   }
 
-  Number type(std::string_view word) const {
-    for (const auto& [name, number] : types)
-      if (word == name) return number;
+  StoredNumber type(std::string_view word) const {
+    if (const auto number = stored_number(types, word)) return *number;
     source_.fail("expected a type of number (float, int, ...), got " + in_quotes(word));
   }
 
@@ -106,27 +104,8 @@ class PlyReader {
     elements_.back().properties.push_back(std::move(property));
   }
 
-  double stored(Number type) {
-    if (!binary_) return source_.real("a number");
-    switch (type) {
-      case Number::i8:
-        return source_.raw<std::int8_t>("a number");
-      case Number::u8:
-        return source_.raw<std::uint8_t>("a number");
-      case Number::i16:
-        return source_.raw<std::int16_t>("a number");
-      case Number::u16:
-        return source_.raw<std::uint16_t>("a number");
-      case Number::i32:
-        return source_.raw<std::int32_t>("a number");
-      case Number::u32:
-        return source_.raw<std::uint32_t>("a number");
-      case Number::f32:
-        return static_cast<double>(source_.raw<float>("a number"));
-      case Number::f64:
-        break;
-    }
-    return source_.raw<double>("a number");
+  double stored(StoredNumber type) {
+    return binary_ ? source_.stored<double>(type, "a number") : source_.real("a number");
   }
 
   // Each element takes a byte of the file at least.

@@ -3,6 +3,7 @@
 #pragma once
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -10,6 +11,20 @@ namespace fabricsh::format {
 
 // Reads a regular file. Error: "cannot read 'disc.msh': No such file or directory".
 std::string read_file(const std::string& path);
+
+// How a binary file stores a number.
+enum class StoredNumber { i8, u8, i16, u16, i32, u32, i64, u64, f32, f64 };
+constexpr std::size_t bytes_of(StoredNumber type) {
+  constexpr std::size_t bytes[] = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
+  return bytes[static_cast<std::size_t>(type)];
+}
+// The one of this name in a table of names; empty: none.
+template <class Names>
+std::optional<StoredNumber> stored_number(const Names& names, std::string_view name) {
+  for (const auto& [known, type] : names)
+    if (name == known) return type;
+  return {};
+}
 
 class Source {
  public:
@@ -44,6 +59,19 @@ class Source {
     T value;
     std::memcpy(&value, take(sizeof value, what).data(), sizeof value);
     return swapped_ ? reversed(value) : value;
+  }
+  template <class T>
+  T stored(StoredNumber type, const char* what) {
+    if (type == StoredNumber::i8) return static_cast<T>(raw<std::int8_t>(what));
+    if (type == StoredNumber::u8) return static_cast<T>(raw<std::uint8_t>(what));
+    if (type == StoredNumber::i16) return static_cast<T>(raw<std::int16_t>(what));
+    if (type == StoredNumber::u16) return static_cast<T>(raw<std::uint16_t>(what));
+    if (type == StoredNumber::i32) return static_cast<T>(raw<std::int32_t>(what));
+    if (type == StoredNumber::u32) return static_cast<T>(raw<std::uint32_t>(what));
+    if (type == StoredNumber::i64) return static_cast<T>(raw<std::int64_t>(what));
+    if (type == StoredNumber::u64) return static_cast<T>(raw<std::uint64_t>(what));
+    if (type == StoredNumber::f32) return static_cast<T>(raw<float>(what));
+    return static_cast<T>(raw<double>(what));
   }
   std::string_view take(std::size_t bytes, const char* what);
   void swap_bytes(bool swapped) { swapped_ = swapped; }

@@ -20,16 +20,16 @@ std::string lower(std::string_view word) {
   return text;
 }
 
-// Bytes per value; 0: a type that is not supported, such as packed bits.
-std::size_t bytes_of(const std::string& type) {
-  if (type == "char" || type == "signed_char" || type == "unsigned_char" || type == "bit") return 1;
-  if (type == "short" || type == "unsigned_short") return 2;
-  if (type == "int" || type == "unsigned_int" || type == "vtkidtype" || type == "float") return 4;
-  if (type == "long" || type == "unsigned_long" || type == "vtktypeint64" || type == "vtktypeuint64" ||
-      type == "double")
-    return 8;
-  return 0;
-}
+// Packed bits have a byte of their own in text alone.
+constexpr std::pair<std::string_view, StoredNumber> legacy_types[] = {
+    {"char", StoredNumber::i8},           {"signed_char", StoredNumber::i8},
+    {"unsigned_char", StoredNumber::u8},  {"bit", StoredNumber::u8},
+    {"short", StoredNumber::i16},         {"unsigned_short", StoredNumber::u16},
+    {"int", StoredNumber::i32},           {"unsigned_int", StoredNumber::u32},
+    {"vtkidtype", StoredNumber::i32},     {"long", StoredNumber::i64},
+    {"unsigned_long", StoredNumber::i64}, {"vtktypeint64", StoredNumber::i64},
+    {"vtktypeuint64", StoredNumber::i64}, {"float", StoredNumber::f32},
+    {"double", StoredNumber::f64}};
 
 // In names %20 stands for a blank.
 std::string plain_name(std::string_view word) {
@@ -263,7 +263,7 @@ class LegacyReader {
   }
   std::string type_word() {
     const std::string type = lower(source_.word("a type"));
-    if (bytes_of(type) == 0)
+    if (!stored_number(legacy_types, type))
       source_.fail("expected a type of numbers (int, float, double, ...), got " + in_quotes(type));
     return type;
   }
@@ -276,7 +276,6 @@ class LegacyReader {
     return a * b;
   }
   template <class T>
-
   // Reads n values from here; in a binary file from the next line.
   std::vector<T> values(const std::string& type, std::int64_t n) {
     if (std::is_same_v<T, std::int64_t> && (type == "float" || type == "double"))
@@ -287,7 +286,8 @@ class LegacyReader {
       source_.swap_bytes(std::endian::native == std::endian::little);
     }
     const bool packed = binary_ && type == "bit";
-    if (!packed) source_.checked("a number of values", n, binary_ ? bytes_of(type) : 2);
+    const StoredNumber stored_as = *stored_number(legacy_types, type);
+    if (!packed) source_.checked("a number of values", n, binary_ ? bytes_of(stored_as) : 2);
     if (packed) source_.checked("a number of values", (n + 7) / 8, 1);
     std::vector<T> list(static_cast<std::size_t>(n));
     for (std::size_t i = 0; i < list.size(); ++i) {
@@ -295,7 +295,7 @@ class LegacyReader {
         const auto byte = static_cast<unsigned char>(source_.rest()[i / 8]);
         list[i] = static_cast<T>(byte >> (7 - i % 8) & 1);
       } else if (binary_) {
-        list[i] = binary_value<T>(type);
+        list[i] = source_.stored<T>(stored_as, "an array");
       } else if constexpr (std::is_same_v<T, double>) {
         list[i] = source_.real("a value");
       } else {
@@ -305,28 +305,6 @@ class LegacyReader {
     if (packed) source_.take(static_cast<std::size_t>((n + 7) / 8), "an array");
     source_.set_binary(false);
     return list;
-  }
-
-  template <class T>
-
-  T binary_value(const std::string& type) {
-    const char* const what = "an array";
-    const bool is_unsigned = type.starts_with("unsigned") || type == "vtktypeuint64" || type == "bit";
-    if (type == "float") return static_cast<T>(source_.raw<float>(what));
-    if (type == "double") return static_cast<T>(source_.raw<double>(what));
-    switch (bytes_of(type)) {
-      case 1:
-        return is_unsigned ? static_cast<T>(source_.raw<std::uint8_t>(what))
-                           : static_cast<T>(source_.raw<std::int8_t>(what));
-      case 2:
-        return is_unsigned ? static_cast<T>(source_.raw<std::uint16_t>(what))
-                           : static_cast<T>(source_.raw<std::int16_t>(what));
-      case 4:
-        return is_unsigned ? static_cast<T>(source_.raw<std::uint32_t>(what))
-                           : static_cast<T>(source_.raw<std::int32_t>(what));
-      default:
-        return static_cast<T>(source_.raw<std::int64_t>(what));
-    }
   }
 
   Source source_;

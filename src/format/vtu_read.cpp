@@ -53,36 +53,16 @@ vtkSmartPointer<vtkDataCompressor> compressor_of(const std::string& name) {
   return nullptr;
 }
 
-template <class Stored, class T>
-std::vector<T> converted(const std::string& bytes, bool swapped) {
-  Source source("", bytes);
-  source.swap_bytes(swapped);
-  std::vector<T> values(bytes.size() / sizeof(Stored));
-  for (T& value : values) value = static_cast<T>(source.raw<Stored>("a value"));
-  return values;
-}
+// Whole numbers first.
+constexpr std::pair<std::string_view, StoredNumber> vtu_types[] = {
+    {"Int8", StoredNumber::i8},    {"UInt8", StoredNumber::u8},   {"Int16", StoredNumber::i16},
+    {"UInt16", StoredNumber::u16}, {"Int32", StoredNumber::i32},  {"UInt32", StoredNumber::u32},
+    {"Int64", StoredNumber::i64},  {"UInt64", StoredNumber::u64}, {"Float32", StoredNumber::f32},
+    {"Float64", StoredNumber::f64}};
 
-std::size_t size_of(std::string_view type) {
-  if (type.ends_with("64")) return 8;
-  if (type.ends_with("32")) return 4;
-  return type.ends_with("16") ? 2 : 1;
-}
-
-template <class T>
-std::vector<T> converted(std::string_view type, const std::string& bytes, bool swapped) {
-  if (type == "Int8") return converted<std::int8_t, T>(bytes, swapped);
-  if (type == "UInt8") return converted<std::uint8_t, T>(bytes, swapped);
-  if (type == "Int16") return converted<std::int16_t, T>(bytes, swapped);
-  if (type == "UInt16") return converted<std::uint16_t, T>(bytes, swapped);
-  if (type == "Int32") return converted<std::int32_t, T>(bytes, swapped);
-  if (type == "UInt32") return converted<std::uint32_t, T>(bytes, swapped);
-  if (type == "Int64") return converted<std::int64_t, T>(bytes, swapped);
-  if (type == "UInt64") return converted<std::uint64_t, T>(bytes, swapped);
-  if constexpr (std::is_same_v<T, double>) {
-    if (type == "Float32") return converted<float, T>(bytes, swapped);
-    if (type == "Float64") return converted<double, T>(bytes, swapped);
-  }
-  return {};
+bool is_integer_type(std::string_view type) {
+  const auto known = stored_number(vtu_types, type);
+  return known && *known < StoredNumber::f32;
 }
 
 template <class T>
@@ -112,12 +92,6 @@ int sextet(char c) {
   if (c >= 'a' && c <= 'z') return c - 'a' + 26;
   if (c >= '0' && c <= '9') return c - '0' + 52;
   return c == '+' ? 62 : c == '/' ? 63 : -1;
-}
-
-bool is_integer_type(std::string_view type) {
-  for (const char* known : {"Int8", "UInt8", "Int16", "UInt16", "Int32", "UInt32", "Int64", "UInt64"})
-    if (type == known) return true;
-  return false;
 }
 
 // Decoding ends at the first character outside base64; padding may occur between parts encoded separately.
@@ -157,7 +131,7 @@ class VtuDecoder {
     return values<std::int64_t>(stored);
   }
   std::vector<double> reals(const VtuStored& stored) {
-    if (!is_integer_type(stored.type) && stored.type != "Float32" && stored.type != "Float64")
+    if (!stored_number(vtu_types, stored.type))
       source_.fail("expected an array of numbers, got " + in_quotes(stored.type));
     return values<double>(stored);
   }
@@ -168,9 +142,14 @@ class VtuDecoder {
     if (stored.form == VtuStored::Encoding::ascii) return words<T>(source_, stored.bytes);
     const std::string bytes = stored.form == VtuStored::Encoding::raw ? payload(stored.bytes)
                                                                       : payload(decode_base64(stored.bytes));
-    if (bytes.size() % size_of(stored.type) != 0)
+    const StoredNumber type = *stored_number(vtu_types, stored.type);
+    if (bytes.size() % bytes_of(type) != 0)
       source_.fail("an array of " + stored.type + " has " + std::to_string(bytes.size()) + " bytes");
-    return converted<T>(stored.type, bytes, encoding_.big_endian);
+    Source source("", bytes);
+    source.swap_bytes(encoding_.big_endian);
+    std::vector<T> values(bytes.size() / bytes_of(type));
+    for (T& value : values) value = source.stored<T>(type, "a value");
+    return values;
   }
   // the bytes of the numbers, from base64 or raw
   // Layout: [number of bytes][bytes].
