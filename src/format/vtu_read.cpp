@@ -151,7 +151,7 @@ class VtuDecoder {
     for (T& value : values) value = source.stored<T>(type, "a value");
     return values;
   }
-  // the bytes of the numbers, from base64 or raw
+  // The bytes of the numbers, from base64 or raw.
   // Layout: [number of bytes][bytes].
   std::string payload(std::string_view stored) {
     if (!encoding_.compressor.empty()) return inflated(stored);
@@ -163,7 +163,7 @@ class VtuDecoder {
     return std::string(stored.substr(0, bytes));
   }
 
-  // the same of compressed blocks
+  // The same of compressed blocks.
   // Layout: [blocks][size of a block][size of the last one, 0: full][compressed size of each block][blocks].
   std::string inflated(std::string_view stored) {
     const std::uint64_t blocks = header(stored), size = header(stored), last = header(stored);
@@ -190,7 +190,7 @@ class VtuDecoder {
     return bytes;
   }
 
-  // takes the next number of a header off the front
+  // Takes the next number of a header off the front.
   std::uint64_t header(std::string_view& stored) const {
     const std::size_t size = encoding_.long_header ? 8 : 4;
     if (stored.size() < size) source_.fail("the file ends within the header of an array");
@@ -199,7 +199,7 @@ class VtuDecoder {
     stored.remove_prefix(size);
     return encoding_.long_header ? number.raw<std::uint64_t>("") : number.raw<std::uint32_t>("");
   }
-  // error: more than the budget
+  // Error: more than the budget.
   void count_bytes(std::uint64_t bytes) {
     if (bytes > budget_) source_.fail("the arrays claim more bytes than a file of this size can hold");
     budget_ -= bytes;

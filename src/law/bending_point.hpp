@@ -40,7 +40,7 @@ class BendingPoint {
     return sample_ = out;
   }
 
-  // returns to flat virgin cloth
+  // Returns to flat virgin cloth.
   void reset() {
     states_ = {};
     sample_ = {};

@@ -417,7 +417,7 @@ class EdgeBands final : public Term {
     double length;  // m, of the edge
     std::size_t band;
   };
-  // m
+  // m, without force at that time.
   double rest(const BandPiece& piece, double time) const {
     const model::EdgeBand& band = bands_[piece.band];
     const double s = band.over ? std::clamp(time / *band.over, 0.0, 1.0) : 1;
