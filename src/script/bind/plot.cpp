@@ -70,11 +70,9 @@ plot::CurveStyle style_of(const std::string& word) {
   return word == "line" ? plot::CurveStyle::line : plot::CurveStyle::line_points;
 }
 
-// The list of numbers on top of the stack; errors name the field.
-std::vector<double> numbers_on_top(lua_State* L, const std::string& field) {
-  const auto refuse = [&](const std::string& got) {
-    throw Error("field '" + field + "': expected a list of numbers, got " + got);
-  };
+// The list of numbers on top of the stack. refuse: throws an error with what is there instead.
+template <class Refuse>
+std::vector<double> numbers_on_top(lua_State* L, const Refuse& refuse) {
   if (lua_type(L, -1) != LUA_TTABLE) refuse(describe(L, -1));
   std::vector<double> out(lua_rawlen(L, -1));
   if (out.empty()) refuse("an empty table");
@@ -100,7 +98,9 @@ std::vector<double> column(lua_State* L, const std::string& path, const std::str
   };
   if (lua_rawlen(L, -1) == 0 && lua_getfield(L, -1, "curve") != LUA_TTABLE) lua_settop(L, before);
   if (lua_rawlen(L, -1) == 0 && names_list(lua_gettop(L))) {
-    auto out = numbers_on_top(L, path + "rows." + name);
+    auto out = numbers_on_top(L, [&](const std::string& got) {
+      throw Error("field '" + path + "rows." + name + "': expected a list of numbers, got " + got);
+    });
     lua_settop(L, before);
     return out;
   }
@@ -125,27 +125,9 @@ std::vector<double> column(lua_State* L, const std::string& path, const std::str
 
 // A list of numbers; one that is not finite is a gap.
 std::vector<double> listed(const Fields& f, const char* name) {
-  lua_State* L = f.L();
-  // At a second call a metamethod may return another value than the one that was checked.
-  if (f.push(name) != LUA_TTABLE) f.refuse(name, "expected a list of numbers, got " + describe(L, -1));
-  std::vector<double> out(lua_rawlen(L, -1));
-  if (out.empty()) f.refuse(name, "expected a list of numbers, got an empty table");
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    if (lua_rawgeti(L, -1, static_cast<lua_Integer>(i + 1)) != LUA_TNUMBER)
-      f.refuse(name,
-               "expected a list of numbers, got " + describe(L, -1) + " at place " + std::to_string(i + 1));
-    out[i] = lua_tonumber(L, -1);
-    lua_pop(L, 1);
-  }
-  lua_pop(L, 1);
-  return out;
-}
-
-std::vector<double> ordinates(const Fields& f, const std::string& path, const char* name) {
-  if (!f.is(name, LUA_TSTRING)) return listed(f, name);
-  if (!f.has("rows")) f.refuse(name, "expected a list of numbers; a name goes with rows");
-  f.push("rows");
-  auto out = column(f.L(), path, f.text(name));
+  f.push(name);  // at a second call a metamethod may return another value than the one that was checked
+  auto out = numbers_on_top(
+      f.L(), [&](const std::string& got) { f.refuse(name, "expected a list of numbers, got " + got); });
   lua_pop(f.L(), 1);
   return out;
 }
@@ -159,6 +141,10 @@ std::vector<double> one_end(const Fields& curve, const std::string& path, const 
   auto out = column(curve.L(), path, ends.text(name));
   lua_pop(curve.L(), 1);
   return out;
+}
+
+std::vector<double> ordinates(const Fields& f, const std::string& path, const char* name) {
+  return one_end(f, path, f, name);
 }
 
 // Ends given as {low=, high=}.
