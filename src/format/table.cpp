@@ -91,7 +91,7 @@ std::string_view plain_text(const std::string& name, std::string_view bytes, std
   return bytes;
 }
 
-// ---
+// --- Ways to read a file.
 
 struct TableReading {  // one way to read the file, and where its numbers then begin
   TableForm form;

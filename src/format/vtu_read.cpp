@@ -211,7 +211,7 @@ class VtuDecoder {
   std::uint64_t budget_;  // bytes of arrays that may still be decoded from this file
 };
 
-// ---
+// --- The file.
 
 constexpr std::int64_t kTriangle = 5, kQuadrilateral = 9;  // of VTK's types of cells
 

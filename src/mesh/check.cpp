@@ -126,7 +126,7 @@ Index orient(Mesh& mesh, const Vec3& direction) {
   return count;
 }
 
-// ---
+// --- Findings.
 
 constexpr double most_aspect = 10, most_warping = 15, least_corner = 20, most_corner = 160,
                  least_taper = 0.25;

@@ -158,7 +158,7 @@ void fill_key(const Figure& figure, PlacedPanel& panel, const KeySize& size, dou
   }
 }
 
-// ---
+// --- The page.
 
 constexpr double kPoints = 72 / 0.0254;  // in a metre
 

@@ -164,8 +164,6 @@ void add_colours(vtkRenderer* renderer, vtkLookupTable* table, const Point& low,
   add_flat(renderer, shape, mapper, 1);
 }
 
-// ---
-
 // --- Colour scales that remain distinguishable in grey print and for most colour-blind readers.
 
 // Dark violet to yellow; or blue, white at zero, and red if the range includes both signs.
@@ -183,10 +181,8 @@ vtkSmartPointer<vtkLookupTable> colours(double low, double high) {
   return table;
 }
 
-// ---
+// --- The picture.
 
-template <class T>
-using Ref = vtkSmartPointer<T>;
 using plot::Picture;
 
 struct DrawnScene {

@@ -188,7 +188,7 @@ CursorContext context_at_end(std::string_view text) {
   return place;
 }
 
-// ---
+// --- Candidates.
 
 using script::Argument;
 using script::Entry;

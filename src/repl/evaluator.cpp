@@ -25,7 +25,7 @@ int present_all(lua_State* L) {
   return 1;
 }
 
-// ---
+// --- Errors and results.
 
 bool is_numerical(lua_State* L, int index) {
   if (!lua_istable(L, index)) return false;

@@ -64,7 +64,7 @@ Notices::Sink said_once_by_copies(Notices::Sink sink) {
       };
 }
 
-// ---
+// --- The session.
 
 // The sink as long as the log shows what is said. The log is created after the notices.
 Notices::Sink while_shown(Notices::Sink sink, const std::unique_ptr<WarningLog>& log) {
