@@ -108,24 +108,6 @@ Orientation orientation(const Mesh& mesh, const std::vector<Edge>& sorted) {
   return result;
 }
 
-Index orient(Mesh& mesh, const Vec3& direction) {
-  check_unused(mesh, "orient");
-  const Orientation found = orientation(mesh, edges(mesh));
-  const auto one_sided = std::find(found.one_sided.begin(), found.one_sided.end(), 1);
-  if (one_sided != found.one_sided.end())
-    throw Error("orient: part " + std::to_string(one_sided - found.one_sided.begin() + 1) +
-                " of the mesh has one side only (a Moebius strip), no orientation exists");
-  std::vector<char> over(found.one_sided.size(), 0);
-  if (direction != Vec3::Zero()) over = against(mesh, found, direction);
-  Index count = 0;
-  for (std::size_t e = 0; e < mesh.elements.size(); ++e)
-    if (found.turned[e] != over[static_cast<std::size_t>(found.part[e])]) {
-      turn(mesh.elements[e]);
-      ++count;
-    }
-  return count;
-}
-
 // --- Findings.
 
 constexpr double most_aspect = 10, most_warping = 15, least_corner = 20, most_corner = 160,
@@ -553,5 +535,23 @@ std::string Report::text() const {
 }
 
 Report check(const Mesh& mesh) { return Checker(mesh).run(); }
+
+Index orient(Mesh& mesh, const Vec3& direction) {
+  check_unused(mesh, "orient");
+  const Orientation found = orientation(mesh, edges(mesh));
+  const auto one_sided = std::find(found.one_sided.begin(), found.one_sided.end(), 1);
+  if (one_sided != found.one_sided.end())
+    throw Error("orient: part " + std::to_string(one_sided - found.one_sided.begin() + 1) +
+                " of the mesh has one side only (a Moebius strip), no orientation exists");
+  std::vector<char> over(found.one_sided.size(), 0);
+  if (direction != Vec3::Zero()) over = against(mesh, found, direction);
+  Index count = 0;
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e)
+    if (found.turned[e] != over[static_cast<std::size_t>(found.part[e])]) {
+      turn(mesh.elements[e]);
+      ++count;
+    }
+  return count;
+}
 
 }  // namespace fabricsh::mesh
