@@ -1,7 +1,8 @@
--- What of a card is assumed instead of measured, with the range in which it may lie, for fabric.budget.
+-- Numbers of a card that are assumed instead of measured, with the range in which it may lie, for fabric.budget.
 --
 -- The range is the one that the card states, card.ranges["warp.poisson"] = { 0.1, 0.6 }, or else the rule below. Ranges of `poisson` are
 -- values, the others factors on the card's value; those of `loading` are factors on all forces of the part, unloading and friction too.
+local lists = require "fabric.lists"
 local assumed = {}
 
 local rules = {
@@ -23,16 +24,11 @@ local function unloading(part)
   return function(card, factor) return card:with { [part] = { unloading = factor * card[part].unloading } } end
 end
 local function scaled(B, factor)
-  if type(B) ~= "table" then return factor * B end
-  local out = {}
-  for i, b in ipairs(B) do out[i] = factor * b end
-  return out
+  return type(B) == "table" and lists.scaled(B, factor) or factor * B
 end
 -- Numbers of a polynomial, or points {strain, stress}.
 local function stiffer(loading, factor)
-  local out = {}
-  for i, v in ipairs(loading) do out[i] = type(v) == "table" and { v[1], factor * v[2] } or factor * v end
-  return out
+  return lists.map(loading, function(v) return type(v) == "table" and { v[1], factor * v[2] } or factor * v end)
 end
 local function loading(part)
   return function(card, factor)

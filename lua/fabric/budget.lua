@@ -9,22 +9,16 @@ local kernels = require "fabric.kernels"
 local fail = define.fail
 local assumed = require "fabric.assumed"
 local random = require "fabric.lab.random"
-local sorted = require "fabric.sorted"
+local lists = require "fabric.lists"
 local convergence = require "fabric.lab.common.convergence"
 local tests_for = require "fabric.lab.card.tests_for"
 
 local level, boots = 0.95, 400
 
-local function mean(list)
-  local sum = 0
-  for _, v in ipairs(list) do sum = sum + v end
-  return sum / #list
-end
-
 local function quantile(list, part)
   local ascending = table.move(list, 1, #list, 1, {})
   table.sort(ascending)
-  return sorted.quantile(ascending, part)
+  return lists.quantile(ascending, part)
 end
 
 -- --- inputs: { name, put(p, i, set) }, which puts the value of draw i of set 1 or 2 into p
@@ -43,7 +37,7 @@ local function band_inputs(t, card, list)
   end
 end
 
--- What is assumed of the card, and what the deck adds. A range of factors is uniform in its logarithm.
+-- Assumptions of the card, and those that the deck adds. A range of factors is uniform in its logarithm.
 local function assumed_inputs(t, card, list)
   local function add(input, points)
     points.n = points.n + 1
@@ -170,7 +164,7 @@ local function compute(t, jobs, names)
   return answers
 end
 
--- What the runs warned of: { {code, text, runs}, ... }, texts that differ in their numbers alone counting as one, the first of which is given.
+-- Warnings of the runs: { {code, text, runs}, ... }, texts that differ in their numbers alone counting as one, the first of which is given.
 local function counted(answers)
   local list, by_key = {}, {}
   for _, answer in ipairs(answers) do
@@ -192,8 +186,7 @@ end
 
 -- Where the values of a list of meshes or steps go: elements along a side are sizes the other way round.
 local function limit_of(kind, sizes, values)
-  local h = {}
-  for i, size in ipairs(sizes) do h[i] = kind == "mesh" and 1 / size or size end
+  local h = lists.map(sizes, function(size) return kind == "mesh" and 1 / size or size end)
   return convergence.of(h, values)
 end
 
@@ -202,7 +195,7 @@ end
 local function indices(rows, k)
   local all = {}
   for _, row in ipairs(rows) do all[#all + 1], all[#all + 2] = row[1], row[2] end
-  local m, variance, first, total = mean(all), 0, 0, 0
+  local m, variance, first, total = lists.mean(all), 0, 0, 0
   for _, v in ipairs(all) do variance = variance + (v - m) ^ 2 / (#all - 1) end
   for _, row in ipairs(rows) do
     first = first + (row[2] - m) * (row[2 + k] - row[1]) / #rows
@@ -213,7 +206,7 @@ local function indices(rows, k)
 end
 
 local function variance_of(list)
-  local m, sum = mean(list), 0
+  local m, sum = lists.mean(list), 0
   for _, v in ipairs(list) do sum = sum + (v - m) ^ 2 end
   return sum / (#list - 1)
 end
@@ -223,8 +216,7 @@ local function indices_with_bands(rows, inputs, seed)
   local draw, out, alone, all = random(seed), {}, {}, {}
   local resampled = {}
   for b = 1, boots do
-    local list = {}
-    for i = 1, #rows do list[i] = rows[math.min(#rows, 1 + math.floor(#rows * draw.uniform()))] end
+    local list = lists.of(#rows, function() return rows[math.min(#rows, 1 + math.floor(#rows * draw.uniform()))] end)
     resampled[b], alone[b], all[b] = list, 0, 0
   end
   for k = 1, #inputs do
@@ -306,8 +298,7 @@ local function untold_of(result, names)
   for _, name in ipairs(names) do
     for _, c in ipairs(result.of[name].contributions) do
       if c.untold then
-        local list = {}
-        for i, v in ipairs(c.values) do list[i] = ("%.5g"):format(v) end
+        local list = lists.map(c.values, function(v) return ("%.5g"):format(v) end)
         out[#out + 1] = ("%s: the %s do not tell where it goes (%s): the value is that of the last, and the band a guess from their spread; %s"):format(name,
           c.source == "mesh" and "meshes" or "steps", table.concat(list, ", "), c.source == "mesh" and "finer ones may" or "shorter ones may")
       end
@@ -316,7 +307,7 @@ local function untold_of(result, names)
   return out
 end
 
--- What would narrow an interval: the assumptions that make a tenth of the variance and more, the largest first, with the test that would determine each and the width that would then be
+-- Tests that would narrow an interval: the assumptions that make a tenth of the variance and more, the largest first, with the test that would determine each and the width that would then be
 -- left, over the present one; a line each. Inputs of the deck's own are the deck's to know.
 local function narrower_of(result, names)
   local out = {}
@@ -330,10 +321,10 @@ local function narrower_of(result, names)
   return out
 end
 
--- What the card's records have against its law, by the words of its provenance (found:card of fabric.lab.identify and pool).
+-- Contradictions of the card's records to its law, by the words of its provenance (found:card of fabric.lab.identify and pool).
 local function contradictions_of(card)
   local out, provenance = {}, card and card.provenance or {}
-  for _, field in ipairs(sorted.keys(provenance)) do
+  for _, field in ipairs(lists.keys(provenance)) do
     local words = provenance[field]:match "the data contradict the model.*"
     if words then out[#out + 1] = ("card.%s: %s; a test unlike those of the records may be missed by more"):format(field:match "^[^.]+", words) end
   end
@@ -363,8 +354,7 @@ local function text_of(t, result, names)
     end
   end
   if #result.mesh_errors > 0 then
-    local list = {}
-    for i, v in ipairs(result.mesh_errors) do list[i] = ("%.2g"):format(v) end
+    local list = lists.map(result.mesh_errors, function(v) return ("%.2g"):format(v) end)
     say("stresses on the mesh%s: recovered less computed, over the whole: %s", #list > 1 and "es" or "", table.concat(list, ", "))
   end
   local function at(kind) return t[kind] and ("%s %s"):format(kind == "steps" and "step" or kind, tostring(t[kind][1])) or nil end
@@ -431,11 +421,11 @@ local function run(t)
   local used, inputs = {}, {}
   if t.card then band_inputs(t, t.card, inputs) end
   local not_varied = assumed_inputs(t, t.card, inputs)
-  for _, field in ipairs(sorted.keys(t.card and t.card.provenance or {})) do
+  for _, field in ipairs(lists.keys(t.card and t.card.provenance or {})) do
     if unheld_by(t.card, field) and not t.card.provenance[field]:find "^assumed" then not_varied[#not_varied + 1] = field end
   end
   local base, base_error = answer(t, middle(t), used)
-  local names = sorted.keys(base)
+  local names = lists.keys(base)
   for _, kind in ipairs { "mesh", "steps" } do
     local name = kind == "steps" and "step" or kind
     if t[kind] and not used[name] then fail(("budget: field '%s': run(p) does not use p.%s"):format(kind, name)) end

@@ -1,6 +1,7 @@
 -- fabric.columns: rows of a test, or lists of equal length, as columns for calculations; fabric.show: prints such rows as a table.
 local define = require "fabric.define"
 local windowed = require "fabric.window"
+local lists = require "fabric.lists"
 local fail = define.fail
 
 local Column, Curve = {}, {}  -- methods
@@ -102,10 +103,7 @@ end
 local orders = setmetatable({}, { __mode = "k" })
 
 local function names_of(rows)
-  local names = {}
-  for _, name in ipairs(orders[rows] or {}) do
-    if type((rows[1] or {})[name]) == "number" then names[#names + 1] = name end
-  end
+  local names = lists.collect(orders[rows] or {}, function(name) if type((rows[1] or {})[name]) == "number" then return name end end)
   if #names > 0 then return names end
   for name, value in pairs(rows[1] or {}) do
     if type(name) == "string" and type(value) == "number" then names[#names + 1] = name end
@@ -202,9 +200,9 @@ end
 curve_kind.__metatable = "fabric.curve"
 
 -- Converts lists {E={...}, S={...}} to rows.
-local function rows_of_lists(lists)
+local function rows_of_lists(given)
   local count, first
-  for name, values in pairs(lists) do
+  for name, values in pairs(given) do
     if type(name) ~= "string" or type(values) ~= "table" then
       fail("columns: expected a list of rows, or a table of lists with names, got an entry " .. tostring(name) .. " = " .. tostring(values))
     end
@@ -217,19 +215,19 @@ local function rows_of_lists(lists)
   local rows = {}
   for i = 1, count or 0 do
     rows[i] = {}
-    for name, values in pairs(lists) do rows[i][name] = values[i] end
+    for name, values in pairs(given) do rows[i][name] = values[i] end
   end
   return rows
 end
 
 -- Converts columns as read from a file by fabric.table: {name=, unit=, values=}. A name that occurs again gets its place behind it.
 local function rows_of_columns(columns)
-  local lists, order = {}, {}
+  local given, order = {}, {}
   for i, each in ipairs(columns) do
-    order[i] = lists[each.name] and ("%s (%d)"):format(each.name, i) or each.name
-    lists[order[i]] = each.values
+    order[i] = given[each.name] and ("%s (%d)"):format(each.name, i) or each.name
+    given[order[i]] = each.values
   end
-  local rows = rows_of_lists(lists)
+  local rows = rows_of_lists(given)
   orders[rows] = order
   return rows
 end
@@ -320,8 +318,7 @@ local function show(rows, options)
     for k, word in ipairs(line) do widths[k] = math.max(widths[k] or 0, #word) end
   end
   for _, line in ipairs(lines) do
-    local words = {}
-    for k, word in ipairs(line) do words[k] = (" "):rep(widths[k] - #word) .. word end
+    local words = lists.map(line, function(word, k) return (" "):rep(widths[k] - #word) .. word end)
     print("  " .. table.concat(words, "  "))
   end
 end
@@ -343,7 +340,7 @@ define {
 -- An empty curve, to be filled with rows.
 local function made() return setmetatable({}, curve_kind) end
 
--- What help says of a curve or a column; nil of anything else.
+-- Help on a curve or a column; nil of anything else.
 local function about(value)
   local kind = getmetatable(value)
   if kind == "fabric.curve" then

@@ -1,5 +1,6 @@
 -- fabric.help: information on functions and topics, from the rows of the registry.
 local define = require "fabric.define"
+local lists = require "fabric.lists"
 local registry = define.registry
 
 local width = 100
@@ -49,10 +50,7 @@ end
 
 -- The form of a call: fabric.static{ model, duration, [step], ... }
 local function signature(row)
-  local names = {}
-  for i, argument in ipairs(row.arguments) do
-    names[i] = argument.required and argument.name or "[" .. argument.name .. "]"
-  end
+  local names = lists.map(row.arguments, function(argument) return argument.required and argument.name or "[" .. argument.name .. "]" end)
   if row.style == "property" then return row.name end
   if row.style == "fields" then return row.name .. "{ " .. table.concat(names, ", ") .. " }" end
   return row.name .. "(" .. table.concat(names, ", ") .. ")"
@@ -243,10 +241,7 @@ end
 
 -- Rows that contain the words as a phrase, or otherwise each of the words.
 local function speaking(rows, words)
-  local found = {}
-  for _, row in ipairs(rows) do
-    if speaks_of(row, words) then found[#found + 1] = row end
-  end
+  local found = lists.collect(rows, function(row) if speaks_of(row, words) then return row end end)
   if #found > 0 or not words:find "%s" then return found end
   for _, row in ipairs(rows) do
     local all = true
@@ -256,7 +251,7 @@ local function speaking(rows, words)
   return found
 end
 
--- What is asked for by a word that no entry has in this sense.
+-- Further meanings of words that are asked for.
 local elsewhere = {
   [{ "movie", "video", "mp4", "gif", "ffmpeg", "animation" }] = "fabric.render draws a frame, ffmpeg joins frames: share/doc/howto/plot.md; fabric.export.gltf writes a series that moves in a browser",
   [{ "wind", "blow", "inflate", "air" }] = "model:pressure acts along the normal of the sheet as it moves, model:gas fills a closed volume; the flow of air around cloth is not computed",

@@ -4,7 +4,7 @@ local define = require "fabric.define"
 local kernels = require "fabric.kernels"
 local fail = define.fail
 local case_file = require "fabric.study_case"
-local sorted = require "fabric.sorted"
+local lists = require "fabric.lists"
 
 local function check_value(path, value)
   local kind = type(value)
@@ -33,10 +33,10 @@ end
 
 -- All combinations of {a={1,2}, b={...}}: names in alphabetical order, the last one varies fastest.
 local most_cases = 1000000
-local function grid(lists)
+local function grid(values_of)
   local cases = { {} }
-  for _, name in ipairs(sorted.keys(lists)) do
-    local values, more = lists[name], {}
+  for _, name in ipairs(lists.keys(values_of)) do
+    local values, more = values_of[name], {}
     if type(values) == "table" and #cases * #values > most_cases then
       fail(("study: field 'parameters': expected lists whose combinations are at most %d cases, got %.3g and more with '%s'"):format(most_cases, #cases * #values, tostring(name)))
     end
@@ -105,7 +105,7 @@ local function share(only)
   return function(i) return (i - 1) % count == place end
 end
 
--- A folder belongs to one version of a deck, so that different results are not mixed. What stands behind the end of run() in the deck cannot
+-- A folder belongs to one version of a deck, so that different results are not mixed. Lines behind the end of run() in the deck cannot
 -- change its results.
 local function claim(folder, deck)
   local path = folder .. "/study.txt"
@@ -131,6 +131,7 @@ local function alone(t)
   return held
 end
 
+-- The text by which a folder belongs to a deck: a hash of the deck up to the end of run().
 local function identity(run)
   local f = arg and arg[0] and io.open(arg[0], "rb")
   local text = f and f:read "a" or ""
@@ -195,7 +196,7 @@ local function work(t, case)
   local good, values = pcall(function() return checked_values(t.run(case), t.taken, case) end)
   collectgarbage()  -- closes files that a run has left open
   local trouble = not good and words_of(values) or nil
-  -- What ended for want of disk or memory is no result: nothing is kept, and the case runs again next time.
+  -- A case that ended for want of disk or memory has no result: nothing is kept, and the case runs again next time.
   if trouble and (define.refusals() > before or values == no_memory) then error(trouble, 0) end
   case_file.save(t.folder, case, good and values or nil, trouble, define.warnings(place))
   if trouble then error(trouble, 0) end
@@ -203,9 +204,7 @@ local function work(t, case)
 end
 
 local function kept(t, cases)
-  local n = 0
-  for _, case in ipairs(cases) do n = n + (case_file.load(t.folder, case) and 1 or 0) end
-  return n
+  return lists.sum(cases, function(case) return (case_file.load(t.folder, case) and 1 or 0) end)
 end
 
 -- Computes the missing cases of this share; returns the errors of processes that left no file, by case.
@@ -241,7 +240,7 @@ local function collect(t, cases, troubles)
     for name in pairs(row.values or {}) do results[name] = true end
     study[i] = row
   end
-  study.parameters, study.results = sorted.keys(names), sorted.keys(results)
+  study.parameters, study.results = lists.keys(names), lists.keys(results)
   study.complete = study.missing == 0
   return study
 end

@@ -43,7 +43,7 @@ struct PlyElement {
 class PlyReader {
  public:
   PlyReader(const std::string& name, std::string_view bytes)
-      : source_(name, bytes), builder_(source_, 16 * bytes.size()) {}
+      : source_(name, bytes), builder_(source_, 16 * bytes.size()) {}  // the limit of members of sets
 
   mesh::Mesh read(Remarks* remarks) {
     read_header();

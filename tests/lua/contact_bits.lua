@@ -37,4 +37,5 @@ for _, x in ipairs { a:reaction(ball) } do io.write(("%a "):format(x)) end
 for _, name in ipairs { "stored", "contact", "stick", "friction", "external" } do io.write(("%a "):format(a.energy[name])) end
 ]]
 file:close()
+-- Each scheme prints more than 1e5 bytes.
 check.same_bits("scheme_bits.lua", "scheme_bits.ckpt", { "static", "relaxation", "implicit" }, 1e5)

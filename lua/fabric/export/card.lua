@@ -48,7 +48,7 @@ local function target_of(t)
     target and target.name or t.to, kind, #fits > 0 and table.concat(fits, ", ") or "none of the materials known here"))
 end
 
--- What the card assumes and no test has shown, by what matters: a curve of loading first, a sentence each; and the parts whose loading is assumed.
+-- Assumptions of the card that no test has shown, the weightiest first: a curve of loading first, a sentence each; and the parts whose loading is assumed.
 local function assumed(card)
   local loading, others, parts = {}, {}, {}
   for field, words in pairs(card.provenance or {}) do
@@ -105,7 +105,7 @@ local function header(t, target, p, u, rows, sentences)
     local tested = t.card.tested
     wrapped(out, ("Tested up to E11 = %.4g, E22 = %.4g, E12 = %.4g; beyond that the curves continue as those of the card do"):format(tested.warp, tested.weft, tested.shear))
   end
-  out[#out + 1] = "What is lost, this law beside the card's:"
+  out[#out + 1] = "Losses of this law against the card's:"
   for _, l in ipairs(loss.lines(rows)) do out[#out + 1] = "  " .. l end
   for _, s in ipairs(sentences) do wrapped(out, "- " .. s) end
   return out

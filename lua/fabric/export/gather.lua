@@ -1,6 +1,7 @@
 -- Collects the data of a model for another solver's deck: nodes, elements, sets, supports, motions and loads, all in SI units.
 local define = require "fabric.define"
 local tabulate = require "fabric.export.tabulate"
+local lists = require "fabric.lists"
 local fail = define.fail
 local gather = {}
 
@@ -83,8 +84,7 @@ end
 
 -- A direction {x, y, z} of length 1, or an error of that field.
 function gather.unit(given, field)
-  local l = 0
-  for _, x in ipairs(given) do l = l + x * x end
+  local l = lists.sum(given, function(x) return x * x end)
   if #given ~= 3 or l == 0 then fail(("%s: expected a direction {x, y, z} other than zero, got {%s}"):format(field, table.concat(given, ", "))) end
   l = math.sqrt(l)
   return { given[1] / l, given[2] / l, given[3] / l }
@@ -92,9 +92,7 @@ end
 
 -- A direction whose components of rounding are none.
 local function rounded(v)
-  local out = {}
-  for i, x in ipairs(v) do out[i] = math.abs(x) < 1e-15 and 0.0 or x end
-  return out
+  return lists.map(v, function(x) return math.abs(x) < 1e-15 and 0.0 or x end)
 end
 
 -- Direction of the warp, from an angle in degrees to x or from {x, y, z}.
@@ -106,7 +104,7 @@ local function direction(warp)
   return gather.unit(#warp == 2 and { warp[1], warp[2], 0 } or warp, "model: field 'warp'")
 end
 
--- What is written holds for one sheet of one card: an error for what is another, a note for what is lost.
+-- Decks hold one sheet of one card: anything else is an error, a loss is a note.
 local function check_sheet(row, out)
   if row.plies > 0 then fail(("model: field 'model': '%s' has plies, which cannot be exported; expected one sheet of one card"):format(row.set)) end
   if row.offset ~= 0 then out.notes[#out.notes + 1] = ("the sheet's reference surface lies at %.6g of half its thickness: written as its middle surface"):format(row.offset) end

@@ -73,7 +73,7 @@ local function numbers(rows, group, before, out)
   return out
 end
 
--- What else acts beside the springs of a woven card: the groups that its constructor takes, whatever they are.
+-- Elements beside the springs of a woven card: the groups that its constructor takes, whatever they are.
 local function beside(card, add)
   for _, row in ipairs(registry.rows()) do
     if row.name == "fabric.woven" then

@@ -1,12 +1,12 @@
 -- Text of OpenRadioss starter decks: LAW58, LAW158 and LAW19. A line has ten fields of 10 columns; a real number takes two.
 local units = require "fabric.export.units"
+local lists = require "fabric.lists"
 local radioss = {}
 
 radioss.comment = require "fabric.export.comment" "#"
 
 local function reals(...)
-  local out = {}
-  for i, v in ipairs { ... } do out[i] = v == "" and (" "):rep(20) or units.fixed(v, 20) end
+  local out = lists.map({ ... }, function(v) return v == "" and (" "):rep(20) or units.fixed(v, 20) end)
   return table.concat(out)
 end
 
@@ -14,8 +14,7 @@ local function ids(...) return units.line(10, { ... }) end
 
 -- A comment line with the names of the fields of 20 columns, to be put above their numbers.
 local function head(...)
-  local out = {}
-  for i, v in ipairs { ... } do out[i] = ("%20s"):format(v) end
+  local out = lists.map({ ... }, function(v) return ("%20s"):format(v) end)
   return "#" .. table.concat(out):sub(2)
 end
 
@@ -35,8 +34,7 @@ end
 
 -- The first three functions of a material, each with its scale.
 local function first_three(base)
-  local out = {}
-  for k = 1, 3 do out[k] = ("#  FCT_ID%d                       FSCALE%d\n"):format(k, k) .. ids(base + k, "") .. reals(1.0) end
+  local out = lists.of(3, function(k) return ("#  FCT_ID%d                       FSCALE%d\n"):format(k, k) .. ids(base + k, "") .. reals(1.0) end)
   return table.concat(out, "\n")
 end
 

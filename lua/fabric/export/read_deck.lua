@@ -51,7 +51,7 @@ local function radioss_system(l, i, what)
   return got, ("line %d: %s with %s"):format(i, what, got and table.concat(words, ", ") or "'" .. l .. "'")
 end
 
--- What a starter deck states: the system of /BEGIN, and those of its /UNIT/n by their number {system, words}; the first key of a material LAW58 and of
+-- Units that a starter deck states: the system of /BEGIN, and those of its /UNIT/n by their number {system, words}; the first key of a material LAW58 and of
 -- its section, with their lines: they may name a /UNIT/n.
 local function radioss_units(path)
   local begin, blocks, unit, below, material, section = nil, {}, nil, nil, nil, nil

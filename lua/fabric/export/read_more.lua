@@ -2,6 +2,7 @@
 local define = require "fabric.define"
 local laws = require "fabric.export.laws"
 local read = require "fabric.export.read_deck"
+local lists = require "fabric.lists"
 local fail = define.fail
 local more = {}
 
@@ -113,9 +114,7 @@ local function sampled(p, tested)
   local n, out = 40, {}
   local function reach(part, default) return tested and tested[part] > 0 and tested[part] or default end
   local function list(last)
-    local x = {}
-    for i = 1, n do x[i] = last * i / n end
-    return x
+    return lists.of(n, function(i) return last * i / n end)
   end
   for part, angle in pairs { warp = 0, weft = 90 } do
     local x = list(reach(part, 0.1))

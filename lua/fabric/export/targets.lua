@@ -7,6 +7,7 @@ local laws = require "fabric.export.laws"
 local dyna = require "fabric.export.dyna"
 local radioss = require "fabric.export.radioss"
 local abaqus = require "fabric.export.abaqus"
+local lists = require "fabric.lists"
 
 local targets = {}
 
@@ -110,11 +111,7 @@ targets.solvers = { "ls-dyna", "openradioss", "abaqus" }
 
 -- Names of the materials of a solver.
 function targets.names(solver)
-  local out = {}
-  for _, t in ipairs(targets.list) do
-    if t.solver == solver then out[#out + 1] = t.name end
-  end
-  return out
+  return lists.collect(targets.list, function(t) if t.solver == solver then return t.name end end)
 end
 
 -- Accepts "MAT_034", "*MAT_034", "mat_34", "LAW58", "*FABRIC", "fabric".

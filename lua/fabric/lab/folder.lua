@@ -47,7 +47,7 @@ local function specimens(path, pattern)
   return found
 end
 
--- What stands in a folder without a file of the expected names.
+-- The contents of a folder without a file of the expected names.
 local function instead(path)
   local others = {}
   for _, name in ipairs(fabric.folder(path)) do
@@ -305,7 +305,7 @@ local function bending_of(about)
   return lab.twist { warp = strips.warp, weft = strips.weft, bias = strips.bias, common = about.shared, areal_mass = about.mass_per_area or about.density * about.thickness }
 end
 
--- What was seen in single records, and specimens unlike the others, a line each.
+-- Remarks on single records, and specimens unlike the others, a line each.
 local function seen_in(found)
   local out = {}
   for _, name in ipairs { "warp", "weft", "shear" } do
@@ -323,7 +323,7 @@ local function seen_in(found)
   return out
 end
 
--- What laboratory.lua asks for and no file can give, a line each; they are warnings too.
+-- Requests of laboratory.lua that no file can meet, a line each; they are warnings too.
 local function missed_of(about, found)
   local out = {}
   if about.loops and not (found.warp and found.warp.loops or found.weft and found.weft.loops) then

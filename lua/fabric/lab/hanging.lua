@@ -2,15 +2,10 @@
 -- apparel cloth of the library that was tested under the small loads of hanging cloth. The card states that.
 local fabric = require "fabric"
 local filled = require "fabric.lab.card.filled"
+local lists = require "fabric.lists"
 
 local density = 400 -- kg/m^3, if the thickness was not measured; the four cloths of the thesis have 350 to 590
 local words = "assumed: force per width as of the card 'worsted', since nothing was pulled or sheared"
-
-local function scaled(list, factor)
-  local out = {}
-  for i, v in ipairs(list) do out[i] = v * factor end
-  return out
-end
 
 -- Rigidities from cantilevers along warp, weft and at 45 degrees, N.m. For a narrow strip at 45 degrees 4/B45 = 1/B1 + 1/B2 + 1/twist.
 local function of_cantilevers(B)
@@ -22,7 +17,7 @@ end
 -- bending_origin, its origin, and twist_origin where the twist has another.
 return function(t)
   local bending, origin = t.bending, t.bending_origin
-  if t.cantilevers then bending, origin = of_cantilevers(scaled(t.cantilevers, 1e-9)) end
+  if t.cantilevers then bending, origin = of_cantilevers(lists.scaled(t.cantilevers, 1e-9)) end
   local thickness = t.thickness or t.mass / density
   local provenance = { bending = origin, ["bending.twist"] = t.twist_origin, thickness = t.thickness and "measured" or "assumed: the measured areal mass over 400 kg/m3",
     density = t.thickness and "measured: areal mass over the thickness" or "assumed: 400 kg/m3" }

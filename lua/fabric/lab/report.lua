@@ -1,8 +1,9 @@
 -- The report of a characterisation: measured curves with those simulated from the card, residuals, table, HTML.
 local fabric = require "fabric"
 local curve = require "fabric.lab.common.curve"
+local lists = require "fabric.lists"
 local lab, u = fabric.lab, fabric.units
-local interpolate, envelope, scaled = curve.interpolate, curve.envelope, curve.scaled
+local interpolate, envelope, scaled = curve.interpolate, curve.envelope, lists.scaled
 
 local report = {}
 
@@ -41,8 +42,7 @@ end
 local function bias_reach(part, test)
   local largest, E, d = 0, {}, {}
   for _, measured in ipairs(part.tests) do largest = math.max(largest, table.unpack(measured.E)) end
-  local up = {}
-  for name, value in pairs(test) do up[name] = value end
+  local up = lists.copy(test)
   up.path = { 1 }
   for i, row in ipairs(lab.bias(up).curve) do E[i], d[i] = math.abs(row.E12_centre), row.displacement end
   return interpolate(E, d, largest) or test.displacement
@@ -55,8 +55,7 @@ local function simulate(result, part, direction)
   local shear = direction == "shear"
   local test = { card = result.card, grips = about.grips or "free", width = about.width, length = about.gauge_length, steps = 120 }
   if shear and part.without_markers then -- without zones the curve itself is the measured result
-    local strains = {}
-    for i = 1, 100 do strains[i] = part.fit.tested * i / 100 end
+    local strains = lists.of(100, function(i) return part.fit.tested * i / 100 end)
     return strains, fabric.point(result.card):path({ E12 = strains }, { "S12" }).S12
   end
   test.path, test.displacement = path_of(part, about.gauge_length, function(measured) return shear and measured.pull.E or measured.E end)
@@ -72,8 +71,7 @@ end
 
 -- The same at a point of the law, for a card with which no strip can be run.
 local function at_point(result, part, direction)
-  local strains = {}
-  for i = 1, 100 do strains[i] = part.fit.tested * i / 100 end
+  local strains = lists.of(100, function(i) return part.fit.tested * i / 100 end)
   local point = fabric.point(result.card)
   if direction == "shear" then return strains, point:path({ E12 = strains }, { "S12" }).S12 end
   return strains, point:uniaxial(direction, strains, { "S" }).S
@@ -266,7 +264,7 @@ local function assumed_fit(part)
   return { loading = part.loading, degree = type(part.loading[1]) == "number" and #part.loading or nil }
 end
 
--- What the card's part was made from: the loops, where they were asked for and seen; else the fit.
+-- The source of the card's part: the loops, where they were asked for and seen; else the fit.
 local function source_of(result, name)
   local part = result[name]
   if not part then return assumed_fit(result.card[name]) end

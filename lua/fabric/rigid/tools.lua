@@ -10,6 +10,7 @@ local define = require "fabric.define"
 local fabric = require "fabric"
 local loft = require "fabric.rigid.loft"
 local profile = require "fabric.rigid.profile"
+local lists = require "fabric.lists"
 local tools = {}
 
 local quarter = 8 -- facets of a rounded edge
@@ -123,9 +124,7 @@ local function at_of(call, t)
 end
 
 local function ring(line, at, offset, z)
-  local out = {}
-  for i, p in ipairs(line) do out[i] = { at[1] + p[1] + offset * p[3], at[2] + p[2] + offset * p[4], at[3] + z } end
-  return out
+  return lists.map(line, function(p) return { at[1] + p[1] + offset * p[3], at[2] + p[2] + offset * p[4], at[3] + z } end)
 end
 
 -- A box from its flat bottom up.

@@ -548,7 +548,7 @@ std::vector<Entry> reading() {
                         "first went beyond) and elements (fraction of the elements beyond).",
                         run + "assert(a:advance(0.5).beyond == nil)", beyond),
       without_arguments("analysis.warnings",
-                        "What the run has said about how far its results can be trusted, in order: a list of "
+                        "Warnings of the run about how far its results can be trusted, in order: a list of "
                         "{code, text, time (s), element (nil: no particular one), serious}. Also in "
                         "run.json. Under --strict the serious ones raise a numerical failure. The codes: " +
                             codes_text() + ".",

@@ -63,7 +63,7 @@ void bind_check(Session& session) {
   install(session,
           {{"card:check()",
             {size_row()},
-            "What is wrong with the card or worth knowing: a table {ok, card, text, items, criterion}, which "
+            "Errors of the card and remarks on it: a table {ok, card, text, items, criterion}, which "
             "prints as its text. An item has key, severity (note, warning, error), text, numbers; a row of "
             "criterion has path, warp, weft (branches), first (strain of violation or nil), last.",
             "local report = require 'fabric'.card 'blend':check{ element_size=0.01 }\nassert(report.ok and "

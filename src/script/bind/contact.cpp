@@ -305,7 +305,7 @@ std::vector<Entry> run_rows() {
        body},
       {"analysis:on_body()",
        {object_("body", "body", "of facets (surface, motion, limb, torso), that touches cloth in the model")},
-       "What the cloth does to a rigid surface: of each vertex x, y, z (m, where it is), area (m2, a third "
+       "The load of the cloth on a rigid surface: of each vertex x, y, z (m, where it is), area (m2, a third "
        "of the facets around it, as they are) and pressure (Pa, without friction); and touch, whose lists "
        "node, x, y, z are the nodes of the cloth that touch the surface, and where on it, m, in its shape at "
        "time 0.",

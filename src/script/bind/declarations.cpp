@@ -33,6 +33,7 @@ class Rows : public model::DeclarationVisitor {
     set(first);
     put(L_, "partner", second);
   }
+  // Of nodes that the deck has given otherwise than by the name of a set: "a line".
   void place(const char* name) { set(std::string("a ") + name); }
   void sets(const std::vector<std::string>& names) {
     set(names.front());
@@ -163,7 +164,7 @@ void bind_declarations(Session& session) {
   install(session,
           {without_arguments(
               "model:declared",
-              "What it was told, as data: rows of kind (sheet, or the call's name) and set, with the "
+              "The declarations as data: rows of kind (sheet, or the call's name) and set, with the "
               "numbers, vectors and histories of the call under their names, in SI units and degrees; "
               "freedoms as the list `held`, axes of their own as `frame`. model:list says the same in words.",
               sample_model() +

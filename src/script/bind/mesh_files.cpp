@@ -195,7 +195,7 @@ Entry check_row() {
   return {"mesh:check()",
           {object_("card?", "card", "of the cloth that the mesh is for"),
            Argument{"warp", number | numbers, "degrees", everything, "as for fabric.model"}.optional()},
-          "What is wrong with the mesh or worth knowing: a table {ok, text, items, area, shortest, longest, "
+          "Errors of the mesh and remarks on it: a table {ok, text, items, area, shortest, longest, "
           "aspect, warping, least_angle, triangles, quadrilaterals, parts, borders}, which prints as its "
           "text; an item has key (degenerate, inverted, fold, repeated, orientation, one_sided, apart, "
           "unused, duplicate, nonmanifold, aspect, warping, angle, wide, taper, hanging, free), severity "

@@ -240,10 +240,11 @@ std::vector<Entry> model_entries() {
        "Lets gravity act on the whole cloth, and on rigid bodies that have a mass and forces place.",
        sample + "m:gravity{0, 0, -9.81}",
        gravity},
-      without_arguments("model:check",
-                        "What the mesh can show of this cloth, as two lines for each region: how yarns cross "
-                        "its elements, and how large folds are beside elements.",
-                        sample + "print(m:check())\nassert(m:check():find 'folds')", check_mesh),
+      without_arguments(
+          "model:check",
+          "The suitability of the mesh for this cloth, as two lines for each region: how yarns cross "
+          "its elements, and how large folds are beside elements.",
+          sample + "print(m:check())\nassert(m:check():find 'folds')", check_mesh),
       without_arguments("model.thickness", "Thickness of the sheet, m; of several bodies the first one's.",
                         sample + "assert(m.thickness > 0)", thickness),
       without_arguments("model.card", "The card it was made of; of several bodies the first one's.",

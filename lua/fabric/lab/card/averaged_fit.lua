@@ -4,6 +4,8 @@ local fabric = require "fabric"
 local define = require "fabric.define"
 local kernels = require "fabric.kernels"
 local linear = require "fabric.lab.common.linear"
+local loading = require "fabric.lab.common.loading"
+local lists = require "fabric.lists"
 local fail = define.fail
 
 local strains = 40
@@ -46,9 +48,8 @@ end
 -- Half widths by which a polynomial is measured: of two or three specimens the band is wide for want of knowledge of their differences, which is no leave to miss their mean.
 local function near_widths(half, n, level)
   local part = (1 + level) / 2
-  local least, out = n > 1 and math.min(1, fabric.lab.student(part, 3) / fabric.lab.student(part, n - 1)) or 1, {}
-  for g, h in ipairs(half) do out[g] = least * h end
-  return out
+  local least = n > 1 and math.min(1, fabric.lab.student(part, 3) / fabric.lab.student(part, n - 1)) or 1
+  return lists.map(half, function(h) return least * h end)
 end
 
 -- The operator that takes stresses at the strains to the coefficients of a polynomial through zero, by least squares weighted by `deviation`.
@@ -118,14 +119,10 @@ end
 local function describes(d, E, mean, half)
   local peak, top = mean[#mean], E[#E]
   for g, e in ipairs(E) do
-    local S = 0
-    for k, x in ipairs(d) do S = S + x * e ^ k / k end
-    if math.abs(S - mean[g]) > math.max(close * half[g], small * peak * math.min(1, 4 * e / top)) then return false end
+    if math.abs(loading.stress(d, e) - mean[g]) > math.max(close * half[g], small * peak * math.min(1, 4 * e / top)) then return false end
   end
   for i = 0, 100 do
-    local D = 0
-    for k, x in ipairs(d) do D = D + x * (top * i / 100) ^ (k - 1) end
-    if not (D > 0) then return false end
+    if not (loading.tangent(d, top * i / 100) > 0) then return false end
   end
   return true
 end
@@ -159,9 +156,8 @@ local function missed(d, E, mean, half)
   if describes(d, E, mean, half) then return end
   local worst, place = 0, 1
   for g, e in ipairs(E) do
-    local S = 0
-    for k, x in ipairs(d) do S = S + x * e ^ k / k end
-    if math.abs(S - mean[g]) > worst then worst, place = math.abs(S - mean[g]), g end
+    local apart = math.abs(loading.stress(d, e) - mean[g])
+    if apart > worst then worst, place = apart, g end
   end
   return ("the polynomial of degree %d that was asked for does not describe the mean: it misses it by up to %.2g %% of the largest stress, at E = %.3g"):format(#d,
     100 * worst / mean[#mean], E[place])
@@ -173,9 +169,7 @@ local function with_misfit(more, operator, E, mean)
   local d, n = applied(operator, mean), #operator
   local all, half = {}, {}
   for g, e in ipairs(E) do
-    local S = 0
-    for k, x in ipairs(d) do S = S + x * e ^ k / k end
-    all[g] = math.abs(mean[g] - S)
+    all[g] = math.abs(mean[g] - loading.stress(d, e))
     half[g] = (2 * g < #E and 1 or -1) * all[g]
   end
   for _, rest in ipairs { all, half } do
@@ -207,18 +201,18 @@ end
 local function flat(n) return fabric.lab.band { specimens = { n }, level = 0.95 } end
 
 -- {value, low, high, covariance} of lists of parameters, whose first ones have the further covariance of the records.
-local function band_of(t, lists, more, common)
-  local n, m, size = #lists, #lists[1], math.floor(math.sqrt(#more) + 0.5)
+local function band_of(t, parameters, more, common)
+  local n, m, size = #parameters, #parameters[1], math.floor(math.sqrt(#more) + 0.5)
   local normal = fabric.lab.normal((1 + t.level) / 2)
   local band, quantile
   if n == 1 then
-    band, quantile = flat(lists[1]), normal
+    band, quantile = flat(parameters[1]), normal
     band.covariance, band.low, band.high = {}, {}, {}
     for i = 1, m do
       for j = 1, m do band.covariance[(i - 1) * m + j] = (differ ^ 2 + t.common ^ 2) * band.value[i] * band.value[j] end
     end
   else
-    band, quantile = fabric.lab.band { specimens = lists, level = t.level, seed = t.seed, draws = t.draws, common = common }, fabric.lab.student((1 + t.level) / 2, n - 1)
+    band, quantile = fabric.lab.band { specimens = parameters, level = t.level, seed = t.seed, draws = t.draws, common = common }, fabric.lab.student((1 + t.level) / 2, n - 1)
   end
   for i = 1, size do
     for j = 1, size do
@@ -272,17 +266,17 @@ function averaged.of(t, curves, earliest)
   if not degree then out.text = out.text .. ("\nno polynomial of degree 2, 4 or 6 describes the mean and its band: %d points of a monotone curve instead"):format(ends) end
   local miss = type(t.degree) == "number" and missed(applied(operator, mean), a.E, mean, near)
   if miss then out.text = out.text .. "\n" .. miss end
-  local lists = {}
+  local parameters = {}
   for i, s in ipairs(a.specimens) do
-    lists[i] = applied(operator, s.S)
-    out.specimens[i] = { loading = degree and table.move(lists[i], 1, #lists[i], 1, {}) or nil, slack = s.slack, slack_low = s.slack_low, slack_high = s.slack_high, reach = s.reach, residual = s.residual }
+    parameters[i] = applied(operator, s.S)
+    out.specimens[i] = { loading = degree and table.move(parameters[i], 1, #parameters[i], 1, {}) or nil, slack = s.slack, slack_low = s.slack_low, slack_high = s.slack_high, reach = s.reach, residual = s.residual }
   end
   function out.complete(unloading)
     local common = {}
-    for i, list in ipairs(lists) do list[#operator + 1] = unloading[i] end
-    for i = 1, #lists[1] do common[i] = t.common end
+    for i, list in ipairs(parameters) do list[#operator + 1] = unloading[i] end
+    for i = 1, #parameters[1] do common[i] = t.common end
     local more = carried(operator, #curves == 1 and a.within or a.common, #a.E)
-    local band = band_of(t, lists, degree and with_misfit(more, operator, a.E, mean) or more, common)
+    local band = band_of(t, parameters, degree and with_misfit(more, operator, a.E, mean) or more, common)
     local loading = table.move(band.value, 1, #operator, 1, {})
     if not degree then
       if not rising(loading) then loading = made_to_rise(loading) end

@@ -16,6 +16,8 @@ local origin = require "fabric.lab.card.origin"
 local check = require "fabric.lab.common.check"
 local effects = require "fabric.lab.card.effects"
 local frames = require "fabric.lab.card.frames"
+local lists = require "fabric.lists"
+local dot = lists.dot
 local angle_of = frames.bias_angle
 local fail = define.fail
 
@@ -42,18 +44,11 @@ local function add(row, spacing, gamma, factor)
 end
 
 local function row_of(size, gamma, e, spacing, knots)
-  local row = {}
-  for k = 1, knots + 1 do row[k] = 0.0 end
+  local row = lists.of(knots + 1, function() return 0.0 end)
   local whole, half = shares(size, gamma, e)
   add(row, spacing, gamma, whole)
   add(row, spacing, gamma / 2, half)
   return row
-end
-
-local function dot(a, b)
-  local sum = 0
-  for k, x in ipairs(a) do sum = sum + x * b[k] end
-  return sum
 end
 
 -- The least-squares knots of the curve for a given edge, every size relative to its own peak; and the sum of squares.
@@ -240,8 +235,7 @@ local function curve_out(state, answer, thickness)
   if not state.given then return out end
   out.deviation = out.deviation or {}
   for k, N in ipairs(answer.found.N) do
-    local variance = 0
-    for _, moved in ipairs(answer.moved) do variance = variance + (moved.N[k] - N) ^ 2 end
+    local variance = lists.sum(answer.moved, function(moved) return (moved.N[k] - N) ^ 2 end)
     out.deviation[k] = math.max(out.deviation[k] or 0, math.sqrt(variance + (state.scatter * N) ^ 2))
   end
   return out
@@ -369,8 +363,7 @@ local function bias_sizes(t)
   local answer = edges_identified and answered(state, most, true) or plain
   local out = { edge = answer.found.edge, edges = false, scatter_assumed = not state.given and usual or nil, specimens = {}, names = table.concat(names, ", ") }
   if edges_identified then
-    local variance = 0
-    for _, moved in ipairs(answer.moved) do variance = variance + (moved.edge - out.edge) ^ 2 end
+    local variance = lists.sum(answer.moved, function(moved) return (moved.edge - out.edge) ^ 2 end)
     out.edge_deviation = math.sqrt(variance)
     out.edge_on_bound = math.abs(out.edge) > 0.99 * most
     out.edges = not out.edge_on_bound and math.abs(out.edge) > believed * out.edge_deviation

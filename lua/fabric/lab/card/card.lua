@@ -3,6 +3,7 @@ local fabric = require "fabric"
 local define = require "fabric.define"
 local filled = require "fabric.lab.card.filled"
 local origin = require "fabric.lab.card.origin"
+local loading = require "fabric.lab.common.loading"
 local fail = define.fail
 
 -- Assumptions for unmeasured values, with the range found for the four supplied cloths (card "blend" and so on).
@@ -72,29 +73,14 @@ local function band_of(fit, unloading, poisson)
 end
 
 -- Largest tangent of a loading curve up to `tested`, the tangent at zero, and the smallest, Pa.
-local function tangents(loading, tested)
-  local steepest, least, first = 0, math.huge, nil
-  if type(loading[1]) == "table" then
-    for i = 2, #loading do
-      local slope = (loading[i][2] - loading[i - 1][2]) / (loading[i][1] - loading[i - 1][1])
-      steepest, least, first = math.max(steepest, slope), math.min(least, slope), first or slope
-    end
-    return steepest, first, least
-  end
-  for i = 0, 50 do
-    local D = 0
-    for k, d in ipairs(loading) do D = D + d * ((tested or 0) * i / 50) ^ (k - 1) end
-    steepest, least = math.max(steepest, D), math.min(least, D)
-  end
-  return steepest, loading[1], least
+local function tangents(curve, tested)
+  local steepest, least, first = loading.tangents(curve, tested or 0, 50)
+  return steepest, first, least
 end
 
 -- The stress of a loading curve at `tested`, Pa.
-local function stress_at(loading, tested)
-  if type(loading[1]) == "table" then return loading[#loading][2] end
-  local S = 0
-  for k, d in ipairs(loading) do S = S + d * (tested or 0) ^ k / k end
-  return S
+local function stress_at(curve, tested)
+  return type(curve[1]) == "table" and curve[#curve][2] or loading.stress(curve, tested or 0)
 end
 
 -- The modulus of yarns that no test has pulled, from the shear: that of the rule, but as stiff as the bias test took them to be. In a pull at

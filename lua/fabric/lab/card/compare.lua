@@ -5,6 +5,7 @@ local check = require "fabric.lab.common.check"
 local curve = require "fabric.lab.common.curve"
 local peaks = require "fabric.lab.common.peaks"
 local windowed = require "fabric.window"
+local lists = require "fabric.lists"
 local fail = define.fail
 
 local labels = { E = "Green-Lagrange strain E", E12 = "shear strain E12", E12_centre = "shear strain E12", displacement = "displacement", S = "second Piola-Kirchhoff stress",
@@ -104,7 +105,7 @@ local function found_slack(xname, x, y)
   local ex, ey = curve.envelope(x, y)
   if #ex < 6 or not (ex[#ex] > 0) then fail(("compare: field 'slack': expected at least 6 rising points to find it, got %d: give a number"):format(#ex)) end
   local scale = xname == "E" and 1 or small / math.max(math.abs(ex[1]), math.abs(ex[#ex]))
-  local found = fabric.lab.backbone { curves = { { E = curve.scaled(ex, scale), S = ey } }, find_slack = true }
+  local found = fabric.lab.backbone { curves = { { E = lists.scaled(ex, scale), S = ey } }, find_slack = true }
   if not found.chosen then fail "compare: field 'slack': no first contact is found in this curve (no polynomial rises from zero): give a number" end
   return math.max(0, found[found.chosen].specimens[1].slack) / scale
 end
@@ -132,8 +133,7 @@ end
 -- are what can be compared.
 local function tears_of(t, out, x, y)
   if not (t.test.by and t.test.peaks) then return end
-  local rows = {}
-  for i = 1, #x do rows[i] = { displacement = x[i], force = y[i] } end
+  local rows = lists.of(#x, function(i) return { displacement = x[i], force = y[i] } end)
   local high = peaks.of(rows, t.test.rise)
   out.tear = { measured = { mean = peaks.mean_force(x, y), mean_of_peaks = peaks[t.test.by](high), peaks = #high },
     simulated = { mean = t.test.mean, mean_of_peaks = t.test.mean_of_peaks, peaks = #t.test.peaks } }

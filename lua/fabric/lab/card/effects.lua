@@ -1,6 +1,6 @@
 -- How tests differ beyond what a model explains, learned from the tests and applied to one that was not made (fabric.lab.pool, fabric.lab.bias_sizes).
 --
--- What a test shows beside the model, over its scale (the predicted value itself, or one that is given), is a smooth function of the abscissa x,
+-- The deviation of a test from the model, over its scale (the predicted value itself, or one that is given), is a smooth function of the abscissa x,
 -- here c_1 + c_2 x + c_3 (3 x^2 - 1)/2 with x from -1 to 1 over all tests. A laboratory, a size, a direction, an angle and a specimen each have a function of
 -- their own, drawn from a common distribution (random effects [kennedy2001]; of a curve, a Gaussian process with three modes):
 --
@@ -9,10 +9,11 @@
 -- X b: a function common to all tests, which is found by least squares, and what other parameters of the model would have explained. These stay as they were fitted
 -- and count with their uncertainty: moved to where these modes would have them, they would leave the range in which the model is linear. s^2 has the prior 1/s^2
 -- and drops out as Student's t; the shares and the roughness r_2, r_3 are averaged over a grid by their restricted likelihood [patterson1971], half widths of
--- bands in their logarithm. What the tests cannot separate, such as two sizes from two laboratories, so stays open in the answer. With as many
+-- bands in their logarithm. Effects that the tests cannot separate, such as two sizes from two laboratories, so stay open in the answer. With as many
 -- parameters as the tests have modes nothing is left to learn from: `freedom` is 0.
 local fabric = require "fabric"
 local linear = require "fabric.lab.common.linear"
+local dot = require("fabric.lists").dot
 local effects = {}
 
 local modes = 3
@@ -21,12 +22,6 @@ local least_share = 0.02  -- of the specimen itself, below which the others cann
 local dependent = 1e-3    -- of a column: below it the columns before it explain it
 local ridge = 1e-4        -- of a mode's own square, for tests that cover only a part of x
 local parts = { 8, 4, 3 } -- of the grid of shares, by their number less one
-
-local function dot(a, b)
-  local sum = 0
-  for k, x in ipairs(a) do sum = sum + x * b[k] end
-  return sum
-end
 
 local function modes_at(state, x)
   local s = (2 * x - state.low - state.high) / (state.high - state.low)
@@ -70,11 +65,11 @@ local function columns_of(rows, inverse, test)
 end
 
 -- Independent combinations of the tests' columns (Gram and Schmidt), each a list along all tests; how to make those of another test of its columns.
-local function combinations(lists)
+local function combinations(columns)
   local bases = {}
-  for j = 1, #lists[1] do
+  for j = 1, #columns[1] do
     local column = {}
-    for _, own in ipairs(lists) do table.move(own[j], 1, modes, #column + 1, column) end
+    for _, own in ipairs(columns) do table.move(own[j], 1, modes, #column + 1, column) end
     local length = math.sqrt(dot(column, column))
     for _, q in ipairs(bases) do
       q.part[j] = dot(column, q.values)
@@ -189,7 +184,7 @@ local function grid_of(state)
   return out
 end
 
--- What a point of the grid says of a new test: the mean of its coefficients and their covariance.
+-- Prediction of a new test by a point of the grid: the mean of its coefficients and their covariance.
 local function of_new(state, point, labels, columns)
   local n, like, mean, V = #state.tests, {}, {}, linear.zeros(modes)
   local total, D = 0, {}
@@ -311,11 +306,11 @@ function effects.learn(tests, groups, level)
     for _, x in ipairs(test.x) do state.low, state.high = math.min(state.low, x), math.max(state.high, x) end
   end
   sort_groups(state, groups)
-  local lists, size = {}, { 0, 0, 0 } -- sums of the squares of the modes times the scale
+  local columns, size = {}, { 0, 0, 0 } -- sums of the squares of the modes times the scale
   for i, test in ipairs(tests) do
     local rows, inverse = rows_of(state, test.x, test.scale)
     local c, sum, largest = projected(rows, inverse, test.rest), 0, 0
-    lists[i] = columns_of(rows, inverse, test)
+    columns[i] = columns_of(rows, inverse, test)
     table.move(c, 1, modes, #state.seen + 1, state.seen)
     for _, row in ipairs(rows) do
       for k = 1, modes do size[k] = size[k] + row[k] ^ 2 end
@@ -323,7 +318,7 @@ function effects.learn(tests, groups, level)
     for k, row in ipairs(rows) do sum, largest = sum + (test.rest[k] - dot(row, c)) ^ 2, math.max(largest, math.abs(test.scale[k])) end
     state.rest = state.rest + sum / #rows / largest ^ 2 / #tests
   end
-  state.bases = combinations(lists)
+  state.bases = combinations(columns)
   state.freedom = modes * #tests - #state.bases
   state.moved, state.unexplained = {}, table.move(state.seen, 1, #state.seen, 1, {})
   for j, base in ipairs(state.bases) do
@@ -347,7 +342,7 @@ function effects.learn(tests, groups, level)
   return state
 end
 
--- What was learned, in words.
+-- The effects in words.
 function effects.text(learned)
   if learned.freedom < 1 then return "bands: none, " .. learned.reason end
   local words = ("bands: a new specimen differs by %.3g %% (deviation, %d degrees of freedom)"):format(100 * learned.deviation, learned.freedom)

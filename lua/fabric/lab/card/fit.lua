@@ -4,6 +4,7 @@ local define = require "fabric.define"
 local kernels = require "fabric.kernels"
 local check = require "fabric.lab.common.check"
 local curve = require "fabric.lab.common.curve"
+local loading = require "fabric.lab.common.loading"
 local origin = require "fabric.lab.card.origin"
 local averaged = require "fabric.lab.card.averaged_fit"
 local fail = define.fail
@@ -86,11 +87,15 @@ local function parameter_lists(chosen, unloading)
   return lists
 end
 
-local function with_polynomial(out, chosen, t)
-  local lists = parameter_lists(chosen, out.unloading_of)
+local function band_of(lists, t)
   local common = {}
   for i = 1, #lists[1] do common[i] = t.common end
-  local band = fabric.lab.band { specimens = lists, level = t.level, seed = t.seed, draws = t.draws, common = common }
+  return fabric.lab.band { specimens = lists, level = t.level, seed = t.seed, draws = t.draws, common = common }
+end
+
+local function with_polynomial(out, chosen, t)
+  local lists = parameter_lists(chosen, out.unloading_of)
+  local band = band_of(lists, t)
   out.loading = table.move(band.value, 1, chosen.degree, 1, {})
   out.degree, out.band, out.specimens = chosen.degree, band, chosen.specimens
   out.tested = math.huge
@@ -118,7 +123,7 @@ end
 
 -- The band of a curve of points: the stresses of the specimens at its strains, where every specimen reaches the last; with their unloading, as of a polynomial.
 local function band_of_points(out, curves, t)
-  local lists, common = {}, {}
+  local lists = {}
   for i, points in ipairs(curves) do
     local E, S = curve.envelope(points.E, points.S)
     table.insert(E, 1, 0.0)
@@ -128,8 +133,7 @@ local function band_of_points(out, curves, t)
       if point[1] > 0 then lists[i][#lists[i] + 1] = curve.interpolate(E, S, point[1]) or curve.interpolate(E, S, math.min(point[1], E[#E])) end
     end
   end
-  for i = 1, #lists[1] do common[i] = t.common end
-  local band = fabric.lab.band { specimens = lists, level = t.level, seed = t.seed, draws = t.draws, common = common }
+  local band = band_of(lists, t)
   local place = 0
   for _, point in ipairs(out.loading) do
     if point[1] > 0 then
@@ -162,12 +166,7 @@ end
 -- Cloth unloads more steeply than it loads; a flatter unloading indicates noise, or a hold in the record.
 local function check_unloading(out)
   if not out.unloading or not out.degree then return end
-  local steepest = 0
-  for i = 0, 50 do
-    local D = 0
-    for k, d in ipairs(out.loading) do D = D + d * (out.tested * i / 50) ^ (k - 1) end
-    steepest = math.max(steepest, D)
-  end
+  local steepest = loading.tangents(out.loading, out.tested, 50)
   if out.unloading < steepest then
     fabric.warn(("fit: the unloading modulus found, %.4g MPa, is below the loading tangent, %.4g MPa: check the reversal (a hold? noise? rule=\"robust\")"):format(
       out.unloading / 1e6, steepest / 1e6))
@@ -198,7 +197,7 @@ local function cut_of(out)
     counted(out.tests), out.degree and "D(0)" or ("%d of %d points"):format(below, count), 100 * out.level)
 end
 
--- What no record of a pull shows, and the band therefore does not hold: the give of machine and jaws, where none was taken off.
+-- An error that no record of a pull shows, and the band therefore does not hold: the give of machine and jaws, where none was taken off.
 local give = 1e-7 -- m/N
 local function not_in_band(t)
   local most, seen = 0, false
@@ -266,7 +265,7 @@ local function fit(t)
   if #known < #t.tests then
     out.unloading_of = {}
     if #known > 1 then
-      out.unloading_band = fabric.lab.band { specimens = known, level = t.level, seed = t.seed, draws = t.draws, common = { t.common } }
+      out.unloading_band = band_of(known, t)
     end
   end
   if chosen then with_polynomial(out, chosen, t) end

@@ -2,7 +2,7 @@
 local fabric = require "fabric"
 local define = require "fabric.define"
 local checks = require "fabric.lab.common.check"
-local rows = require "fabric.lab.common.rows"
+local lists = require "fabric.lists"
 local soft_yarns = require "fabric.lab.card.soft_yarns"
 
 local quarter = math.pi / 4
@@ -67,7 +67,7 @@ local sides = {
 
 define {
   name = "fabric.lab.picture_frame",
-  arguments = rows({
+  arguments = lists.joined({
     { name = "displacement", kind = "numbers", unit = "m", sentence = "of the crosshead along the diagonal" },
     { name = "force", kind = "numbers", unit = "N", optional = true, sentence = "less that of the empty frame" },
     { name = "card", of = "card", optional = true, sentence = "instead of the force: what the frame would show" },

@@ -15,6 +15,7 @@ local function crossing(xs, ys, x, first, last)
   end
 end
 
+-- Places of the largest and the smallest value.
 local function extremes(xs)
   local high, low = 1, 1
   for i, x in ipairs(xs) do
@@ -24,7 +25,8 @@ local function extremes(xs)
   return high, low
 end
 
--- On the positive side of a cycle 0, +, -, (0 or +): the loading slope between a and b, and the loop's height at each of `widths`.
+-- On the positive side of a cycle 0, +, -, (0 or +): the loading slope between a and b, and the loop's height at each of `widths`. Errors
+-- name the call (`what`) and its fields of xs and ys (`field`, `other`).
 local function loop(xs, ys, a, b, widths, what, field, other)
   if #xs ~= #ys then define.fail(("%s: field '%s': expected %d numbers, one per %s, got %d"):format(what, other, #xs, field, #ys)) end
   local high, low = extremes(xs)
@@ -235,7 +237,7 @@ end
 
 -- Elastic shear with a friction that increases (or decreases) with the angle: straight lines in E12 with the slope D and the limit Y0
 -- + Y1 E12. The three measured numbers determine D, Y0 and Y1; the friction is reached within a quarter of a degree.
-local function rubbing_of(k, thickness)
+local function shear_with_friction(k, thickness)
   local function strain(degrees) return math.sin(math.rad(degrees)) / 2 end
   local function stress(number, degrees) return number * gf / cm / (thickness * math.cos(math.rad(degrees))) end
   local near, far, reach = strain(0.5), strain(5), strain(8)
@@ -261,7 +263,7 @@ end
 -- A straight backbone of slope D (tensor) cycled to the E12 of 8 degrees, for data with 2HG only: one unloading modulus determines
 -- the loop. Returns the part, its reach, and its description in words.
 local function shear_of(k, thickness)
-  if k["2HG5"] then return rubbing_of(k, thickness) end
+  if k["2HG5"] then return shear_with_friction(k, thickness) end
   local D = 2 * k.G * gf / cm * math.deg(1) / thickness
   local function strain(degrees) return math.sin(math.rad(degrees)) / 2 end
   local function stress(number) return number * gf / cm / thickness end

@@ -9,7 +9,8 @@ local check = require "fabric.lab.common.check"
 local curve = require "fabric.lab.common.curve"
 local linear = require "fabric.lab.common.linear"
 local origin = require "fabric.lab.card.origin"
-local stress_of = require("fabric.lab.common.loading").stress
+local loading = require "fabric.lab.common.loading"
+local lists = require "fabric.lists"
 local fail = define.fail
 
 local strands = 6
@@ -55,17 +56,17 @@ end
 -- --- the record ---
 
 -- The stress at the largest strain so far and its deviation: the fitted curve, times what the last rows of virgin loading are of it.
-local function peak_of(E, S, loading)
+local function peak_of(E, S, card_curve)
   local n, first = #E, #E
   while first > 1 and (n - first < 4 or E[first - 1] > near_peak * E[n]) do first = first - 1 end
   local both, squares = 0, 0
   for k = first, n do
-    local P = stress_of(loading, E[k])
+    local P = loading.stress(card_curve, E[k])
     both, squares = both + S[k] * P, squares + P * P
   end
   local ratio, rest = both / squares, 0
-  for k = first, n do rest = rest + (S[k] - ratio * stress_of(loading, E[k])) ^ 2 end
-  local P = stress_of(loading, E[n])
+  for k = first, n do rest = rest + (S[k] - ratio * loading.stress(card_curve, E[k])) ^ 2 end
+  local P = loading.stress(card_curve, E[n])
   return ratio * P, P * math.sqrt(rest / math.max(n - first, 1) / squares)
 end
 
@@ -93,7 +94,7 @@ local function rows_of(E, S, sign, P)
 end
 
 -- The ways back and up again of a test, in their order; nil if there are none.
-local function legs_of(test, slack, loading)
+local function legs_of(test, slack, card_curve)
   local stretch, legs, virgin, m, P, deviation = 1 + slack, {}, { E = {}, S = {} }, nil, nil, nil
   local stop = test.failure or #test.E
   local rows, peak, unloads = 0, 0, false
@@ -109,7 +110,7 @@ local function legs_of(test, slack, loading)
     elseif branch.kind ~= "hold" and #virgin.E >= 3 and #E > 0 then
       if not m then
         m = virgin.E[#virgin.E]
-        P, deviation = peak_of(virgin.E, virgin.S, loading)
+        P, deviation = peak_of(virgin.E, virgin.S, card_curve)
       end
       if m > 0 and P > 0 then
         local down = branch.kind == "unloading"
@@ -147,11 +148,7 @@ local function residuals(specimen, p)
   return out
 end
 
-local function squares(list)
-  local sum = 0
-  for _, x in ipairs(list) do sum = sum + x * x end
-  return sum
-end
+local function squares(list) return lists.dot(list, list) end
 
 -- Root mean squares {all, unloading}, of the largest peak.
 local function rms_of(specimen, p)
@@ -173,9 +170,7 @@ local function best_line(specimen, start, least)
   local found = kernels.least_squares {
     start = { math.max(1, least / start) }, low = { math.max(0.2, least / start) }, high = { math.max(10, 2 * least / start) },
     evaluate = function(points)
-      local out = {}
-      for i, p in ipairs(points) do out[i] = residuals(specimen, with_unloading(straight, p[1] * start)) end
-      return out
+      return lists.map(points, function(p) return residuals(specimen, with_unloading(straight, p[1] * start)) end)
     end,
   }
   return with_unloading(straight, found.x[1] * start)
@@ -196,9 +191,7 @@ local function best_loop(specimen, start, least, initial)
     local found = kernels.least_squares {
       start = x, low = low, high = high,
       evaluate = function(points)
-        local out = {}
-        for i, y in ipairs(points) do out[i] = residuals(specimen, parameters(y, start, initial)) end
-        return out
+        return lists.map(points, function(y) return residuals(specimen, parameters(y, start, initial)) end)
       end,
     }
     local chi2 = squares(found.residuals)
@@ -214,9 +207,7 @@ local function best_loop(specimen, start, least, initial)
     local found = kernels.least_squares {
       start = { x[1], x[2], x[4] }, low = { low[1], low[2], low[4] }, high = { high[1], high[2], high[4] },
       evaluate = function(points)
-        local out = {}
-        for i, y in ipairs(points) do out[i] = residuals(specimen, parameters({ y[1], y[2], reach, y[3] }, start, initial)) end
-        return out
+        return lists.map(points, function(y) return residuals(specimen, parameters({ y[1], y[2], reach, y[3] }, start, initial)) end)
       end,
     }
     local y = found.x
@@ -284,7 +275,7 @@ local function covariance(specimen, p)
   local normal = linear.zeros(#free)
   for i = 1, #free do
     for j = 1, #free do
-      for k = 1, #rest do normal[i][j] = normal[i][j] + columns[i][k] * columns[j][k] end
+      normal[i][j] = lists.dot(columns[i], columns[j])
     end
   end
   local alike = likeness(rest)
@@ -294,12 +285,7 @@ local function covariance(specimen, p)
     for j, b in ipairs(free) do out[a][b] = variance * inverse[i][j] end
   end
   for _, peak in ipairs(by_peak(specimen, p)) do
-    local right = {}
-    for i = 1, #free do
-      right[i] = 0
-      for k = 1, #rest do right[i] = right[i] + columns[i][k] * peak[k] end
-    end
-    local shift = linear.solve(normal, right)
+    local shift = linear.solve(normal, lists.map(columns, function(column) return lists.dot(column, peak) end))
     for i, a in ipairs(free) do
       for j, b in ipairs(free) do out[a][b] = out[a][b] + shift[i] * shift[j] end
     end
@@ -335,38 +321,19 @@ local function pays(specimen, line, loop)
 end
 
 -- Steepest tangent of the loading curve up to the tested strain, and the one at zero, Pa.
-local function tangents(loading, tested)
-  local steepest, initial = 0, nil
-  if type(loading[1]) == "table" then
-    for i = 2, #loading do
-      local slope = (loading[i][2] - loading[i - 1][2]) / (loading[i][1] - loading[i - 1][1])
-      steepest, initial = math.max(steepest, slope), initial or slope
-    end
-    return 1.05 * steepest, initial -- between points the curve is a little steeper than their secant
-  end
-  for i = 0, 100 do
-    local D = 0
-    for k, d in ipairs(loading) do D = D + d * (tested * i / 100) ^ (k - 1) end
-    steepest = math.max(steepest, D)
-  end
-  return steepest, loading[1]
+local function tangents(card_curve, tested)
+  local steepest, _, initial = loading.tangents(card_curve, tested, 100)
+  return (type(card_curve[1]) == "table" and 1.05 or 1) * steepest, initial -- between points the curve is a little steeper than their secant
 end
 
 -- --- the answer ---
 
-local function mean(list)
-  local sum = 0
-  for _, x in ipairs(list) do sum = sum + x end
-  return sum / #list
-end
-
 -- Values and bands of all four numbers: over specimens, or of a single one by its noise.
 local function banded(out, found, t)
-  local lists = {}
-  for i, f in ipairs(found) do lists[i] = { f.loop.unloading, f.loop.friction, f.loop.reach, f.loop.curve } end
+  local numbers = lists.map(found, function(f) return { f.loop.unloading, f.loop.friction, f.loop.reach, f.loop.curve } end)
   out.low, out.high = {}, {}
   if #found > 1 then
-    local band = fabric.lab.band { specimens = lists, level = t.level, seed = t.seed }
+    local band = fabric.lab.band { specimens = numbers, level = t.level, seed = t.seed }
     for i, name in ipairs(names) do
       out.values[name], out.low[name], out.high[name] = band.value[i], band.low[i], band.high[i]
     end
@@ -375,7 +342,7 @@ local function banded(out, found, t)
     local cov, quantile = covariance(found[1].specimen, found[1].loop), fabric.lab.student(0.5 + t.level / 2, math.max(found[1].specimen.rows - 4, 1))
     for i, name in ipairs(names) do
       local half = quantile * math.sqrt(cov[name][name])
-      out.values[name], out.low[name], out.high[name] = lists[1][i], lists[1][i] - half, lists[1][i] + half
+      out.values[name], out.low[name], out.high[name] = numbers[1][i], numbers[1][i] - half, numbers[1][i] + half
     end
     along_valley(found[1].specimen, found[1].loop, math.sqrt(cov.reach.reach), quantile, function(at)
       for _, name in ipairs(names) do
@@ -513,16 +480,14 @@ local function loops(t)
   if #found == 0 then nothing_let_go(#tests) end
   for kind in pairs(rms) do
     for _, part in ipairs { "all", "unloading" } do
-      local sum = 0
-      for _, f in ipairs(found) do sum = sum + f.rms[kind][part] ^ 2 / #found end
+      local sum = lists.sum(found, function(f) return f.rms[kind][part] ^ 2 / #found end)
       rms[kind][part] = math.sqrt(sum)
     end
   end
   local out = { values = {}, rms = rms, tests = #tests, specimens = fit.specimens, loading = fit.loading, degree = fit.degree, tested = fit.tested,
     level = t.level, rule = fit.unloading, curves = curves_of(found) }
-  local lines = {}
-  for i, f in ipairs(found) do lines[i] = f.line.unloading end
-  out.line = mean(lines)
+  local lines = lists.map(found, function(f) return f.line.unloading end)
+  out.line = lists.mean(lines)
   out.rule = out.rule or out.line
   banded(out, found, t)
   out.curved = worth > #found / 2 and rms.straight.all > t.enough

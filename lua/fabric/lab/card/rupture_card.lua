@@ -11,22 +11,17 @@ local define = require "fabric.define"
 local check = require "fabric.lab.common.check"
 local peaks = require "fabric.lab.common.peaks"
 local iso = require "fabric.lab.record.breaking_standards"["ISO 13934-1"]
+local lists = require "fabric.lists"
 local mm = fabric.units.mm
 local fail = define.fail
 
 local variance = 0.608 -- of ln m, times the number of strips
 local far = 1.96      -- standard deviations of a band of 95 %
 
-local function mean(list)
-  local sum = 0
-  for _, x in ipairs(list) do sum = sum + x end
-  return sum / #list
-end
-
 -- Band of 95 % of the mean of a list, by Student's t; nil of one value.
 local function band(list)
   if #list < 2 then return end
-  local middle, sum = mean(list), 0
+  local middle, sum = lists.mean(list), 0
   for _, x in ipairs(list) do sum = sum + (x - middle) ^ 2 end
   local half = fabric.lab.student(0.975, #list - 1) * math.sqrt(sum / (#list - 1) / #list)
   return { middle - half, middle + half }
@@ -37,7 +32,7 @@ local function modulus(list)
   local top, logs = 0, {}
   for _, f in ipairs(list) do top = math.max(top, f) end
   for i, f in ipairs(list) do logs[i] = math.log(f / top) end
-  local middle = mean(logs)
+  local middle = lists.mean(logs)
   if middle > -1e-9 then return end
   local function excess(m)
     local sum, weighted = 0, 0
@@ -102,9 +97,8 @@ end
 local function strength(part, name)
   local forces, left_out = counted(part.strips, name)
   if #forces == 0 then fail(("rupture: field '%s.strips': expected at least one strip, got none"):format(name)) end
-  local list = {}
-  for i, f in ipairs(forces) do list[i] = f / part.width end
-  local out = { strength = mean(list), strengths = list, left_out = left_out, bands = {} }
+  local list = lists.map(forces, function(f) return f / part.width end)
+  local out = { strength = lists.mean(list), strengths = list, left_out = left_out, bands = {} }
   out.bands.strength = band(list)
   if #list > 1 then
     out.modulus = modulus(list)
@@ -133,10 +127,9 @@ local function energy(part, name)
     fail(("rupture: field '%s': expected either tears (records or mean forces) or energy in J/m, got %s"):format(name, part.tears and "both" or "neither"))
   end
   if part.energy then return part.energy, nil, "assumed: energy given by the deck" end
-  local forces = {}
-  for i, tear in ipairs(part.tears) do forces[i] = tear_force(tear, ("%s.tears[%d]"):format(name, i)) end
+  local forces = lists.map(part.tears, function(tear, i) return tear_force(tear, ("%s.tears[%d]"):format(name, i)) end)
   if #forces == 0 then fail(("rupture: field '%s.tears': expected at least one, got none"):format(name)) end
-  return 2 * mean(forces), mean(forces), ("energy twice the mean force of %d tear%s"):format(#forces, #forces == 1 and "" or "s"), band(forces)
+  return 2 * lists.mean(forces), lists.mean(forces), ("energy twice the mean force of %d tear%s"):format(#forces, #forces == 1 and "" or "s"), band(forces)
 end
 
 local specimen = { h = 2.5 * mm, width = 30 * mm, leg = 25 * mm, tear = 30 * mm }
@@ -190,8 +183,7 @@ local function run(t)
       given[name] = { strength = found.strength, energy = found.energy }
     end
   end
-  local provenance = {}
-  for field, words in pairs(t.card.provenance or {}) do provenance[field] = words end
+  local provenance = lists.copy(t.card.provenance or {})
   for name in pairs(given) do provenance["rupture." .. name] = result[name].words end
   result.card = t.card:with { rupture = given, provenance = provenance }
   return result

@@ -3,6 +3,7 @@ local fabric = require "fabric"
 local define = require "fabric.define"
 local curve = require "fabric.lab.common.curve"
 local check = require "fabric.lab.common.check"
+local lists = require "fabric.lists"
 local fail = define.fail
 
 -- Mean stress of a specimen in each of n equal bins of strain up to `reach`; interpolated where a bin has no row.
@@ -121,8 +122,7 @@ local function spread(t)
     reach = math.min(reach, points[i].E[#points[i].E] or 0)
   end
   if not (reach > 0) then fail "spread: field 'tests': expected specimens that were all stretched" end
-  local values = {}
-  for i, loading in ipairs(loadings) do values[i] = binned(loading, points[i], reach, t.points) end
+  local values = lists.map(loadings, function(loading, i) return binned(loading, points[i], reach, t.points) end)
   local out = { E = {}, S = {}, deviation = {}, low = {}, high = {}, next_low = {}, next_high = {}, level = t.level, reach = reach, specimens = #t.tests }
   for k = 1, t.points do
     local mean, s, n = moments(values, k)
@@ -134,8 +134,7 @@ local function spread(t)
     end
   end
   out.left_out, out.least_like = left_out(values, t.points, t.level, reach)
-  local sum = 0
-  for _, part in ipairs(out.left_out) do sum = sum + part end
+  local sum = lists.sum(out.left_out)
   out.coverage = sum / #out.left_out
   out.unlike = unlike(values, t.points, t.level)
   local last = #out.E

@@ -13,19 +13,14 @@ local check = require "fabric.lab.common.check"
 local linear = require "fabric.lab.common.linear"
 local origin = require "fabric.lab.card.origin"
 local bias_angle = require "fabric.lab.card.frames".bias_angle
-local fail = define.fail
+local lists = require "fabric.lists"
+local dot, fail = lists.dot, define.fail
 
 local blocks, per_decade, rounds = 150, 12, 4
 local apart, parts = 1.5, 8 -- speeds that differ by this factor are two; parts of a test's time over which its own speed is taken
 local turned = 0.01 -- of the largest strain: a way back by less is noise of the reading
 local usual_scatter, bent = 0.04, 0.5
 local other_limits, least_rows = { 10, 20, 30 }, 12 -- degrees within which the conclusion must be the same; rows of a test that counts
-
-local function dot(a, b)
-  local sum = 0
-  for k, x in ipairs(a) do sum = sum + x * b[k] end
-  return sum
-end
 
 -- --- a test as rows: measured = sum over zones of weight * (P(E) + modulus a(E)) ---
 
@@ -225,7 +220,7 @@ local function basis_of(state, test)
   end
 end
 
--- What relaxes in each block for a modulus of one.
+-- The relaxing stress in each block for a modulus of one.
 local function relaxing(test, time)
   local out = {}
   for i = 1, #test.blocks do out[i] = 0.0 end
@@ -245,20 +240,12 @@ end
 
 -- --- least squares with specimens that differ ---
 
--- A list without its correlation along a direction: covariance 1 + variance u u^T, whose root is taken off.
-local function without(list, u, square, variance)
-  if variance == 0 or square == 0 then return list end
-  local part, out = (1 - 1 / math.sqrt(1 + variance * square)) * dot(u, list) / square, {}
-  for k, x in ipairs(list) do out[k] = x - part * u[k] end
-  return out
-end
-
 -- A list over the noise and without what correlates the rows of a specimen: its own factor, and one that varies from end to end.
 local function whitened(state, test, list)
   local out = {}
   for k, x in ipairs(list) do out[k] = x / test.sigma[k] end
-  out = without(out, test.along, test.along_square, state.scatter ^ 2)
-  return without(out, test.across, test.across_square, (bent * state.scatter) ^ 2)
+  out = linear.whitened(out, test.along, state.scatter ^ 2, test.along_square)
+  return linear.whitened(out, test.across, (bent * state.scatter) ^ 2, test.across_square)
 end
 
 -- Normal equations of the elastic curve, and the right side.
@@ -275,12 +262,11 @@ local function prepare(state)
       test.across[k] = test.along[k] * (2 * block.E / (state.spacing * state.knots) - 1)
     end
     test.along_square = dot(test.along, test.along)
-    test.across = without(test.across, test.along, test.along_square, state.scatter ^ 2)
+    test.across = linear.whitened(test.across, test.along, state.scatter ^ 2, test.along_square)
     test.across_square = dot(test.across, test.across)
     test.columns = {}
     for j = 1, n do
-      local column = {}
-      for k, block in ipairs(test.blocks) do column[k] = block.basis[j] end
+      local column = lists.map(test.blocks, function(block) return block.basis[j] end)
       test.columns[j] = whitened(state, test, column)
     end
     local y = {}
@@ -389,7 +375,7 @@ local function factor_of(test, rising)
   return square > 0 and along / square or 0
 end
 
--- What is left of a specimen's residuals, over its peak and for one row, when its own factor and that from end to end are taken off.
+-- A specimen's residuals, over its peak and for one row, without its own factor and that from end to end.
 local function own_rest(state, test)
   local aa, ab, bb, ra, rb = 1e-300, 0, 1e-300, 0, 0
   local function across(k) return test.predicted[k] * (2 * test.blocks[k].E / (state.spacing * state.knots) - 1) end
@@ -407,7 +393,7 @@ local function own_rest(state, test)
   return out
 end
 
--- What differs within specimens: noise, and how much neighbours are alike.
+-- Differences within specimens: noise, and how much neighbours are alike.
 local function noise_of(state)
   local squares, freedom, together, apart = 0, -(state.knots + 3), 0, 0
   for _, test in ipairs(state.tests) do
@@ -445,8 +431,7 @@ local function find_scatter(state)
   if state.given then return end
   local squares, freedom = 0, 0
   for _, g in ipairs(state.groups) do
-    local mean = 0
-    for _, test in ipairs(g) do mean = mean + factor_of(test) / #g end
+    local mean = lists.sum(g, function(test) return factor_of(test) / #g end)
     for _, test in ipairs(g) do squares = squares + (factor_of(test) - mean) ^ 2 end
     freedom = freedom + #g - 1
   end
@@ -468,8 +453,7 @@ local function speeds_of(state)
   local slow, fast = ends_of(state)
   if not slow then return end
   local function mean(g)
-    local sum = 0
-    for _, test in ipairs(g) do sum = sum + factor_of(test, true) / #g end
+    local sum = lists.sum(g, function(test) return factor_of(test, true) / #g end)
     return 1 + sum
   end
   local ratio = mean(fast) / mean(slow)
@@ -546,8 +530,7 @@ local function bands_of(state, profile, best)
       one(at_time(state, inside(p) and low or high))
     end
   end
-  local informative = {}
-  for _, p in ipairs(profile) do informative[#informative + 1] = p.weight > 0 and p or nil end
+  local informative = lists.collect(profile, function(p) return p.weight > 0 and p or nil end)
   out.open_below, out.open_above = inside(informative[1]), inside(informative[#informative])
   return out
 end

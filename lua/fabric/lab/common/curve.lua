@@ -40,12 +40,6 @@ function curve.loading(test, upto)
   return { E = E, S = S }
 end
 
-function curve.scaled(values, factor)
-  local out = {}
-  for i, v in ipairs(values) do out[i] = v * factor end
-  return out
-end
-
 -- Strain and stress relative to first contact, the stretch at which the specimen becomes taut.
 function curve.from_contact(E, S, stretch) return ((1 + 2 * E) / stretch ^ 2 - 1) / 2, S * stretch end
 

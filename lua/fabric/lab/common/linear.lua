@@ -1,4 +1,5 @@
 -- Small symmetric positive definite matrices as lists of rows, for covariances of a few parameters.
+local lists = require "fabric.lists"
 local linear = {}
 
 function linear.zeros(n)
@@ -57,6 +58,26 @@ function linear.log_determinant(A)
   local sum = 0
   for i = 1, #A do sum = sum + 2 * math.log(L[i][i] / scale[i]) end
   return sum
+end
+
+-- A B
+function linear.product(A, B)
+  local out = linear.zeros(#A)
+  for i = 1, #A do
+    for j = 1, #A do
+      for k = 1, #A do out[i][j] = out[i][j] + A[i][k] * B[k][j] end
+    end
+  end
+  return out
+end
+
+-- A list without its correlation along a direction: its covariance is 1 + variance u u^T, and it is multiplied by the inverse square root of that.
+function linear.whitened(list, u, variance, square)
+  square = square or lists.dot(u, u)
+  if variance == 0 or square == 0 then return list end
+  local part, out = (1 - 1 / math.sqrt(1 + variance * square)) * lists.dot(u, list) / square, {}
+  for k, x in ipairs(list) do out[k] = x - part * u[k] end
+  return out
 end
 
 -- x^T A x

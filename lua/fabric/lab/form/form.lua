@@ -19,6 +19,7 @@ local profile = require "fabric.lab.form.profile"
 local sheet = require "fabric.lab.virtual.sheet"
 local tools = require "fabric.rigid.tools"
 local yarns = require "fabric.lab.form.yarns"
+local lists = require "fabric.lists"
 local mm = fabric.units.mm
 
 local largest = 5         -- m: longer tools, blanks and strokes are in mm
@@ -60,15 +61,9 @@ local function blank_of(t)
   return t.blank[1], t.blank[2]
 end
 
-local function copy(given)
-  local out = {}
-  for k, v in pairs(given) do out[k] = v end
-  return out
-end
-
 -- A tool that is set off inwards (a punch: off > 0) or outwards (an opening) by what contact keeps more than cloth is thick.
 local function set_off(given, off)
-  local out = copy(given)
+  local out = lists.copy(given)
   local function add(name, by) if out[name] then out[name] = out[name] + by end end
   add("radius", off)
   add("corner", off)
@@ -87,8 +82,7 @@ end
 
 -- Polar radius of an outline at an angle.
 local function polar(points)
-  local list = {}
-  for i, p in ipairs(points) do list[i] = { math.atan(p[2], p[1]), math.sqrt(p[1] ^ 2 + p[2] ^ 2) } end
+  local list = lists.map(points, function(p) return { math.atan(p[2], p[1]), math.sqrt(p[1] ^ 2 + p[2] ^ 2) } end)
   table.sort(list, function(a, b) return a[1] < b[1] end)
   return function(angle)
     for i = 1, #list do
@@ -166,13 +160,13 @@ end
 -- Facets of a tool as it is, before it is set off.
 local function mesh_of(given, make, call)
   if given.tool then return given.tool.mesh end
-  local plain = copy(given)
+  local plain = lists.copy(given)
   plain.facing, plain.outer = "up", plain.outer or given.reach
   local mesh = select(2, make(plain, call))
   return type(mesh) == "function" and mesh() or mesh
 end
 
--- What a die does not tell: the edge first, on which the distance of contact depends, and then the opening, which depends on that.
+-- Completes a die: the edge first, on which the distance of contact depends, and then the opening, which depends on that.
 local function complete(t, thick)
   local punch, die = t.punch, t.die
   if punch.shape == "file" or die.shape == "file" then
@@ -211,7 +205,7 @@ local function prepare(t)
   if elements > most_elements then
     fail("cells", ("expected at most %.2g elements in all plies, got %.3g: fewer cells along the longer side, or fewer plies"):format(most_elements, elements))
   end
-  t.punch, t.die = copy(t.punch), copy(t.die or {})
+  t.punch, t.die = lists.copy(t.punch), lists.copy(t.die or {})
   check_holder(t.holder)
   if t.weft_friction and not (t.friction > 0 and (t.ply_friction or t.friction) > 0) then
     fail("weft_friction", ("expected with friction and ply_friction above 0, got %.4g and %.4g"):format(t.friction, t.ply_friction or t.friction))
@@ -221,7 +215,7 @@ local function prepare(t)
   check_tool("punch", t.punch)
   check_tool("die", t.die)
   if t.die.file and t.holder and not t.holder.file then fail("holder.file", "expected a file, as the die is one") end
-  t.holder = t.holder and copy(t.holder)
+  t.holder = t.holder and lists.copy(t.holder)
   for _, field in ipairs { "punch", "die", "holder" } do
     local given = t[field]
     if given and given.file then given.tool, given.shape = files.load(field, given, field == "die" and 1 or -1), "file" end
@@ -321,7 +315,7 @@ end
 local function add_holder(t, m, top, ramp, mass, share)
   local h = t.holder
   if not h then return end
-  local given = copy(t.die_body)
+  local given = lists.copy(t.die_body)
   given.facing, given.name = "down", "holder"
   local thick = kernels.free_thickness(t.card)
   local z = top + t.contact / 2 + (h.gap and h.gap - #t.stack * thick or 0)

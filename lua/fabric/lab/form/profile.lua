@@ -1,4 +1,4 @@
--- What is different in fabric.lab.form where the tools are those of an L or a Z profile.
+-- The part of fabric.lab.form for tools of an L or a Z profile.
 --
 -- The sharp corner of the die's face and wall lies at x = 0. The punch moves along z alone, so that its wall, which leans as that of the die,
 -- reaches the gap between both at the end of the stroke.

@@ -7,7 +7,7 @@ local yarns = {}
 
 local function vector(v) return ("%.9g, %.9g, %.9g"):format(v[1], v[2], v[3]) end
 
--- What is left of b across a, a unit vector: an orientation is of two axes at right angles.
+-- The part of b across a, a unit vector: an orientation is of two axes at right angles.
 local function across(a, b)
   local along = a[1] * b[1] + a[2] * b[2] + a[3] * b[3]
   local c = { b[1] - along * a[1], b[2] - along * a[2], b[3] - along * a[3] }

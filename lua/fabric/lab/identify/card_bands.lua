@@ -2,7 +2,7 @@
 local define = require "fabric.define"
 local linear = require "fabric.lab.common.linear"
 local fabric = require "fabric"
-local sorted = require "fabric.sorted"
+local lists = require "fabric.lists"
 local fail = define.fail
 
 local parts = { "warp", "weft", "shear", "bending", "biaxial" }
@@ -99,8 +99,7 @@ local function unheld(found, parameters, covariance, quantile, make, card)
   for j, p in ipairs(parameters) do
     local ends = {}
     for side, sign in ipairs { -1, 1 } do
-      local at = {}
-      for name, x in pairs(found) do at[name] = x end
+      local at = lists.copy(found)
       at[p.name] = math.max(p.low, math.min(p.high, found[p.name] + sign * 0.1 * math.sqrt(covariance[j][j])))
       ends[side] = { at = at[p.name], values = others_of(make(at)) }
     end
@@ -111,7 +110,7 @@ local function unheld(found, parameters, covariance, quantile, make, card)
     end
   end
   local by_field, list = {}, {}
-  for _, name in ipairs(sorted.keys(base)) do
+  for _, name in ipairs(lists.keys(base)) do
     local half = quantile * math.sqrt(math.max(0, linear.quadratic(covariance, slopes[name])))
     if half > 1e-9 * math.abs(base[name]) then
       local first, second = name:match "^([^.]+)%.?([^.]*)"

@@ -1,4 +1,4 @@
--- What a model misses beside the noise: a smooth difference along each test, estimated from the residuals of a fit, and what it does to the fitted parameters.
+-- The model discrepancy: a smooth difference along each test, estimated from the residuals of a fit, and what it does to the fitted parameters.
 --
 -- Residuals over their noise after the fit, r = M (d + e): e is independent with variance v, at least 1; d = sum_j c_j phi_j, cosines along the points of each test, var(c_j) = s^2 / (1 + j^2/4)^q.
 -- M takes away what the parameters explain. v and s^2 follow from the restricted likelihood [patterson1971]. Where the parameters would have followed d, nothing of it is in the residuals; that
@@ -105,7 +105,7 @@ local function moved(jacobian, C, fixed)
   return list, J, #list > 0 and linear.inverse(normal) or {}
 end
 
--- What the residuals keep beside the derivatives: nothing but themselves at a minimum, and a fit ends near it.
+-- The residuals orthogonal to the derivatives: they themselves at a minimum, and a fit ends near it.
 local function beside(residuals, J, C)
   local n, slope, out = #C, {}, {}
   for i = 1, n do
@@ -151,7 +151,7 @@ local function half_width(cases, own, a, m)
   return high
 end
 
--- What the cosines of a spectrum with the exponent q see: `explained`, the parameters that each would make; u, the residuals along the directions beside the parameters, with the variances
+-- Projections on the cosines of a spectrum with the exponent q: `explained`, the parameters that each would make; u, the residuals along the directions beside the parameters, with the variances
 -- v + s2 g; `rest`, the sum of squares of the `count` other components; `weights`, the sum of the shares.
 local function spectrum_of(residuals, squares, counts, jacobian, C, q)
   local n, phi, with_J, explained = #C, functions_of(counts, q), {}, {}

@@ -10,7 +10,7 @@ local fabric = require "fabric"
 local define = require "fabric.define"
 local check = require "fabric.lab.identify.check"
 local random = require "fabric.lab.random"
-local quantile = require("fabric.sorted").quantile
+local lists = require "fabric.lists"
 local fail = define.fail
 
 local stretch = 2 -- a in the paper
@@ -148,13 +148,12 @@ local function summarise(t, out, draws)
     out.samples[p.name], out.mean[p.name], out.deviation[i] = list, means[i], math.sqrt(squares / (#list - 1))
     local sorted = table.move(list, 1, #list, 1, {})
     table.sort(sorted)
-    out.median[p.name] = quantile(sorted, 0.5)
-    out.low[p.name], out.high[p.name] = quantile(sorted, (1 - t.level) / 2), quantile(sorted, (1 + t.level) / 2)
+    out.median[p.name] = lists.quantile(sorted, 0.5)
+    out.low[p.name], out.high[p.name] = lists.quantile(sorted, (1 - t.level) / 2), lists.quantile(sorted, (1 + t.level) / 2)
   end
   for i = 1, n do
     for j = 1, n do
-      local sum = 0
-      for _, x in ipairs(draws) do sum = sum + (x[i] - means[i]) * (x[j] - means[j]) end
+      local sum = lists.sum(draws, function(x) return (x[i] - means[i]) * (x[j] - means[j]) end)
       out.correlation[(i - 1) * n + j] = sum / (#draws - 1) / (out.deviation[i] * out.deviation[j])
     end
   end
@@ -201,8 +200,7 @@ local function ensemble(t)
   local log, draw, failures = t.log or of_tests(t), random(t.seed), { failed = 0 }
   local walkers = begin(t, draw)
   local values = densities(t, log, walkers, failures)
-  local possible = 0
-  for _, v in ipairs(values) do possible = possible + (v > -math.huge and 1 or 0) end
+  local possible = lists.sum(values, function(v) return (v > -math.huge and 1 or 0) end)
   if possible < t.walkers / 2 then
     fail(("ensemble: expected a start around which the density is known, %d of %d walkers have none: %s"):format(t.walkers - possible, t.walkers,
       failures.trouble or "it is zero there"))
@@ -215,8 +213,7 @@ local function ensemble(t)
     if step > discard then
       went = went + taken
       for i in ipairs(means) do
-        local sum = 0
-        for _, x in ipairs(walkers) do sum = sum + x[i] end
+        local sum = lists.sum(walkers, function(x) return x[i] end)
         means[i][step - discard] = sum / t.walkers
       end
       for k, x in ipairs(walkers) do

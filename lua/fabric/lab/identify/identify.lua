@@ -5,6 +5,7 @@ local kernels = require "fabric.kernels"
 local card_bands = require "fabric.lab.identify.card_bands"
 local discrepancy = require "fabric.lab.identify.discrepancy"
 local store, check, text_of = require "fabric.lab.identify.store", require "fabric.lab.identify.check", require "fabric.lab.identify.text"
+local lists = require "fabric.lists"
 local fail = define.fail
 
 local function named(t, point)
@@ -14,8 +15,7 @@ local function named(t, point)
 end
 
 local function point_text(t, point)
-  local words = {}
-  for i, parameter in ipairs(t.parameters) do words[i] = ("%s=%.6g"):format(parameter.name, point[i]) end
+  local words = lists.map(t.parameters, function(parameter, i) return ("%s=%.6g"):format(parameter.name, point[i]) end)
   return table.concat(words, ", ")
 end
 
@@ -116,11 +116,9 @@ local function evaluator(t, cache)
   return function(points)
     local missing = unknown(points)
     if #missing > 0 then keep(t, cache, missing, simulate(t, missing)) end
-    local out = {}
-    for i, point in ipairs(points) do out[i] = residuals(t, cache.values[store.key_of(point)]) end
+    local out = lists.map(points, function(point) return residuals(t, cache.values[store.key_of(point)]) end)
     if #missing > 0 and t.progress then
-      local sum = 0
-      for _, r in ipairs(out[1]) do sum = sum + r * r end
+      local sum = lists.sum(out[1], function(r) return r * r end)
       io.stderr:write(("identify: %d simulations, chi^2 per point %.4g at %s\n"):format(#cache.points, sum / #out[1], point_text(t, points[1])))
     end
     return out
@@ -153,22 +151,17 @@ local function check_stored(t, cache)
 end
 
 local function column(t, name)
-  local out = {}
-  for i, parameter in ipairs(t.parameters) do out[i] = parameter[name] end
-  return out
+  return lists.map(t.parameters, function(parameter) return parameter[name] end)
 end
 
 local function widths(t)
-  local out = {}
-  for i, parameter in ipairs(t.parameters) do out[i] = parameter.high - parameter.low end
-  return out
+  return lists.map(t.parameters, function(parameter) return parameter.high - parameter.low end)
 end
 
 -- Jacobian of a further test at the solution, by differences, in units of its deviation.
 local function further_rows(t, test, x, scale)
   local base = predicted_by(test, named(t, x))
-  local rows = {}
-  for k = 1, #base do rows[k] = {} end
+  local rows = lists.of(#base, function() return {} end)
   for i = 1, #x do
     local there = table.move(x, 1, #x, 1, {})
     local step = 1e-3 * scale[i] * (x[i] - t.parameters[i].low > scale[i] / 2 and -1 or 1)
@@ -240,8 +233,7 @@ local function widen(t, out, found, scale)
   end
   if not t.whiten then -- fabric.lab.pool learns what the model misses from several specimens
     for i, test in ipairs(t.tests) do counts[i] = #test.measured end
-    local fixed = {}
-    for i = 1, n do fixed[i] = out.on_bound[t.parameters[i].name] ~= nil end
+    local fixed = lists.of(n, function(i) return out.on_bound[t.parameters[i].name] ~= nil end)
     local missed = discrepancy.of(found.residuals, counts, found.jacobian, C, fixed)
     if missed.deviation > 0 then
       out.discrepancy = { deviation = missed.deviation, ratio = missed.ratio, told = missed.told }
@@ -277,16 +269,14 @@ end
 
 local function identify(t)
   check(t)
-  local count = 0
-  for _, test in ipairs(t.tests) do count = count + #test.measured end
+  local count = lists.sum(t.tests, function(test) return #test.measured end)
   local cache = store.open(t.checkpoint, store.signature(t), count)
   check_stored(t, cache)
   local scale = widths(t)
   local found = kernels.least_squares { start = column(t, "start"), low = column(t, "low"), high = column(t, "high"),
     evaluate = evaluator(t, cache), iterations = t.iterations, tolerance = t.tolerance, difference = t.difference, settle = t.settle }
   local out = kernels.identifiability { jacobian = found.jacobian, scale = scale }
-  local squares = 0
-  for _, r in ipairs(found.residuals) do squares = squares + r * r end
+  local squares = lists.sum(found.residuals, function(r) return r * r end)
   out.chi2, out.on_bound = squares / math.max(1, #found.residuals - #t.parameters), on_bound(t, found, scale)
   widen(t, out, found, scale)
   out.x, out.iterations, out.reason, out.converged, out.simulations = found.x, found.iterations, found.reason, found.converged, #cache.points

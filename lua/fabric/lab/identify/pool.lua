@@ -18,7 +18,8 @@ local effects = require "fabric.lab.card.effects"
 local identify = require "fabric.lab.identify.identify"
 local linear = require "fabric.lab.common.linear"
 local shape = require "fabric.lab.identify.shape"
-local fail = define.fail
+local lists = require "fabric.lists"
+local dot, fail = lists.dot, define.fail
 
 local rounds, settled = 6, 0.02 -- rounds of fitting and estimating the differences of specimens; relative change of `between` that ends them
 
@@ -29,22 +30,6 @@ local function largest_of(list)
 end
 
 local function noise_of(test, k) return type(test.noise) == "table" and test.noise[k] or test.noise or 0.01 * test.peak end
-
-local function dot(a, b)
-  local sum = 0
-  for k, x in ipairs(a) do sum = sum + x * b[k] end
-  return sum
-end
-
--- Removes from a list the correlation along a direction: the covariance is 1 + variance * u u^T, and the list is multiplied by its inverse
--- square root.
-local function whitened(list, u, variance)
-  local square = dot(u, u)
-  if variance == 0 or square == 0 then return list end
-  local part, out = (1 - 1 / math.sqrt(1 + variance * square)) * dot(u, list) / square, {}
-  for k, x in ipairs(list) do out[k] = x - part * u[k] end
-  return out
-end
 
 -- For each test, the model's values (of the round before) over the noise. With measured values instead, a low specimen would appear more
 -- certain, and all fitted values would be too low.
@@ -61,17 +46,17 @@ end
 local function whitener(t, predicted, between, mesh)
   local own, along = directions(t, predicted), {}
   for i, test in ipairs(t.tests) do
-    local u = whitened(own[i], own[i], between ^ 2)
+    local u = linear.whitened(own[i], own[i], between ^ 2)
     for k = 1, #u do along[#along + 1] = test.finer and u[k] or 0 end
   end
   return function(residuals)
     local out, at = {}, 0
     for i in ipairs(t.tests) do
-      local part = whitened(table.move(residuals, at + 1, at + #own[i], 1, {}), own[i], between ^ 2)
+      local part = linear.whitened(table.move(residuals, at + 1, at + #own[i], 1, {}), own[i], between ^ 2)
       table.move(part, 1, #part, at + 1, out)
       at = at + #part
     end
-    return whitened(out, along, mesh ^ 2)
+    return linear.whitened(out, along, mesh ^ 2)
   end
 end
 
@@ -82,9 +67,7 @@ local function for_identify(t, factors)
     out[i] = { name = test.name, measured = test.measured, noise = test.noise, predict = function(p)
       local values = t.predicted(i, p)
       if not factors[i] then return values end
-      local corrected = {}
-      for k, y in ipairs(values) do corrected[k] = y * (factors[i][k] or 1) end
-      return corrected
+      return lists.map(values, function(y, k) return y * (factors[i][k] or 1) end)
     end }
   end
   return out
@@ -168,11 +151,7 @@ local function own_factors(t, predicted)
 end
 
 local function without(list, place)
-  local out = {}
-  for i, x in ipairs(list) do
-    if i ~= place then out[#out + 1] = x end
-  end
-  return out
+  return lists.collect(list, function(x, i) if i ~= place then return x end end)
 end
 
 -- Derivatives of all predictions by the parameters, by differences of a tenth of a deviation to both sides.
@@ -210,16 +189,15 @@ local function normal_equations(t, state, between, leave)
       for j = 1, n do
         columns[j] = {}
         for k = 1, #test.measured do columns[j][k] = slopes[i][k][j] / noise_of(test, k) end
-        columns[j] = whitened(columns[j], own[i], between ^ 2)
+        columns[j] = linear.whitened(columns[j], own[i], between ^ 2)
       end
-      local r = {}
-      for k = 1, #test.measured do r[k] = rest[i][k] / noise_of(test, k) end
-      r = whitened(r, own[i], between ^ 2)
+      local r = lists.of(#test.measured, function(k) return rest[i][k] / noise_of(test, k) end)
+      r = linear.whitened(r, own[i], between ^ 2)
       weighted[i] = { factor = own[i] }
       for j = 1, n do
         b[j] = b[j] + dot(columns[j], r)
         for l = 1, n do A[j][l] = A[j][l] + dot(columns[j], columns[l]) end
-        weighted[i][j] = whitened(columns[j], own[i], between ^ 2)
+        weighted[i][j] = linear.whitened(columns[j], own[i], between ^ 2)
       end
     end
   end
@@ -231,13 +209,12 @@ local function parts_of(covariance, x)
   return { factors = linear.quadratic(covariance.factors, x), others = math.max(linear.quadratic(covariance.others, x), linear.quadratic(covariance.noise, x)) }
 end
 
--- What specimens differ by beyond their factors, from all but one of them.
+-- The differences of specimens beyond their factors, from all but one of them.
 local function shape_of(t, state, leave)
   local own, residuals, along = directions(t, state.predicted), {}, {}
   for i, test in ipairs(t.tests) do
     if i ~= leave then
-      local r = {}
-      for k = 1, #test.measured do r[k] = state.rest[i][k] / noise_of(test, k) end
+      local r = lists.of(#test.measured, function(k) return state.rest[i][k] / noise_of(test, k) end)
       residuals[#residuals + 1], along[#along + 1] = r, own[i]
     end
   end
@@ -247,20 +224,7 @@ local function shape_of(t, state, leave)
 end
 
 -- A^-1 M A^-1
-local function enclosed(inverse, M)
-  local n, half, out = #M, linear.zeros(#M), linear.zeros(#M)
-  for i = 1, n do
-    for j = 1, n do
-      for k = 1, n do half[i][j] = half[i][j] + inverse[i][k] * M[k][j] end
-    end
-  end
-  for i = 1, n do
-    for j = 1, n do
-      for k = 1, n do out[i][j] = out[i][j] + half[i][k] * inverse[k][j] end
-    end
-  end
-  return out
-end
+local function enclosed(inverse, M) return linear.product(linear.product(inverse, M), inverse) end
 
 -- Covariance of the parameters in two parts: by the specimens' factors, and by what they differ by besides (which is correlated along a curve).
 local function covariances(t, A, weighted, between, rest)
@@ -590,9 +554,7 @@ local function predict_of(t, state, specimen)
 end
 
 local function places(n)
-  local x = {}
-  for k = 1, n do x[k] = k / n end
-  return x
+  return lists.of(n, function(k) return k / n end)
 end
 
 local function pool(t)
@@ -618,8 +580,7 @@ local function pool(t)
   local out = { parameters = state.found.parameters, on_bound = state.found.on_bound, chi2 = state.found.chi2, between = state.between, mesh = state.mesh,
     deviation = {}, low = {}, high = {}, covariance = {}, tests = {}, level = t.level, simulations = state.found.simulations }
   for j, p in ipairs(t.parameters) do
-    local unit = {}
-    for l = 1, #t.parameters do unit[l] = l == j and 1 or 0 end
+    local unit = lists.of(#t.parameters, function(l) return l == j and 1 or 0 end)
     local parts = parts_of(covariance, unit)
     -- The mesh's error is common to all specimens: the fit's own deviation has it.
     local with_mesh = state.mesh > 0 and state.found.deviation[j] or 0

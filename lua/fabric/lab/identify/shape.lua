@@ -1,15 +1,10 @@
--- What specimens differ by beyond a factor, for fabric.lab.pool: how large it is, its correlation along a curve, and its uncertainty.
+-- The differences of specimens beyond a factor, for fabric.lab.pool: how large it is, its correlation along a curve, and its uncertainty.
 --
 -- A specimen whose curve runs above the model at one point does so at the next one too. Taken for noise of single points that would make the
 -- parameters look better known than they are; and a prediction for the next specimen needs to know from how many independent differences its
 -- size was found, since that determines the quantile [satterthwaite1946].
+local dot = require("fabric.lists").dot
 local shape = {}
-
-local function dot(a, b)
-  local sum = 0
-  for k, x in ipairs(a) do sum = sum + x * b[k] end
-  return sum
-end
 
 -- Residuals over their noise without the specimen's own factor.
 local function without_factor(r, u)

@@ -3,12 +3,12 @@
 -- points cost nothing. The noise is not stored, because the predictions do not depend on it.
 local fabric = require "fabric"
 local fail = require "fabric.define".fail
+local lists = require "fabric.lists"
 
 local store = {}
 
 function store.key_of(point)
-  local words = {}
-  for i, x in ipairs(point) do words[i] = ("%.17g"):format(x) end
+  local words = lists.map(point, function(x) return ("%.17g"):format(x) end)
   return table.concat(words, " ")
 end
 
@@ -20,8 +20,7 @@ end
 
 -- The subject of the file in one line.
 function store.signature(t)
-  local words = {}
-  for _, p in ipairs(t.parameters) do words[#words + 1] = ("%s %.17g %.17g"):format(p.name, p.low, p.high) end
+  local words = lists.collect(t.parameters, function(p) return ("%s %.17g %.17g"):format(p.name, p.low, p.high) end)
   for _, test in ipairs(t.tests) do words[#words + 1] = test.name .. " " .. store.key_of(test.measured) end
   if t.key then words[#words + 1] = "key " .. t.key end
   return ("identify 2: " .. table.concat(words, "; ")):gsub("%s+", " ")

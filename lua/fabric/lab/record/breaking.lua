@@ -4,7 +4,7 @@ local define = require "fabric.define"
 local check = require "fabric.lab.common.check"
 local largest_row = require("fabric.lab.record.doubts").largest_row
 local rows_of = require "fabric.lab.record.breaking_table"
-local sorted = require "fabric.sorted"
+local lists = require "fabric.lists"
 local standards = require "fabric.lab.record.breaking_standards"
 local fail = define.fail
 
@@ -72,11 +72,6 @@ local function start_of(u, F, pretension)
   return u[1]
 end
 
-local function median(list)
-  table.sort(list)
-  return list[(#list + 1) // 2]
-end
-
 -- Speed of the jaws on the way to the largest force, m/s; nil without a time.
 local function speed_of(test, top)
   if not test.time then return end
@@ -85,7 +80,7 @@ local function speed_of(test, top)
     local dt = test.time[i] - test.time[i - 1]
     if dt > 0 then list[#list + 1] = (test.displacement[i] - test.displacement[i - 1]) / dt end
   end
-  return #list > 2 and median(list) or nil
+  return #list > 2 and lists.median(list) or nil
 end
 
 -- The record with its beginning taken off: the crosshead's position, and an offset of the load cell unless that is the pretension.
@@ -171,16 +166,16 @@ end
 
 -- Checks that each name is that of a specimen.
 local function check_named(field, list, known)
-  for _, name in ipairs(sorted.keys(list)) do
+  for _, name in ipairs(lists.keys(list)) do
     if not known[name] then
-      local near = define.registry.nearest(tostring(name), sorted.keys(known))
+      local near = define.registry.nearest(tostring(name), lists.keys(known))
       stop(("field '%s': there is no specimen '%s'%s"):format(field, name, near and (", did you mean '" .. near .. "'?") or ""))
     end
   end
 end
 
 local function check_breaks(breaks)
-  for _, name in ipairs(sorted.keys(breaks)) do
+  for _, name in ipairs(lists.keys(breaks)) do
     local way = breaks[name]
     if way ~= "jaw" and not (type(way) == "number" and way >= 0 and way < 2) then
       stop(("field 'breaks.%s': expected the distance from the jaw in m, or 'jaw', got %s"):format(name, type(way) == "string" and "'" .. way .. "'" or tostring(way)))
@@ -207,7 +202,7 @@ end
 
 -- --- a group ---
 
--- What the record of a specimen shows of slip and of the grips, in short.
+-- Signs of slip and of the grips in the record of a specimen, in short.
 local function seen_in(standard, s)
   local out = {}
   for _, w in ipairs(s.warnings) do
@@ -220,10 +215,7 @@ local function seen_in(standard, s)
 end
 
 local function joined(...)
-  local out = {}
-  for _, words in ipairs { ... } do
-    if words ~= "" then out[#out + 1] = words end
-  end
+  local out = lists.collect({ ... }, function(words) if words ~= "" then return words end end)
   return table.concat(out, "; ")
 end
 
@@ -268,24 +260,24 @@ end
 
 local function evaluate(t, standard, result, name, group)
   local has_mean, reason = choose(t, standard, result, group)
-  local lists = { force = {}, elongation = {}, elongation_at_break = {} }
+  local values = { force = {}, elongation = {}, elongation_at_break = {} }
   local speeds = {}
   for _, s in ipairs(group.specimens) do
-    for field, list in pairs(lists) do
+    for field, list in pairs(values) do
       if s.counted and s[field] then list[#list + 1] = s[field] end
     end
     if s.counted then speeds[#speeds + 1] = s.speed end
   end
-  group.name, group.counted = name, #lists.force
+  group.name, group.counted = name, #values.force
   if not has_mean and group.counted > 0 then group.notes[#group.notes + 1] = reason end
   if has_mean and group.counted > 0 then
-    for field, list in pairs(lists) do group[field] = #list > 0 and statistics(list, t.level) or nil end
+    for field, list in pairs(values) do group[field] = #list > 0 and statistics(list, t.level) or nil end
     group.per_width = group.force.mean / t.width
   end
   local wanted = name:lower():find "we?ft" and standard.specimens_weft or name:lower():find "fill" and standard.specimens_weft or standard.specimens
   if group.counted < wanted then group.notes[#group.notes + 1] = ("the standard asks for %d specimens, %d count"):format(wanted, group.counted) end
   local elongation = group.elongation and group.elongation.mean or 0
-  for _, departure in ipairs(standard.departures(t.width, t.gauge_length, elongation, #speeds > 0 and median(speeds) or nil)) do
+  for _, departure in ipairs(standard.departures(t.width, t.gauge_length, elongation, #speeds > 0 and lists.median(speeds) or nil)) do
     group.notes[#group.notes + 1] = "the standard asks for " .. departure
   end
   for _, note in ipairs(group.notes) do tell(result, "standard", name .. ": " .. note) end

@@ -1,13 +1,8 @@
--- What ISO 13934-1 [iso_13934_1] and ASTM D5035 [astm_d5035] ask of strips that are pulled until they break, and which breaks at the jaws they leave out.
+-- Demands of ISO 13934-1 [iso_13934_1] and ASTM D5035 [astm_d5035] on strips that are pulled until they break, and which breaks at the jaws they leave out.
+local lists = require "fabric.lists"
 local standards = {}
 
 local mm = 1e-3
-
-local function mean_of(list)
-  local sum = 0
-  for _, v in ipairs(list) do sum = sum + v end
-  return sum / #list
-end
 
 local function near(value, wanted, tolerance) return math.abs(value - wanted) <= tolerance + 1e-9 end
 local function one_of(value, list, tolerance)
@@ -74,11 +69,8 @@ end
 function astm.left_out(breaks)
   local out = {}
   for i, b in ipairs(breaks) do
-    local others = {}
-    for k, other in ipairs(breaks) do
-      if k ~= i then others[#others + 1] = other.force end
-    end
-    local half = #others > 0 and mean_of(others) / 2
+    local others = lists.collect(breaks, function(other, k) if k ~= i then return other.force end end)
+    local half = #others > 0 and lists.mean(others) / 2
     out[i] = b.jaw and half and b.force < half and ("below half of the mean of the others, %.4g N"):format(half)
   end
   return out, true

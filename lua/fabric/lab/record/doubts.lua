@@ -1,4 +1,4 @@
--- What a record shows of how it was written or measured: signs the wrong way round, a second pull in the same rows, an extensometer that was taken off, a zero
+-- Signs in a record of how it was written or measured: numbers the wrong way round, a second pull in the same rows, an extensometer that was taken off, a zero
 -- that drifts. Each is {code, text, row}; fabric.lab.read tells them and keeps them in record.warnings, fabric.lab.tensile in test.warnings.
 local scatter = require("fabric.lab.record.signs").scatter
 local doubts = {}
@@ -16,7 +16,7 @@ end
 
 local function is_negative(low, high) return high <= 0 and low < 0 or -low > 2 * math.max(high, 0) and low < 0 end
 
--- What must be reversed: "both", "displacement", "force" or nil; and in words why.
+-- The quantity that must be reversed: "both", "displacement", "force" or nil; and in words why.
 function doubts.reversed(u, F)
   local Flow, Fhigh, Fleast, Fmost = range(F)
   if #F < 2 or Fhigh == Flow then return end
@@ -158,7 +158,7 @@ function doubts.of(record, restarts)
     if row then
       local _, top = range(F)
       out[#out + 1] = { code = "extensometer", row = row,
-        text = ("the displacement ends at %.4g m in row %d, and the force goes on from %.4g to %.4g N: was the extensometer taken off? What follows says nothing of the strain and is not used for it")
+        text = ("the displacement ends at %.4g m in row %d, and the force goes on from %.4g to %.4g N: was the extensometer taken off? Later rows are not used for the strain")
           :format(u[row], row, F[row], top) }
     end
   end

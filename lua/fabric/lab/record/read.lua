@@ -7,6 +7,7 @@ local check = require "fabric.lab.common.check"
 local doubts = require "fabric.lab.record.doubts"
 local house = require "fabric.lab.record.words"
 local function specimens() return require "fabric.lab.record.specimens" end -- loaded when a file is read
+local lists = require "fabric.lists"
 local plain = house.plain
 
 local function keys(t)
@@ -497,10 +498,7 @@ local function is_record(vocabulary, t, file) return #file[1].values >= 3 and is
 -- The tables that are records; the others are reported.
 local function records_among(vocabulary, t, files)
   if #files == 1 then return files end
-  local out = {}
-  for _, file in ipairs(files) do
-    if is_record(vocabulary, t, file) then out[#out + 1] = file end
-  end
+  local out = lists.collect(files, function(file) if is_record(vocabulary, t, file) then return file end end)
   if #out == 0 then return { files[1] } end
   for _, file in ipairs(files) do
     if not is_record(vocabulary, t, file) then

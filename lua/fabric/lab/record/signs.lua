@@ -1,16 +1,12 @@
 -- Signs in a single record that the specimen was not held as it should be: slip in the jaws, a late grip. They are reported, not corrected.
+local lists = require "fabric.lists"
 local signs = {}
-
-local function median(list)
-  table.sort(list)
-  return list[(#list + 1) // 2] or 0
-end
 
 -- Scatter of the force about the mean of its neighbours, N.
 local function scatter(F)
   local sizes = {}
   for i = 2, #F - 1 do sizes[#sizes + 1] = math.abs(F[i] - (F[i - 1] + F[i + 1]) / 2) end
-  return 1.4826 * median(sizes) / math.sqrt(1.5)
+  return 1.4826 * (lists.median(sizes) or 0) / math.sqrt(1.5)
 end
 
 signs.scatter = scatter

@@ -3,6 +3,7 @@
 -- the heading above each block.
 local house = require "fabric.lab.record.words"
 local fabric = require "fabric"
+local lists = require "fabric.lists"
 local specimens = {}
 
 -- Seconds of a time as minutes and seconds (3:07.5) or hours, minutes and seconds; nil of anything else.
@@ -128,10 +129,7 @@ local function stem(column) return (house.plain(column.bare or column.name):gsub
 
 -- Places of the columns that all specimens share and of those of each, where headings occur again in the same order; nil if they do not.
 local function groups_of(file)
-  local places = {}
-  for i, column in ipairs(file) do
-    if column.name ~= "" then places[#places + 1] = i end
-  end
+  local places = lists.collect(file, function(column, i) if column.name ~= "" then return i end end)
   for shared = 0, 1 do
     local own = #places - shared
     for size = 2, own // 2 do
@@ -183,8 +181,7 @@ local function by_place(file, is_pull)
         if column.values[row] == column.values[row] or column.words and column.words[row] ~= "" then last = row break end
       end
     end
-    local rows = {}
-    for row = 1, last do rows[row] = row end
+    local rows = lists.of(last, function(row) return row end)
     out[k] = part(file, rows, group)
     out[k].specimen = names and names[k] or tostring(k)
   end

@@ -5,6 +5,7 @@ local kernels = require "fabric.kernels"
 local check = require "fabric.lab.common.check"
 local doubts = require "fabric.lab.record.doubts"
 local outliers = require "fabric.lab.record.outliers"
+local lists = require "fabric.lists"
 local fail, largest = define.fail, doubts.largest_row
 
 local function record_of(t)
@@ -114,8 +115,7 @@ end
 
 -- Subtracts the first row from the record.
 local function zeroed(record)
-  local out = {}
-  for name, values in pairs(record) do out[name] = values end
+  local out = lists.copy(record)
   for _, name in ipairs { "displacement", "force" } do
     out[name] = {}
     for i, v in ipairs(record[name]) do out[name][i] = v - record[name][1] end
@@ -134,7 +134,7 @@ local function mark_break(test, record, t, warnings, from_jaw)
   end
 end
 
--- What was told of the record when it was read, or what a record of the deck's own shows; the row behind which its displacement says nothing.
+-- Doubts about the record from when it was read, or about a record of the deck's own; the row behind which its displacement says nothing.
 local function doubt(record, t, warnings)
   local found = record.warnings or {}
   if not record.lines then found = doubts.of(record, t.restarts) end
@@ -193,14 +193,11 @@ local function tensile(t)
     fail(("tensile: field 'from_jaw': expected a distance for each specimen, %d, got %d"):format(single and 1 or #record, #from))
   end
   if t.record and t.reverse ~= "none" then
-    local turned = {}
-    for i, one in ipairs(single and { record } or record) do turned[i] = reversed(one, t.reverse) end
+    local turned = lists.map(single and { record } or record, function(one) return reversed(one, t.reverse) end)
     record = single and turned[1] or turned
   end
   if single then return test_of(record, t, from[1]) end
-  local tests = {}
-  for i, one in ipairs(record) do tests[i] = test_of(one, t, from[i]) end
-  return tests
+  return lists.map(record, function(one, i) return test_of(one, t, from[i]) end)
 end
 
 define {
@@ -259,12 +256,7 @@ define {
   example = "local d = require 'fabric'.lab.density{ mass={2.3e-3}, area=0.01, thickness={0.38e-3} }\n"
     .. "assert(math.abs(d.density - 605.26) < 0.01 and math.abs(d.mass_per_area - 0.23) < 1e-12)",
   run = function(t)
-    local function mean(list)
-      local sum = 0
-      for _, x in ipairs(list) do sum = sum + x end
-      return sum / #list
-    end
-    local per_area, thickness = mean(t.mass) / t.area, mean(t.thickness)
+    local per_area, thickness = lists.mean(t.mass) / t.area, lists.mean(t.thickness)
     return { mass_per_area = per_area, thickness = thickness, density = per_area / thickness }
   end,
 }

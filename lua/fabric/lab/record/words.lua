@@ -71,7 +71,7 @@ words.bytes = {
   { "\xf1\xe8\xeb\xe8\xe5", "force" }, { "\xe0\xe3\xf0\xf3\xe7\xea\xe0", "force" }, { "\xf0\xe5\xec\xff", "time" },
 }
 
--- What a column or a line calls a specimen; and the words that may stand beside it in the name of such a column.
+-- Names of specimens in columns and lines; and the words that may stand beside it in the name of such a column.
 words.specimens = { "specimen", "sample", "probe", "prufling", "pruefling", "eprouvette", "echantillon", "probeta", "muestra", "provino", "campione", "provete", "amostra", "proefstuk",
   "numune", "probka", "vzorek", "provkropp", "prov", "образец", "试样", "試樣", "試験片", "시편", "replicate",
   "\x8e\x8e\x8c\xb1\x95\xd0", "\xca\xd4\xd1\xf9", "\xce\xe1\xf0a\xe7\xe5o", "\xee\xe1\xf0a\xe7\xe5o" } -- the last four in Shift-JIS, GBK and (as words.plain leaves them) Windows-1251

@@ -7,6 +7,7 @@ local define = require "fabric.define"
 local peaks = require "fabric.lab.common.peaks"
 local sheet = require "fabric.lab.virtual.sheet"
 local fabric = require "fabric"
+local lists = require "fabric.lists"
 local rupture = {}
 
 local slow = 0.05 -- kinetic energy over the work, at the largest force
@@ -131,10 +132,7 @@ end
 
 -- Adds peaks (a list of rows) and mean_of_peaks by a standard, of the record from the first broken yarn on.
 function rupture.peaks(result, by, share)
-  local record = {}
-  for _, row in ipairs(result.curve) do
-    if row.torn > 0 then record[#record + 1] = row end
-  end
+  local record = lists.collect(result.curve, function(row) if row.torn > 0 then return row end end)
   result.peaks = #record > 0 and peaks.of(record, share) or {}
   result.mean_of_peaks, result.by, result.rise = peaks[by](result.peaks), by, share
   return result

@@ -9,6 +9,7 @@
 local fabric = require "fabric"
 local define = require "fabric.define"
 local rupture = require "fabric.lab.rupture.rupture"
+local lists = require "fabric.lists"
 local mm = fabric.units.mm
 
 local transits, start, ended = 100, 10, 0.02 -- as in fabric.lab.strip_rupture
@@ -148,10 +149,7 @@ local function rows(own)
   return all
 end
 
-local of_tests = {}
-for _, row in ipairs(rupture.arguments) do
-  if row.name ~= "coarse" and row.name ~= "seed" then of_tests[#of_tests + 1] = row end
-end
+local of_tests = lists.collect(rupture.arguments, function(row) if row.name ~= "coarse" and row.name ~= "seed" then return row end end)
 
 local strength_rows = rows {
   { name = "strength", kind = "number", unit = "N/m", above = 0, sentence = "of the seam" },

@@ -5,6 +5,7 @@
 local fabric = require "fabric"
 local define = require "fabric.define"
 local strip = require "fabric.lab.virtual.strip"
+local lists = require "fabric.lists"
 
 local function run(t)
   t.test = "bias"
@@ -15,8 +16,7 @@ local function run(t)
   result.zone_mean = function(_, name)
     local values, out = result.analysis:field(name), {}
     for zone, elements in ipairs(result.zones) do
-      local sum = 0
-      for _, i in ipairs(elements) do sum = sum + values[i] end
+      local sum = lists.sum(elements, function(i) return values[i] end)
       out[zone] = #elements > 0 and sum / #elements or 0 / 0
     end
     return table.unpack(out)
@@ -30,8 +30,7 @@ local arguments = {
   { name = "displacement", kind = "number", unit = "m", above = 0, default = 20 * fabric.units.mm, sentence = "largest displacement" },
 }
 for _, row in ipairs(strip.arguments) do
-  local copy = {}
-  for key, value in pairs(row) do copy[key] = value end
+  local copy = lists.copy(row)
   if row.name == "grips" then copy.default = "free" end
   arguments[#arguments + 1] = copy
 end

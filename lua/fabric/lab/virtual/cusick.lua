@@ -5,13 +5,14 @@
 --       (______________)     pedestal: face, rounded edge
 --        |            |      and side
 --
--- What lies between the plates does not move and is left out of the mesh. The weight of the cloth rises slowly from zero, along half a cosine, as
+-- Cloth between the plates does not move and is left out of the mesh. The weight of the cloth rises slowly from zero, along half a cosine, as
 -- where a table sinks away under it. Where it comes at once, the sheet buckles into many small folds, and friction keeps them.
 local define = require "fabric.define"
 local kernels = require "fabric.kernels"
 local random = require "fabric.lab.random"
 local shadow = require "fabric.lab.virtual.shadow"
 local fabric = require "fabric"
+local lists = require "fabric.lists"
 
 local gravity = 9.80665 -- m/s^2
 local rays = 720 -- of the shadow, half a degree each
@@ -91,7 +92,7 @@ local function points_of(outline)
   return out
 end
 
--- What the shadow of a shape says: coefficient, nodes, amplitude, outline.
+-- Readings of the shadow of a shape: coefficient, nodes, amplitude, outline.
 local function reading(t, mesh, x, y)
   local triangles = shadow.triangles(mesh)
   local flat_x, flat_y = {}, {}
@@ -216,10 +217,7 @@ end
 -- Says which of the given fields do nothing in this test, so that nobody compares two discs that are the same.
 local function warn_idle(t)
   local function warn(condition, names, why)
-    local given = {}
-    for _, name in ipairs(condition and names or {}) do
-      if t[name] ~= usual[name] then given[#given + 1] = name end
-    end
+    local given = lists.collect(condition and names or {}, function(name) if t[name] ~= usual[name] then return name end end)
     if #given > 0 then fabric.warn(("cusick: %s: no effect %s"):format(table.concat(given, ", "), why)) end
   end
   warn(t.by == "relaxation", { "lowering", "damping", "still", "window", "duration", "every" }, 'with by = "relaxation", which knows no time')

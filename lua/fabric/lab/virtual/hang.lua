@@ -1,7 +1,7 @@
 -- fabric.lab.cantilever, heart_loop and twist: bending of cloth under its own weight, as in laboratory tests [astm_d1388].
 local fabric = require "fabric"
 local define = require "fabric.define"
-local rows = require "fabric.lab.common.rows"
+local lists = require "fabric.lists"
 
 local gravity, tolerance = 9.80665, 1e-9 -- m/s^2; of the steps
 
@@ -73,7 +73,7 @@ local retired = { "gravity", "tolerance" }
 
 define {
   name = "fabric.lab.cantilever",
-  arguments = rows(shared, {
+  arguments = lists.joined(shared, {
     { name = "width", kind = "number", unit = "m", above = 0, default = 0.025, sentence = "of the strip" },
     { name = "angle", kind = "number", unit = "degrees", above = 0, high = 80, default = 41.5, sentence = "of the plane that the tip is to touch" },
     { name = "overhang", kind = "number", unit = "m", above = 0, optional = true, sentence = "one overhang, in place of the one whose tip touches the plane" },
@@ -144,7 +144,7 @@ end
 
 define {
   name = "fabric.lab.heart_loop",
-  arguments = rows(shared, {
+  arguments = lists.joined(shared, {
     { name = "length", kind = "number", unit = "m", above = 0, default = 0.15, sentence = "of the strip, between the grips" },
     { name = "width", kind = "number", unit = "m", above = 0, default = 0.025, sentence = "of the strip" },
   }, rest),
@@ -176,7 +176,7 @@ local function shown_at_45(t, twist)
   return fabric.lab.cantilever { card = card, direction = 45, width = t.width, cells = 20 }.rigidity
 end
 
--- What the strips of one direction show: their mean, the variance of it and its degrees of freedom; nil for one strip, which does not show how others differ.
+-- Statistics of the strips of one direction: their mean, the variance of it and its degrees of freedom; nil for one strip, which does not show how others differ.
 local function shown_by(list, convert)
   local sum, squares, n = 0, 0, #list
   for _, x in ipairs(list) do sum = sum + convert(x) / n end

@@ -9,6 +9,7 @@
 -- with until_rest= ends earlier where it rests by that rule; then nothing is judged again.
 local define = require "fabric.define"
 local fabric = require "fabric"
+local lists = require "fabric.lists"
 
 local function fail(words) define.fail("dress: " .. words) end
 
@@ -76,12 +77,6 @@ local function judged(t, a, state)
   return result, why
 end
 
-local function copy(t)
-  local out = {}
-  for key, value in pairs(t) do out[key] = value end
-  return out
-end
-
 local function run(t)
   local a = t.analysis
   if t.at > a.duration * (1 + 1e-12) then fail(("field 'at': expected at most the duration of the run, %g s, got %g s"):format(a.duration, t.at)) end
@@ -90,10 +85,10 @@ local function run(t)
   for _, row in ipairs(a.model:list()) do touches = touches or row.kind == "contact" end
   if not touches then fail "the model has no contact: expected m:contact{ between={body, \"all\"} }" end
   local state = t.state or {}
-  if state.dressed and (state.asked or state.dressed.time) == t.at then return copy(state.dressed) end -- a run that was taken up behind that time
+  if state.dressed and (state.asked or state.dressed.time) == t.at then return lists.copy(state.dressed) end -- a run that was taken up behind that time
   local result, why = judged(t, a, state)
   if #why > 0 and not fabric.checking() then fabric.warn("dress: " .. table.concat(why, "; ")) end
-  state.dressed, state.asked, state.before = copy(result), t.at, nil -- what a checkpoint keeps is plain, and what is returned gets methods
+  state.dressed, state.asked, state.before = lists.copy(result), t.at, nil -- what a checkpoint keeps is plain, and what is returned gets methods
   return result
 end
 

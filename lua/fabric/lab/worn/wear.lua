@@ -5,6 +5,7 @@
 -- sensor that lies on the skin measures them: the pressure of a single vertex at a single time has no limit as meshes get finer.
 local define = require "fabric.define"
 local fabric = require "fabric"
+local lists = require "fabric.lists"
 
 -- Cloth folds before its yarns are compressed by this much. Elements that are larger than the folds are compressed instead, carry a load that
 -- the cloth would not, and press with it; unless their yarns carry next to nothing then (fabric.lab.tension_field): less than this part of what
@@ -64,7 +65,7 @@ local function begin(state, count, regions)
   for _, region in ipairs(regions) do state.regions[region.name] = { mean = 0, peak = 0, sum = 0, touched = 0 } end
 end
 
--- What a node slides over the skin from reading to reading, while it touches at both, in the body's shape at time 0.
+-- The way that a node slides over the skin from reading to reading, while it touches at both, in the body's shape at time 0.
 local function slide(state, touch)
   local now = {}
   for i, node in ipairs(touch.node) do
@@ -172,14 +173,12 @@ local function add_slip(result, state)
   result.slip.nodes, result.slip.mean = count, count > 0 and sum / count or 0
 end
 
--- What the cloth itself takes are the parts of its law; the friction of contact and what impact takes are beside them in `dissipated`.
+-- The dissipation of the cloth has the parts of its law; the friction of contact and the loss by impact are beside them in `dissipated`.
 local of_cloth = { "dissipated_warp", "dissipated_weft", "dissipated_shear", "dissipated_bending" }
 local beside = { "stored", "kinetic", "friction", "damping", "impact", "fracture" }
 
 local function energies(a)
-  local all = {}
-  for name, value in pairs(a.energy) do all[name] = value end
-  return all
+  return lists.copy(a.energy)
 end
 
 local function work_between(was, is)
@@ -198,7 +197,7 @@ local function gives_way(card)
   return true
 end
 
--- What compression says; and whether pressures depend on the mesh for it.
+-- Whether the card states compression; and whether pressures depend on the mesh for it.
 local function fold_words(result)
   local c = result.compressed
   local words = ("yarns are compressed by up to %.2g %%"):format(100 * c.value)
@@ -302,7 +301,7 @@ define {
     { name = "state", kind = "table", optional = true, sentence = "an empty table to gather in, for `keep` of a:checkpoint, so that a restart goes on with it" },
     { name = "out", kind = "text", optional = true, sentence = "folder for pressure.csv, worn.pvd (cloth and body, with the pressure on it) and worn.txt" },
   },
-  sentence = "What worn cloth does to the body and its wearer: runs through the times and returns regions (of each name, and of all: mean, Pa, the largest of its mean pressures over time, usual, their mean over time, "
+  sentence = "Effects of worn cloth on the body and its wearer: runs through the times and returns regions (of each name, and of all: mean, Pa, the largest of its mean pressures over time, usual, their mean over time, "
     .. "peak, the largest over a disc of skin, peak_at, m, its middle on the body at time 0, touched, the largest share of its area), map (mean and largest of each vertex, Pa), rows (the mean pressures over time), "
     .. "cycles (of each: work, J, that moves the body, supports and loads did, and what became of it: cloth, what the law of the cloth dissipated, friction, damping, impact, fracture, stored, kinetic), slip (m, on the skin: largest and its node, mean, nodes), "
     .. "tension (warp, weft: value, N/m, element, time), beyond (strain over the tested strain of the card), compressed (how much shorter yarns get: value, element, time, folded: the part that folds within the element took; from 1 % on, where a finer mesh would fold, a warning says so), gives_way (whether the yarns of the card carry next to nothing then, or folds within elements took it), gap, ledger, and text, all of this in words.",
