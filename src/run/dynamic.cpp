@@ -397,9 +397,9 @@ void Dynamic::watch_flat(const EnergyAccount& e) {
   if (const auto place = leaves_its_plane(*model_, *assembly_))
     warn("unstable", "warning: dynamic: at time " + number(time()) +
                          " s the sheet is flat, but not stable: real cloth buckles, most at " + *place +
-                         ". Nothing in the model leads it out of its plane, so that it stays flat for ever: "
-                         "imperfection=" +
-                         number(1e-2 * model_->thickness(), 2) + " (m) of fabric.model breaks the symmetry");
+                         ". Nothing in the model leads it out of its plane, so that it stays flat for ever" +
+                         advice("imperfection=" + number(1e-2 * model_->thickness(), 2) +
+                                " (m) of fabric.model breaks the symmetry"));
 }
 
 bool Dynamic::is_end(double time) const { return std::abs(time - duration_) <= same_time * duration_; }
@@ -540,6 +540,8 @@ double Dynamic::scaled_kinetic() const {
   return sum;
 }
 
+static constexpr const char* true_inertia = "inertia=\"true\" takes the thickness' own, with smaller steps";
+
 void Dynamic::weigh_inertia(double kinetic, double scaled) {
   now_.kinetic = std::max(now_.kinetic, kinetic);
   if (!(scaled > 0) || kinetic <= energy_of_rounding(*assembly_, now_.step) || kinetic <= energy_of_rest())
@@ -550,7 +552,7 @@ void Dynamic::weigh_inertia(double kinetic, double scaled) {
   warn("inertia",
        "dynamic: " + number(100 * scaled / now_.kinetic) +
            " % of the kinetic energy is in rotary inertia that is scaled up for the step, at time " +
-           number(time()) + " s: inertia=\"true\" takes the thickness' own, with smaller steps");
+           number(time()) + " s" + advice(true_inertia));
 }
 
 // What is too little to be said at once, but shows in the answer.
@@ -560,7 +562,8 @@ void Dynamic::watch_inertia() {
     warn("inertia",
          "dynamic: up to " + number(100 * now_.scaled, 2) +
              " % of the kinetic energy was in rotary inertia that is scaled up for the step, and motions are "
-             "slower by half as much: inertia=\"true\" takes the thickness' own, with smaller steps");
+             "slower by half as much" +
+             advice(true_inertia));
 }
 
 std::shared_ptr<Dynamic> make_dynamic(std::shared_ptr<model::Model> model, const DynamicOptions& options,

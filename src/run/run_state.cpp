@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/number.hpp"
 #include "base/ordered_sum.hpp"
 #include "geometry/node_view.hpp"
 #include "run/run.hpp"
@@ -101,6 +102,12 @@ void RunState::warn(const char* code, const std::string& text, mesh::Index eleme
 
 bool RunState::warned(std::string_view code) const {
   return std::any_of(warnings_->begin(), warnings_->end(), [&](const Warning& w) { return w.code == code; });
+}
+
+std::string RunState::advice(const std::string& own, double step) const {
+  if (step_field_ == StepField::of_run) return ": " + own;
+  if (step_field_ == StepField::none || step == 0) return "";
+  return step_field_ == StepField::step ? ": step=" + number(step) : ": more steps=";
 }
 
 struct Run::Snapshot {

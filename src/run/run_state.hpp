@@ -60,6 +60,10 @@ class ExternalWork {
   std::optional<bool> loaded_;  // whether constant dead loads are other than zero, once known
 };
 
+// The field by which whoever asked for a run can make its steps smaller: that of the run itself; `step` (s)
+// or `steps` (a number of them) of a virtual test, which has no other option of a run; or none.
+enum class StepField { of_run, step, steps, none };
+
 class RunState {
  public:
   virtual ~RunState();
@@ -89,6 +93,8 @@ class RunState {
   std::shared_ptr<const std::vector<Warning>> shared_warnings() const { return warnings_; }
   // Says the text, and keeps it as a warning of this kind. element: from 0; -1: no particular one.
   void warn(const char* code, const std::string& text, mesh::Index element = -1);
+  // Warnings advise in terms of that field.
+  void set_step_field(StepField field) { step_field_ = field; }
   // Keeps it without saying it.
   void note(const char* code, const std::string& text, mesh::Index element = -1);
   Notices& notices() { return *notices_; }
@@ -99,6 +105,9 @@ class RunState {
   RunState(std::shared_ptr<model::Model> model, double duration, std::shared_ptr<Notices> notices);
   double committed_time() const { return std::as_const(*assembly_).state().time(); }
   bool warned(std::string_view code) const;  // in the present state
+  // Advice at the end of a warning: `own` in options of the run; a step (s) that would do, 0: none, where
+  // these cannot be given.
+  std::string advice(const std::string& own, double step = 0) const;
 
   std::shared_ptr<model::Model> model_;
   double duration_;
@@ -110,6 +119,7 @@ class RunState {
   ExternalWork work_;
   double trial_time_ = 0, initial_energy_ = 0, began_ = 0;
   bool started_ = false;
+  StepField step_field_ = StepField::of_run;
   bool stops_beyond_ = false;  // at the first step that exceeds the tested range
   Beyond beyond_;
   std::shared_ptr<std::vector<Warning>> warnings_ = std::make_shared<std::vector<Warning>>();

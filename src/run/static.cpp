@@ -678,12 +678,11 @@ void Static::check_balance() {
     return;
   if (made <= options_.ledger_limit * scale) {
     if (!std::exchange(now_.reported_balance, true))
-      warn("ledger", "static: by time " + number(time()) + " s cloth stores " +
-                         number(100 * now_.made / scale) +
-                         " % more energy than what moves can have given it by its forces at both ends of the "
-                         "steps, which change much within a step: the external work is as uncertain; use "
-                         "smaller steps, step=" +
-                         number(now_.step.largest() / 4));
+      warn("ledger",
+           "static: by time " + number(time()) + " s cloth stores " + number(100 * now_.made / scale) +
+               " % more energy than what moves can have given it by its forces at both ends of the "
+               "steps, which change much within a step: the external work is as uncertain" +
+               advice("use smaller steps, step=" + number(now_.step.largest() / 4), now_.step.largest() / 4));
     return;
   }
   const std::string text =

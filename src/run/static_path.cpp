@@ -271,8 +271,9 @@ void Static::watch_path() {
                    number(100 * said) +
                    (options_.path ? " %, which the smallest step does not reach: a smaller min_step, or more "
                                     "max_cuts"
-                                  : " %: path=0.01 cuts the steps where it is needed, or step=" +
-                                        number(now_.step.largest() / 4)));
+                                  : " %" + advice("path=0.01 cuts the steps where it is needed, or step=" +
+                                                      number(now_.step.largest() / 4),
+                                                  now_.step.largest() / 4)));
 }
 
 }  // namespace fabricsh::run

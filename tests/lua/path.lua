@@ -149,3 +149,7 @@ do -- a taut sheet whose edge goes out and halfway back within a step
   m:move("right", { x = function(t) return 0.15 * mm * math.sin(math.pi * (t - 0.1 * t * t)) end, y = function(t) return 0.3 * mm * t * t end })
   assert(said(fabric.static { model = m, duration = 1, step = 1 }:solve(), "path"))
 end
+
+-- A virtual test is advised by its own fields: `path` of fabric.lab.bias is another one.
+local test = fabric.lab.bias { card = fabric.card "worsted", steps = 2, cells = { 2, 4 } }
+assert(said(test, "path").text:find "Expected at most 5 %%: more steps=$", said(test, "path").text)

@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "base/number.hpp"
+#include "script/call/boundary.hpp"
+#include "script/call/chain.hpp"
 #include "script/runs/checkpoint.hpp"
 #include "script/runs/drive.hpp"
 #include "script/runs/replay.hpp"
@@ -40,10 +42,35 @@ void want_alive(lua_State* L) {
     throw Error("this analysis is being deleted, no variable holds it any more");
 }
 
+// The innermost Lua function that has led here: of the deck, or of a virtual test, whose fields the deck can
+// give.
+run::StepField step_field(lua_State* L) {
+  lua_Debug frame;
+  bool by_library = false;
+  for (int level = 1; lua_getstack(L, level, &frame) != 0; ++level) {
+    lua_getinfo(L, "Sf", &frame);
+    const Entry* entry = entry_of(L, -1);
+    lua_pop(L, 1);
+    if (*frame.what != 'C') {
+      if (!own_module(frame.source)) break;
+      by_library = true;
+    }
+    if (entry == nullptr || !entry->name.starts_with("fabric.lab.")) continue;
+    for (const Argument& row : entry->arguments) {
+      if (row.name == "step") return run::StepField::step;
+      if (row.name == "steps")  // of a chain: a list, whose members have the options of a run
+        return (row.kinds & integer) != 0 ? run::StepField::steps : run::StepField::of_run;
+    }
+    break;
+  }
+  return by_library ? run::StepField::none : run::StepField::of_run;
+}
+
 }  // namespace
 
 DeckRun::DeckRun(Session& s, std::shared_ptr<run::Run> a)
     : session(s), job(a, s.journal(), s.count_analysis()), analysis(std::move(a)) {
+  analysis->set_step_field(step_field(s.active()));
   job.listen(make_watch(*this));
   job.caller = [this] {
     Archive archive;
