@@ -177,14 +177,12 @@ function Curve:window(name, seconds)
   return column(windowed(t, named(self, name), seconds))
 end
 
-function Curve:max(name)
-  local value, place = named(self, name):max()
-  return value, self[place]
-end
-
-function Curve:min(name)
-  local value, place = named(self, name):min()
-  return value, self[place]
+for _, which in ipairs { "max", "min" } do
+  Curve[which] = function(self, name)
+    local values = named(self, name)
+    local value, place = values[which](values)
+    return value, self[place]
+  end
 end
 
 for kind, methods in pairs { column = Column, curve = Curve } do

@@ -42,9 +42,7 @@ end
 -- counter-clockwise from outside. Node 1 is `first`, ring k begins with node 2 + (k - 1) n.
 function loft.mesh(first, rings, last)
   local n, nodes, elements = #rings[1], { first }, {}
-  for _, ring in ipairs(rings) do
-    for _, p in ipairs(ring) do nodes[#nodes + 1] = p end
-  end
+  for _, ring in ipairs(rings) do table.move(ring, 1, #ring, #nodes + 1, nodes) end
   nodes[#nodes + 1] = last
   local function at(k, i) return 2 + (k - 1) * n + (i - 1) % n end
   for i = 1, n do elements[#elements + 1] = { 1, at(1, i + 1), at(1, i) } end

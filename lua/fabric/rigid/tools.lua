@@ -285,9 +285,7 @@ function tools.die(t, call)
   for k = 1, n do rings[#rings + 1] = out(k / n, 0) end
   rings[#rings + 1] = out(1, up * depth)
   local nodes, elements, count = {}, {}, #inner
-  for _, points in ipairs(rings) do
-    for _, p in ipairs(points) do nodes[#nodes + 1] = p end
-  end
+  for _, points in ipairs(rings) do table.move(points, 1, #points, #nodes + 1, nodes) end
   local function node(k, i) return ((k - 1) % #rings) * count + (i - 1) % count + 1 end
   for k = 1, #rings do
     for i = 1, count do
@@ -320,25 +318,19 @@ local own_rows = {
   { name = "mass", kind = "number", unit = "kg", above = 0, high = 1e6, optional = true, sentence = "with it forces and contact move the body" },
   { name = "name", kind = "text", optional = true, sentence = "for messages and files; default the shape's" },
 }
-local function join(...)
-  local all = {}
-  for _, list in ipairs { ... } do table.move(list, 1, #list, #all + 1, all) end
-  return all
-end
-
 local die_height = length_row("height", "of the wall of L and Z, which is the depth of the floor of Z; default four times the edge of an L", true)
 
 -- Rows of tools whose place is that of a test: fabric.lab.form.
-tools.punch_rows = join(outline_rows, { punch_edge, height_row, around_row })
+tools.punch_rows = lists.joined(outline_rows, { punch_edge, height_row, around_row })
 function tools.die_rows(shape, edge, outer)
-  local all = join(outline_rows, { length_row("edge", edge, true, sharpest), die_height, length_row("gap", "from the wall of the punch of L and Z to that of the die, at the end of the stroke; default 1.1 times the thickness of the stack in contact", true), length_row("outer", outer, true), around_row })
+  local all = lists.joined(outline_rows, { length_row("edge", edge, true, sharpest), die_height, length_row("gap", "from the wall of the punch of L and Z to that of the die, at the end of the stroke; default 1.1 times the thickness of the stack in contact", true), length_row("outer", outer, true), around_row })
   all[1] = { name = "shape", kind = "text", choices = shapes, optional = true, sentence = shape }
   return all
 end
 
 define {
   name = "fabric.rigid.punch",
-  arguments = join(outline_rows, { punch_edge, height_row }, own_rows),
+  arguments = lists.joined(outline_rows, { punch_edge, height_row }, own_rows),
   sentence = "A punch for forming, its lowest point at `at`: a hemisphere with its shaft (a rod, round without facets), a box with radii, a double dome, or a block whose wall forms an L "
     .. "or, with its upper face, a Z profile along y; there `at` is the sharp corner of lower face and wall.",
   example = "local fabric = require 'fabric'\nlocal mm = fabric.units.mm\n"
@@ -369,7 +361,7 @@ define {
 
 define {
   name = "fabric.rigid.die",
-  arguments = join(outline_rows, {
+  arguments = lists.joined(outline_rows, {
     length_row("edge", "radius of the rounded edge of the opening", false, sharpest),
     die_height,
     length_row("outer", "radius of the round outside; of L and Z how far the face goes to -x"),

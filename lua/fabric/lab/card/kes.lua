@@ -4,6 +4,7 @@ local fabric = require "fabric"
 local define = require "fabric.define"
 local kernels = require "fabric.kernels"
 local filled = require "fabric.lab.card.filled"
+local lists = require "fabric.lists"
 
 local gf, cm = 9.80665e-3, 1e-2
 
@@ -392,9 +393,7 @@ local function fill(t, fields)
 end
 
 local function row(name, unit, sentence, more)
-  local out = { name = name, kind = "number", unit = unit, above = 0, sentence = sentence }
-  for key, value in pairs(more or {}) do out[key] = value end
-  return out
+  return lists.copy({ name = name, kind = "number", unit = unit, above = 0, sentence = sentence }, more)
 end
 local pull_rows = { row("EMT", "per cent", "stretch at 500 gf/cm"), row("WT", "gf cm/cm^2", "work; or LT", { optional = true }), row("LT", "", "work over that of a straight line, in place of WT", { optional = true, high = 2 }), row("RT", "per cent", "of the work that is recovered", { high = 100 }) }
 local bend_rows = { row("B", "gf cm^2/cm", "rigidity"), row("2HB", "gf cm/cm", "height of the loop", { optional = true }) }

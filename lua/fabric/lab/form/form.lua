@@ -538,10 +538,7 @@ local function run(t)
   return r
 end
 
-local function with_file(rows)
-  local all = table.move(rows, 1, #rows, 1, {})
-  return table.move(files.rows, 1, #files.rows, #all + 1, all)
-end
+local function with_file(rows) return lists.joined(rows, files.rows) end
 
 define {
   name = "fabric.lab.form",

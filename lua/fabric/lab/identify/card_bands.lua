@@ -44,8 +44,7 @@ end
 local function derivatives(by, found, parameters, deviation, make, base)
   local out = { warp = {}, weft = {}, shear = {}, bending = {}, biaxial = {} }
   for j, p in ipairs(parameters) do
-    local low, high = {}, {}
-    for name, x in pairs(found) do low[name], high[name] = x, x end
+    local low, high = lists.copy(found), lists.copy(found)
     low[p.name], high[p.name] = math.max(p.low, found[p.name] - 0.1 * deviation[j]), math.min(p.high, found[p.name] + 0.1 * deviation[j])
     local apart = high[p.name] - low[p.name]
     local _, a = made(by, make, low)

@@ -162,8 +162,7 @@ local function derivatives(t, tests, found)
     local width = p.high - p.low
     local d = found.deviation[j]
     local step = math.min(1e-2 * width, math.max(1e-6 * width, 0.1 * (d == d and d or 0)))
-    local low, high = {}, {}
-    for name, x in pairs(found.parameters) do low[name], high[name] = x, x end
+    local low, high = lists.copy(found.parameters), lists.copy(found.parameters)
     low[p.name], high[p.name] = math.max(p.low, low[p.name] - step), math.min(p.high, high[p.name] + step)
     for i, test in ipairs(tests) do
       local a, b = test.predict(low), test.predict(high)

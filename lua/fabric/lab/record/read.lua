@@ -10,12 +10,7 @@ local function specimens() return require "fabric.lab.record.specimens" end -- l
 local lists = require "fabric.lists"
 local plain = house.plain
 
-local function keys(t)
-  local names = {}
-  for name in pairs(t) do names[#names + 1] = name end
-  table.sort(names)
-  return table.concat(names, ", ")
-end
+local function keys(t) return table.concat(lists.keys(t), ", ") end
 
 -- The quantity given by a name: first by the user's words, then by the built-in letters and words.
 local function quantity_of(vocabulary, name)

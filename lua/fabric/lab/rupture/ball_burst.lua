@@ -9,6 +9,7 @@ local define = require "fabric.define"
 local kernels = require "fabric.kernels"
 local rupture = require "fabric.lab.rupture.rupture"
 local sheet = require "fabric.lab.virtual.sheet"
+local lists = require "fabric.lists"
 local mm = fabric.units.mm
 
 local function both(call, card)
@@ -94,18 +95,14 @@ local function impact(t)
 end
 
 local function rows(own, speed)
-  local all = { { name = "card", of = "card", sentence = "the fabric, with rupture of warp and weft" } }
-  for _, row in ipairs(own) do all[#all + 1] = row end
-  for _, row in ipairs {
+  return lists.joined({ { name = "card", of = "card", sentence = "the fabric, with rupture of warp and weft" } }, own, {
     { name = "stiffness", kind = "number", unit = "Pa/m", above = 0, optional = true, sentence = "of contact, as for model:contact" },
     { name = "friction", kind = "number", low = 0, default = 0.2, sentence = "of ball and cloth" },
     { name = "ledger_limit", kind = "number", above = 0, default = 0.05, sentence = "as for fabric.dynamic" },
-  } do all[#all + 1] = row end
-  for _, row in ipairs(rupture.rows {}) do
-    if row.name ~= "speed" and (row.name ~= "damping" or not speed) then all[#all + 1] = row end
-    if row.name == "speed" then all[#all + 1] = speed or row end
-  end
-  return all
+  }, lists.collect(rupture.arguments, function(row)
+    if row.name == "speed" then return speed or row end
+    if row.name ~= "damping" or not speed then return row end
+  end))
 end
 
 local sample = "local fabric = require 'fabric'\nlocal yarn = { strength=15e3, energy=20 }\n"

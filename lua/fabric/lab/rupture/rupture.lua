@@ -93,8 +93,7 @@ local columns = { "displacement", "force", "open", "kinetic", "stored", "fractur
 -- ends(row, peak): whether the test is over, more: names of further columns, reading(run, row): sets them, counts(row): whether the
 -- row may be the peak.
 function rupture.run(t, a, way, options)
-  local names = { table.unpack(columns) }
-  for _, name in ipairs(options.more or {}) do names[#names + 1] = name end
+  local names = lists.joined(columns, options.more or {})
   local from, last = options.from or 0, nil
   local result = { peak = 0, kinetic = 0 }
   local function reading(run)
@@ -151,8 +150,7 @@ rupture.arguments = {
 
 -- The rows of a test: its own, and those of all.
 function rupture.rows(own)
-  for _, row in ipairs(rupture.arguments) do own[#own + 1] = row end
-  return own
+  return lists.joined(own, rupture.arguments)
 end
 
 return rupture

@@ -140,18 +140,16 @@ local function seam_slippage(t)
 end
 
 local function rows(own)
-  local all = {
+  return lists.joined({
     { name = "card", of = "card", sentence = "the fabric" },
     { name = "yarn", kind = "text", choices = { "warp", "weft" }, default = "warp", sentence = "that is pulled, across the seam" },
     { name = "h", kind = "number", unit = "m", above = 0, default = 5 * mm, sentence = "size of the elements" },
-  }
-  for _, row in ipairs(own) do all[#all + 1] = row end
-  return all
+  }, own)
 end
 
 local of_tests = lists.collect(rupture.arguments, function(row) if row.name ~= "coarse" and row.name ~= "seed" then return row end end)
 
-local strength_rows = rows {
+local strength_rows = lists.joined(rows {
   { name = "strength", kind = "number", unit = "N/m", above = 0, sentence = "of the seam" },
   { name = "energy", kind = "number", unit = "J/m", above = 0, sentence = "that bursting takes, per metre of seam" },
   { name = "stiffness", kind = "number", unit = "N/m^2", above = 0, optional = true, sentence = "of the seam, where it gives way" },
@@ -160,8 +158,7 @@ local strength_rows = rows {
   { name = "length", kind = "number", unit = "m", above = 0, optional = true, sentence = "between the jaws; default 200 mm, grab 100 mm" },
   { name = "jaw", kind = "number", unit = "m", above = 0, optional = true, sentence = "grab: width and depth of the jaws, default 25 mm" },
   { name = "ledger_limit", kind = "number", above = 0, default = 0.05, sentence = "as for fabric.dynamic" },
-}
-for _, row in ipairs(of_tests) do strength_rows[#strength_rows + 1] = row end
+}, of_tests)
 
 define {
   name = "fabric.lab.seam_strength",

@@ -10,6 +10,7 @@
 local fabric = require "fabric"
 local define = require "fabric.define"
 local rupture = require "fabric.lab.rupture.rupture"
+local lists = require "fabric.lists"
 local mm = fabric.units.mm
 
 local transits = 100 -- of a wave over the length until the yarns break: how slow a test is
@@ -100,16 +101,7 @@ local function rows(width, length, h, coarse, more)
     { name = "ledger_limit", kind = "number", above = 0, default = 0.05, sentence = "as for fabric.dynamic" },
   }
   if more then table.insert(all, 5, more) end
-  all = rupture.rows(all)
-  for i, row in ipairs(all) do
-    if row.name == "coarse" then
-      local copy = {}
-      for key, value in pairs(row) do copy[key] = value end
-      copy.default, copy.optional = coarse, nil
-      all[i] = copy
-    end
-  end
-  return all
+  return lists.map(rupture.rows(all), function(row) return row.name == "coarse" and lists.copy(row, { default = coarse }) or row end)
 end
 
 local returns = "Returns peak (N, the largest force), elongation (m) and strain there, strength (N/m), curve (a list of time, displacement, force: N, work over way from "

@@ -7,6 +7,7 @@ local define = require "fabric.define"
 local motion = require "fabric.lab.virtual.motion"
 local sheet = require "fabric.lab.virtual.sheet"
 local fabric = require "fabric"
+local lists = require "fabric.lists"
 
 local clearance = 1e-4 -- m, from which on the fall is computed
 local gravity = 9.81 -- m/s^2
@@ -31,8 +32,7 @@ local function run(t)
   local ball = ball_of(t, model)
   local a = motion.analysis(t, model)
   local middle = motion.node(t.cells, t.cells // 2, t.cells // 2)
-  local columns = { "depth", "deflection", "force", "speed", "gap" }
-  for _, name in ipairs(ledger) do columns[#columns + 1] = name end
+  local columns = lists.joined({ "depth", "deflection", "force", "speed", "gap" }, ledger)
   local result = { depth = 0, deflection = 0, force = 0, gap = math.huge }
   local curve = sheet.observe(a, columns, t.out, "ball_drop", function(r)
     local _, _, z, _, _, vz = r:body(ball)

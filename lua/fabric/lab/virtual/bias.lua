@@ -24,16 +24,11 @@ local function run(t)
   return result
 end
 
-local arguments = {
+local arguments = lists.joined({
   { name = "card", of = "card", sentence = "the fabric" },
   { name = "angle", kind = "number", unit = "degrees", low = 0, high = 90, default = 45, sentence = "of the pull from the warp" },
   { name = "displacement", kind = "number", unit = "m", above = 0, default = 20 * fabric.units.mm, sentence = "largest displacement" },
-}
-for _, row in ipairs(strip.arguments) do
-  local copy = lists.copy(row)
-  if row.name == "grips" then copy.default = "free" end
-  arguments[#arguments + 1] = copy
-end
+}, lists.map(strip.arguments, function(row) return row.name == "grips" and lists.copy(row, { default = "free" }) or row end))
 
 define {
   name = "fabric.lab.bias",

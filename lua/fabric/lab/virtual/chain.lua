@@ -2,6 +2,7 @@
 local define = require "fabric.define"
 local curves = require "fabric.columns"
 local fabric = require "fabric"
+local lists = require "fabric.lists"
 local fail = define.fail
 
 local fields = { "name", "scheme", "duration", "loads", "release", "options" }
@@ -48,19 +49,10 @@ local function check(t)
   end
 end
 
--- The names of the columns in an order that is always the same.
-local function names_of(columns)
-  local names = {}
-  for name in pairs(columns or {}) do names[#names + 1] = name end
-  table.sort(names)
-  return names
-end
-
 local function begin(t, step, before)
   local model = t.model:copy()
   if step.loads then step.loads(model, before and before.time or 0, before) end
-  local given = {}
-  for name, value in pairs(step.options or {}) do given[name] = value end
+  local given = lists.copy(step.options or {})
   given.model, given.from, given.duration, given.release = model, before, step.duration, step.release
   if (step.scheme or "static") == "static" then return fabric.static(given) end
   given.scheme = step.scheme
@@ -69,7 +61,7 @@ end
 
 local function run(t)
   check(t)
-  local rows, names, before = curves.made(), names_of(t.columns), nil
+  local rows, names, before = curves.made(), lists.keys(t.columns or {}), nil
   for cycle = 1, t.cycles do
     for _, step in ipairs(t.steps) do
       local a = begin(t, step, before)

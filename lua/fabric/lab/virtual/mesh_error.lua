@@ -4,6 +4,7 @@
 -- the error of each is its distance from the limit. If the three do not converge with an order (p below 1/2, or differences
 -- of opposite sign), the limit is f3, and the error the spread of the three.
 local define = require "fabric.define"
+local lists = require "fabric.lists"
 
 local function judge(f)
   local first, second = f[1] - f[2], f[2] - f[3]
@@ -31,21 +32,17 @@ local function show(name, row)
 end
 
 local function run(t)
-  local found, names = {}, {}
+  local found = {}
   for level, factor in ipairs { 1, 2, 4 } do
     for name, value in pairs(t.run(factor)) do
-      if not found[name] then
-        found[name] = {}
-        names[#names + 1] = name
-      end
+      found[name] = found[name] or {}
       found[name][level] = value
     end
   end
-  table.sort(names)
   if t.print then
     print(("  %-14s %14s %14s %14s %14s %6s %10s"):format("mesh", "1", "2", "4", "limit", "order", "+-"))
   end
-  for _, name in ipairs(names) do
+  for _, name in ipairs(lists.keys(found)) do
     found[name] = judge(found[name])
     if t.print then show(name, found[name]) end
   end
@@ -69,8 +66,7 @@ define {
 -- fields t, with n times as many cells (a number, or one for each direction; default: `cells`), without files.
 return function(first, t, run, numbers, cells)
   local function again(n)
-    local fields = {}
-    for name, value in pairs(t) do fields[name] = value end
+    local fields = lists.copy(t)
     fields.out, cells = nil, t.cells or cells
     fields.cells = type(cells) == "table" and { cells[1] * n, cells[2] * n } or cells * n
     return run(fields)

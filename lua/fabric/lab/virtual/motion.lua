@@ -2,6 +2,7 @@
 local sheet = require "fabric.lab.virtual.sheet"
 local u = require("fabric").units
 local fabric = require "fabric"
+local lists = require "fabric.lists"
 local motion = {}
 
 local ledger = { "kinetic", "stored", "dissipated", "dissipated_warp", "dissipated_weft", "dissipated_shear", "dissipated_damage",
@@ -23,10 +24,7 @@ end
 -- Runs to the end; every t.every seconds a row with reading(a) and the ledger. If the run fails, returns the rows so far and
 -- the message `trouble`; t.strict raises it as an error.
 function motion.run(t, a, names, stem, reading)
-  local columns = {}
-  for _, name in ipairs(names) do columns[#columns + 1] = name end
-  for _, name in ipairs(ledger) do columns[#columns + 1] = name end
-  local curve = sheet.observe(a, columns, t.out, stem, function(run)
+  local curve = sheet.observe(a, lists.joined(names, ledger), t.out, stem, function(run)
     local row, e = reading(run), run.energy
     for _, name in ipairs(ledger) do row[name] = e[name] end
     return row

@@ -6,6 +6,7 @@
 --      +-----------+     warp along x; gravity along -z
 local define = require "fabric.define"
 local motion = require "fabric.lab.virtual.motion"
+local lists = require "fabric.lists"
 
 local function punch(t, mesh, model)
   local n, ids = t.cells, {}
@@ -41,11 +42,10 @@ local function run(t)
   return result
 end
 
-local arguments = {
+local arguments = lists.joined({
   { name = "height", kind = "number", unit = "m", default = 0.4, sentence = "that the punch rises to" },
   { name = "stroke", kind = "number", unit = "s", above = 0, default = 0.5, sentence = "up and down" },
-}
-for _, row in ipairs(motion.arguments) do arguments[#arguments + 1] = row end
+}, motion.arguments)
 
 define {
   name = "fabric.lab.poke",
