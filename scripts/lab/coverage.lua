@@ -78,9 +78,9 @@ local function run(name, n, known)
     said = said + (f.not_in_band and 1 or 0)
     for j, part in ipairs(at) do
       local got, h = stress(f, part * reach)
-      local truth = S(part * reach)
-      inside[j] = inside[j] + (math.abs(got - truth) <= h and 1 or 0)
-      half[j], bias[j] = half[j] + h / truth / sets, bias[j] + (got / truth - 1) / sets
+      local reference = S(part * reach)
+      inside[j] = inside[j] + (math.abs(got - reference) <= h and 1 or 0)
+      half[j], bias[j] = half[j] + h / reference / sets, bias[j] + (got / reference - 1) / sets
     end
   end
   local function list(values, scale, form)

@@ -22,15 +22,15 @@ local function tips(B, elements)
   end
   return out
 end
-local truth = 15e-6
-local read = tips(truth, 24)
+local reference = 15e-6
+local read = tips(reference, 24)
 for i, x in ipairs(read) do read[i] = math.floor(x / 1e-4 + 0.5) * 1e-4 end
 local bending = lab.identify {
   parameters = { { name = "log10 B", start = -4, low = -6, high = -3 } },
   tests = { { name = "cantilever", measured = read, noise = 1e-4, predict = function(p) return tips(10 ^ p["log10 B"], 12) end } },
 }
 print(bending.text)
-checks[#checks + 1] = { "bending rigidity over the true one", 10 ^ bending.parameters["log10 B"] / truth, 1, absolute = 0.01 } -- reading and mesh
+checks[#checks + 1] = { "bending rigidity over the true one", 10 ^ bending.parameters["log10 B"] / reference, 1, absolute = 0.01 } -- reading and mesh
 
 -- The biaxial spring of a card: a 1:1 pull tells its loading modulus; its unloading modulus only a pull that comes back.
 local spring = { alpha = 1.568, offset = 0.1606, loading = 294 * u.MPa, unloading = 111 * u.MPa }

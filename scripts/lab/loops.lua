@@ -10,9 +10,9 @@ local MPa = fabric.units.MPa
 local folder = arg[1] or "out/loops"
 
 local gauge, width, thickness = 0.2, 0.05, 0.4e-3
-local truth = { friction = 0.3, reach = 0.5, curve = 0.6 }
+local reference = { friction = 0.3, reach = 0.5, curve = 0.6 }
 local Du = 300 * MPa
-local card = fabric.card("blend"):with { warp = { unloading = Du, loop = truth } }
+local card = fabric.card("blend"):with { warp = { unloading = Du, loop = reference } }
 local straight = fabric.card("blend"):with { warp = { unloading = Du } }
 
 -- To 0.06 and back, to 0.12 and back with two loops on the way, and up again; strains between, in rows of equal stretch.
@@ -110,9 +110,9 @@ fabric.plot {
 
 local rows = {
   { "1: unloading, MPa", back.unloading / MPa, Du / MPa, relative = 0.02 },
-  { "1: friction", back.loop.friction, truth.friction, absolute = 0.02 },
-  { "1: reach", back.loop.reach, truth.reach, absolute = 0.05 },
-  { "1: curve", back.loop.curve, truth.curve, absolute = 0.05 },
+  { "1: friction", back.loop.friction, reference.friction, absolute = 0.02 },
+  { "1: reach", back.loop.reach, reference.reach, absolute = 0.05 },
+  { "1: curve", back.loop.curve, reference.curve, absolute = 0.05 },
   { "1: rms of the curved loop is the noise", back.rms.curved.all, 0.002, absolute = 0.001 },
   { "1: the straight law misses by a share of the peak", back.rms.straight.unloading, 0.1, absolute = 0.05 },
   { "3: rms of the straight law is the noise", plain.rms.straight.all, 0.002, absolute = 0.001 },

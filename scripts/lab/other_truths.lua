@@ -165,20 +165,20 @@ local here = os.tmpname()
 os.remove(here)
 local quantities, rows, checks = { "height, mm", "load, N", "frame, N", "overhang, degrees" }, {}, {}
 for _, cloth in ipairs(cloths) do
-  for _, name in ipairs(quantities) do rows[#rows + 1] = { cloth = cloth.name, name = name, inside = 0, width = 0, truth = 0 } end
+  for _, name in ipairs(quantities) do rows[#rows + 1] = { cloth = cloth.name, name = name, inside = 0, width = 0, reference = 0 } end
 end
 for seed = 1, seeds do
   local at = 0
   for c, cloth in ipairs(cloths) do
     local card = measured(cloth, ("%s/%d-%d"):format(here, seed, c), random(100 * seed + c), random(100 * seed + c + 50))
     local b = fabric.budget { card = card, mesh = { 4, 8, 16 }, samples = samples, shares = false, print = false, seed = seed, run = asked }
-    local truth = { ["height, mm"] = 1e3 * blown(cloth.warp), ["load, N"] = load_of(cloth.weft), ["frame, N"] = true_frame_force(cloth.shear), ["overhang, degrees"] = angle_of(cloth.curvature, asked_overhang) }
+    local reference = { ["height, mm"] = 1e3 * blown(cloth.warp), ["load, N"] = load_of(cloth.weft), ["frame, N"] = true_frame_force(cloth.shear), ["overhang, degrees"] = angle_of(cloth.curvature, asked_overhang) }
     for _, name in ipairs(quantities) do
       at = at + 1
       local row, band = rows[at], b.band[name]
-      row.truth, row.value, row.low, row.high = truth[name], b.value[name], band.low, band.high
-      row.inside = row.inside + (band.low <= truth[name] and truth[name] <= band.high and 1 or 0)
-      row.width = row.width + (band.high - band.low) / 2 / truth[name] / seeds
+      row.reference, row.value, row.low, row.high = reference[name], b.value[name], band.low, band.high
+      row.inside = row.inside + (band.low <= reference[name] and reference[name] <= band.high and 1 or 0)
+      row.width = row.width + (band.high - band.low) / 2 / reference[name] / seeds
     end
   end
 end
@@ -189,10 +189,10 @@ local bars, names, inside = { x = {}, y = {}, xerror = { low = {}, high = {} }, 
 print "cloth          quantity             true    inside     half width   last: value, 95 % interval"
 for i, row in ipairs(rows) do
   local place = #rows + 1 - i
-  names[place], bars.x[i], bars.y[i] = row.cloth .. ", " .. row.name:match "^%a+", row.value / row.truth, place
-  bars.xerror.low[i], bars.xerror.high[i] = row.low / row.truth, row.high / row.truth
+  names[place], bars.x[i], bars.y[i] = row.cloth .. ", " .. row.name:match "^%a+", row.value / row.reference, place
+  bars.xerror.low[i], bars.xerror.high[i] = row.low / row.reference, row.high / row.reference
   inside = inside + row.inside
-  print(("%-14s %-17s %8.4g  %3d of %-3d  %8.1f %%   %.4g, %.4g to %.4g"):format(row.cloth, row.name, row.truth, row.inside, seeds, 100 * row.width, row.value, row.low, row.high))
+  print(("%-14s %-17s %8.4g  %3d of %-3d  %8.1f %%   %.4g, %.4g to %.4g"):format(row.cloth, row.name, row.reference, row.inside, seeds, 100 * row.width, row.value, row.low, row.high))
   checks[#checks + 1] = { ("%s, %s: half the interval over the true value"):format(row.cloth, row.name), row.width, 0, absolute = 0.3 }
 end
 fabric.plot { file = out .. "/intervals.svg", xlabel = "computed over true", xunit = "%", ynames = names, curves = { bars, { x = { 1, 1 }, y = { 0.5, #rows + 0.5 }, style = "dashed", colour = "black" } },

@@ -51,13 +51,13 @@ end
 
 -- Truths inside bands, by parameter. A coefficient that the chosen degree leaves out stands at zero without a band.
 local counts, order = {}, {}
-local function count(key, truth, low, high)
+local function count(key, reference, low, high)
   if not counts[key] then
     counts[key] = { inside = 0, of = 0 }
     order[#order + 1] = key
   end
   counts[key].of = counts[key].of + 1
-  if low <= truth and truth <= high then counts[key].inside = counts[key].inside + 1 end
+  if low <= reference and reference <= high then counts[key].inside = counts[key].inside + 1 end
 end
 
 local function compare(key, fit, part)

@@ -31,9 +31,9 @@ local function one(card, seed)
   local draw, measured, parameters = random(seed), forces(card), {}
   for i, P in ipairs(measured) do measured[i] = P + noise * draw.normal() end
   for i, d in ipairs(card.shear.loading) do
-    local truth = d / u.MPa
-    local reach = (i == 1 and 0.9 or 4) * math.abs(truth)
-    parameters[i] = { name = "d" .. i - 1, start = truth * 1.1, low = truth - reach, high = truth + reach }
+    local reference = d / u.MPa
+    local reach = (i == 1 and 0.9 or 4) * math.abs(reference)
+    parameters[i] = { name = "d" .. i - 1, start = reference * 1.1, low = reference - reach, high = reference + reach }
   end
   local Gu = card.shear.unloading / u.MPa
   parameters[#parameters + 1] = { name = "Gu", start = 1.2 * Gu, low = 0.5 * Gu, high = 2 * Gu }
@@ -44,8 +44,8 @@ end
 local rows = {}
 for f, name in ipairs(names) do
   local card, inside, of, missed = fabric.card(name), 0, 0, {}
-  local truth = { Gu = card.shear.unloading / u.MPa }
-  for i, d in ipairs(card.shear.loading) do truth["d" .. i - 1] = d / u.MPa end
+  local reference = { Gu = card.shear.unloading / u.MPa }
+  for i, d in ipairs(card.shear.loading) do reference["d" .. i - 1] = d / u.MPa end
   for k = 1, repeats do
     local found = one(card, 7919 * f + k)
     if k == 1 then print(name .. "\n" .. found.text) end
@@ -53,7 +53,7 @@ for f, name in ipairs(names) do
     for i = 1, places do
       local parameter = i < places and "d" .. i - 1 or "Gu"
       of = of + 1
-      if math.abs(found.x[i] - truth[parameter]) <= 1.96 * found.deviation[i] then
+      if math.abs(found.x[i] - reference[parameter]) <= 1.96 * found.deviation[i] then
         inside = inside + 1
       else
         missed[#missed + 1] = parameter

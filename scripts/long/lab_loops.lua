@@ -31,28 +31,28 @@ local function record(card, seed)
 end
 
 local rows = {}
-for _, truth in ipairs {
+for _, reference in ipairs {
   { friction = 0.3, reach = 0.5, curve = 0.6, unloading = 300 * MPa, name = "wide" },
   { friction = 0.15, reach = 0.9, curve = 0.3, unloading = 500 * MPa, name = "narrow" },
 } do
-  local card = fabric.card("blend"):with { warp = { unloading = truth.unloading,
-    loop = { friction = truth.friction, reach = truth.reach, curve = truth.curve } } }
+  local card = fabric.card("blend"):with { warp = { unloading = reference.unloading,
+    loop = { friction = reference.friction, reach = reference.reach, curve = reference.curve } } }
   local inside, off = {}, {}
   for seed = 1, repeats do
     local l = fabric.lab.loops { tests = { record(card, seed) } }
     assert(l.curved)
     for _, name in ipairs { "unloading", "friction", "reach", "curve" } do
-      local held = l.low[name] <= truth[name] and truth[name] <= l.high[name]
+      local held = l.low[name] <= reference[name] and reference[name] <= l.high[name]
       inside[name] = (inside[name] or 0) + (held and 1 or 0)
-      off[name] = (off[name] or 0) + (l.values[name] / truth[name] - 1) ^ 2 / repeats
+      off[name] = (off[name] or 0) + (l.values[name] / reference[name] - 1) ^ 2 / repeats
     end
   end
   for _, name in ipairs { "unloading", "friction", "reach", "curve" } do
     -- Three deviations of a count below 95 %; where friction and reach hang together the bands are known to be narrow.
-    local hangs = truth.name == "narrow" and (name == "friction" or name == "reach")
+    local hangs = reference.name == "narrow" and (name == "friction" or name == "reach")
     local share, wanted = inside[name] / repeats, hangs and 0.87 or 0.97
-    rows[#rows + 1] = { ("%s: %s, share of true values inside"):format(truth.name, name), share, wanted, absolute = 0.03 + 3 * math.sqrt(0.07 / repeats) }
-    print(("%-7s %-10s inside %3d of %d, rms deviation %.2f %%"):format(truth.name, name, inside[name], repeats, 100 * math.sqrt(off[name])))
+    rows[#rows + 1] = { ("%s: %s, share of true values inside"):format(reference.name, name), share, wanted, absolute = 0.03 + 3 * math.sqrt(0.07 / repeats) }
+    print(("%-7s %-10s inside %3d of %d, rms deviation %.2f %%"):format(reference.name, name, inside[name], repeats, 100 * math.sqrt(off[name])))
   end
 end
 fabric.expect(rows)

@@ -15,7 +15,7 @@ if not families or families < 20 or not specimens or specimens < 3 then
 end
 if fabric.checking() then return end
 
-local points, truth = 20, { a = 0.1, b = 0.05, c = -0.3, d = 0.5 }
+local points, reference = 20, { a = 0.1, b = 0.05, c = -0.3, d = 0.5 }
 local function predict(p)
   local y = {}
   for k = 1, points do
@@ -24,7 +24,7 @@ local function predict(p)
   end
   return y
 end
-local clean = predict(truth)
+local clean = predict(reference)
 local function specimen(name, wave)
   local own, heights, t = 1 + 0.07 * draw.normal(), {}, { name = name, measured = {}, noise = {}, predict = predict }
   for m = 1, 3 do heights[m] = math.sqrt(2) * wave * draw.normal() end
@@ -72,7 +72,7 @@ for _, wave in ipairs { 0, 0.015, 0.03 } do
     local other, band, held = specimen("next", wave), pool.tests["pull 1"], 0
     for k, y in ipairs(other.measured) do held = held + (band.next_low[k] <= y and y <= band.next_high[k] and 1 or 0) end
     next_one[f] = held / points
-    for name, value in pairs(truth) do inside[name] = inside[name] + (pool.low[name] <= value and value <= pool.high[name] and 1 or 0) / families end
+    for name, value in pairs(reference) do inside[name] = inside[name] + (pool.low[name] <= value and value <= pool.high[name] and 1 or 0) / families end
   end
   print(("factors of 7 %%, waves of %g %% each:"):format(100 * wave))
   local of_spread = told("left out, in the band of the others (spread)", spread)

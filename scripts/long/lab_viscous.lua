@@ -45,10 +45,10 @@ for _, design in ipairs(designs) do
     local v = lab.viscous { tests = make(), scatter = known }
     if v.modulus then
       of = of + 1
-      for field, truth in pairs { modulus = modulus, time = time, viscosity = modulus * time } do
+      for field, reference in pairs { modulus = modulus, time = time, viscosity = modulus * time } do
         local low = field == "time" and v.open_below and 0 or v.low[field]
         local high = field == "time" and v.open_above and math.huge or v.high[field]
-        if low <= truth and truth <= high then inside[field] = inside[field] + 1 end
+        if low <= reference and reference <= high then inside[field] = inside[field] + 1 end
       end
     end
     if v.viscous then told = told + 1 end

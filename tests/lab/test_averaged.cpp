@@ -40,9 +40,9 @@ TEST_CASE("a curve of no polynomial law and its first contact are found with wha
       CHECK(s.slack_high - s.slack_low < 0.004);
       CHECK(s.residual < 6e3);
       for (std::size_t g = 0; g < c.E.size(); ++g) {
-        const double truth = 0.5e6 * (std::exp(18 * c.E[g]) - 1);
+        const double reference = 0.5e6 * (std::exp(18 * c.E[g]) - 1);
         // three deviations of the mean covariance, which with the last digits is never nothing
-        CHECK(std::abs(s.S[g] - truth) < 4 * std::sqrt(c.within[g * c.E.size() + g]) + 1e3);
+        CHECK(std::abs(s.S[g] - reference) < 4 * std::sqrt(c.within[g * c.E.size() + g]) + 1e3);
       }
     }
     double sum = 0;

@@ -28,7 +28,7 @@ CorrelationOptions options() {
 }
 
 // Where the scene puts a place of the first photograph.
-std::array<double, 2> truth(const Speckles& s, double x, double y) {
+std::array<double, 2> reference(const Speckles& s, double x, double y) {
   const double mx = (s.width - 1) / 2.0, my = (s.height - 1) / 2.0;
   return {mx + s.shift[0] + s.F[0] * (x - mx) + s.F[1] * (y - my),
           my + s.shift[1] + s.F[2] * (x - mx) + s.F[3] * (y - my)};
@@ -42,7 +42,7 @@ Misses misses(const Speckles& s, const std::vector<Subset>& subsets) {
   Misses m;
   for (const Subset& subset : subsets) {
     if (subset.state != Subset::SubsetState::found) continue;
-    const auto [x, y] = truth(s, subset.x, subset.y);
+    const auto [x, y] = reference(s, subset.x, subset.y);
     const double dx = subset.x + subset.u - x, dy = subset.y + subset.v - y;
     m.rms += (dx * dx + dy * dy) / 2;
     m.mean_x += dx;

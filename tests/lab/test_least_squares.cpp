@@ -96,7 +96,7 @@ TEST_CASE(
   const std::vector<ParameterBounds> bounds{{0, 2}, {-8, 4}, {-9, 15}, {-5, 3}};
   const std::vector<double> width{2, 12, 24, 8}, start{1.3, -3, 4, -2};
   const auto smooth = least_squares(start, bounds, cubic(1, 0), {200, 1e-14, 1e-6});
-  const auto truth = identifiability(smooth.jacobian, width);
+  const auto reference = identifiability(smooth.jacobian, width);
   const auto rough = cubic(1, 0.05);
   const auto found = least_squares(start, bounds, rough, {50, 1e-8, 1e-4});
   const auto settled = settle(found, bounds, rough, 8);
@@ -104,12 +104,12 @@ TEST_CASE(
   double before = 0;
   for (std::size_t i = 0; i < 4; ++i) {
     INFO(i << ": " << found.x[i] << " " << settled.x[i] << " " << smooth.x[i] << " +- "
-           << truth.deviation[i]);
-    before = std::max(before,
-                      std::abs(identifiability(found.jacobian, width).deviation[i] / truth.deviation[i] - 1));
+           << reference.deviation[i]);
+    before = std::max(
+        before, std::abs(identifiability(found.jacobian, width).deviation[i] / reference.deviation[i] - 1));
     CHECK(std::abs(settled.x[i] - smooth.x[i]) <
-          0.3 * truth.deviation[i]);  // the ripple, and steps of a tenth
-    CHECK(std::abs(known.deviation[i] / truth.deviation[i] - 1) < 0.1);
+          0.3 * reference.deviation[i]);  // the ripple, and steps of a tenth
+    CHECK(std::abs(known.deviation[i] / reference.deviation[i] - 1) < 0.1);
   }
   CHECK(before > 0.2);  // what the differences of single parameters said
   CHECK(settled.reason == "settled within a tenth of a standard deviation");

@@ -42,12 +42,12 @@ TEST_CASE("a dot's middle as well as the noise lets it be known", "[lab]") {
       s.F = pulled(0.05 * k, 0.06 * k);
       s.seed = static_cast<std::uint64_t>(k + 1);
       const auto dots = find_dots(photograph(s), {});
-      const auto truth = true_positions(s);
+      const auto reference = true_positions(s);
       REQUIRE(dots.size() == 24);
       for (const Dot& d : dots) {
         double best = 1e9;
         for (std::size_t m = 0; m < 24; ++m)
-          best = std::min(best, std::hypot(d.x - truth[2 * m], d.y - truth[2 * m + 1]));
+          best = std::min(best, std::hypot(d.x - reference[2 * m], d.y - reference[2 * m + 1]));
         squares += best * best;
         count += 1;
         CHECK(std::abs(d.contrast - 0.7) < 0.02);
@@ -83,12 +83,12 @@ TEST_CASE("a blot that is no ellipse keeps its centroid", "[lab]") {
 TEST_CASE("strain to 2e-4 through 50 % and 30 degrees", "[lab]") {
   constexpr int frames = 16;
   std::optional<Tracker> tracker;
-  std::vector<std::array<double, 4>> truth;
+  std::vector<std::array<double, 4>> reference;
   for (int f = 0; f < frames; ++f) {
     DotGrid s = scene();
     const double part = f / (frames - 1.0);
-    truth.push_back(pulled(0.5 * part, 0.5235987755982988 * part));
-    s.F = truth.back();
+    reference.push_back(pulled(0.5 * part, 0.5235987755982988 * part));
+    s.F = reference.back();
     s.seed = static_cast<std::uint64_t>(f + 1);
     const auto dots = find_dots(photograph(s), {});
     if (!tracker)
@@ -103,7 +103,7 @@ TEST_CASE("strain to 2e-4 through 50 % and 30 degrees", "[lab]") {
     std::array<double, 3> mean{};
     for (std::size_t b = 0; b < t.boxes(); ++b) {
       const auto F = box_gradient(t, b, f);
-      const auto& G = truth[f];
+      const auto& G = reference[f];
       const std::array<double, 3> miss{(F[0] * F[0] + F[2] * F[2] - G[0] * G[0] - G[2] * G[2]) / 2,
                                        (F[1] * F[1] + F[3] * F[3] - G[1] * G[1] - G[3] * G[3]) / 2,
                                        (F[0] * F[1] + F[2] * F[3] - G[0] * G[1] - G[2] * G[3]) / 2};
@@ -130,13 +130,13 @@ TEST_CASE("a grid is known on a first photograph that is turned", "[lab]") {
       INFO("turned by " << degrees << " degrees, strain " << strain);
       s.F = pulled(strain, degrees * std::numbers::pi / 180);
       const Tracker tracker(s.rows, s.columns, find_dots(photograph(s), {}));
-      const auto truth = true_positions(s);  // rows downwards
+      const auto reference = true_positions(s);  // rows downwards
       double worst = 0;
       for (std::size_t r = 0; r < s.rows; ++r)
         for (std::size_t c = 0; c < s.columns; ++c) {
           const std::size_t m = r * s.columns + c, k = 2 * ((s.rows - 1 - r) * s.columns + c);
-          worst = std::max(
-              worst, std::hypot(tracker.tracks().x[m] - truth[k], -tracker.tracks().y[m] - truth[k + 1]));
+          worst = std::max(worst, std::hypot(tracker.tracks().x[m] - reference[k],
+                                             -tracker.tracks().y[m] - reference[k + 1]));
         }
       CHECK(worst < 0.05);  // noise of the camera, half a hundredth of a pixel
     }

@@ -1,4 +1,4 @@
--- fabric.budget of a card that was identified from records whose curve is a little other than the law's: the interval holds the truth, and the contradiction is said.
+-- fabric.budget of a card that was identified from records whose curve is a little other than the law's: the interval holds the true value, and the contradiction is said.
 local fabric = require "fabric"
 local lab = fabric.lab
 local draw = require "fabric.lab.random"(17)
@@ -14,8 +14,8 @@ local function stresses(card, strains)
 end
 local strains, asked = {}, { 0.02, 0.04, 0.06 }
 for k = 1, n do strains[k] = top * k / n end
-local truth = make { a = 9, b = 500 }
-local curve, true_values = stresses(truth, strains), stresses(truth, asked)
+local reference = make { a = 9, b = 500 }
+local curve, true_values = stresses(reference, strains), stresses(reference, asked)
 
 -- Of `sets` cards the parts of the true stresses within the budget's interval, the half width over the stress, and the parts that are said to contradict.
 local function of(size, sets)

@@ -12,17 +12,17 @@ local function model(p)
   end
   return y
 end
-local truth = { a = 1.3, b = 0.8 }
+local reference = { a = 1.3, b = 0.8 }
 
 -- Fits records that differ from the model by `size` times the noise, smoothly; the parts of the true values within 1.96 deviations, of records that are said to contradict, and the mean deviation of a.
 local function fitted(size, sets)
   local inside, told, width = 0, 0, 0
   for _ = 1, sets do
-    local y, phase, waves = model(truth), 2 * math.pi * draw.uniform(), 0.5 + draw.uniform()
+    local y, phase, waves = model(reference), 2 * math.pi * draw.uniform(), 0.5 + draw.uniform()
     for k = 1, n do y[k] = y[k] + noise * (size * math.sqrt(2) * math.cos(2 * math.pi * waves * k / n + phase) + draw.normal()) end
     local f = lab.identify { parameters = { { name = "a", start = 1, low = -5, high = 5 }, { name = "b", start = 1, low = -5, high = 5 } },
       tests = { { name = "curve", measured = y, noise = noise, predict = model } }, processes = 1 }
-    for i, name in ipairs { "a", "b" } do inside = inside + (math.abs(f.parameters[name] - truth[name]) <= 1.96 * f.deviation[i] and 0.5 or 0) / sets end
+    for i, name in ipairs { "a", "b" } do inside = inside + (math.abs(f.parameters[name] - reference[name]) <= 1.96 * f.deviation[i] and 0.5 or 0) / sets end
     told, width = told + (f.text:find("The data contradict the model: they differ by more than the noise", 1, true) and 1 or 0) / sets, width + f.deviation[1] / sets
   end
   return inside, told, width

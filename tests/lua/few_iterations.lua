@@ -19,13 +19,13 @@ end
 
 for _, o in ipairs { { friction = 0.3 }, { friction = 0 }, { friction = 0.4, triangles = true } } do
   local name = o.triangles and "triangles" or "squares, friction " .. o.friction
-  local truth = drape { scheme = "explicit", friction = o.friction, triangles = o.triangles }
+  local reference = drape { scheme = "explicit", friction = o.friction, triangles = o.triangles }
   for step, most in pairs { [1e-3] = 7, [4e-3] = 10 } do
     local corner, mean, a = drape { scheme = "implicit", step = step, friction = o.friction, triangles = o.triangles }
-    print(("%s, %g s: %.2f iterations a step, corner %.2f, %.2f mm"):format(name, step, mean, corner.z / mm, truth.z / mm))
+    print(("%s, %g s: %.2f iterations a step, corner %.2f, %.2f mm"):format(name, step, mean, corner.z / mm, reference.z / mm))
     fabric.expect {
       { ("%s, %g s: iterations a step, at most %d"):format(name, step, most), math.max(mean, most), most, absolute = 0 },
-      { name .. ": corner, m", corner.z, truth.z, absolute = 2 * mm },
+      { name .. ": corner, m", corner.z, reference.z, absolute = 2 * mm },
       { name .. ": error of the ledger", a.energy.error, 0, absolute = 5e-3 },
     }
   end

@@ -13,12 +13,12 @@ local function decay(p)
   for i = 1, 20 do out[i] = p.size * math.exp(-p.rate * i / 10) end
   return out
 end
-local truth = decay { size = 2, rate = 1.3 }
+local reference = decay { size = 2, rate = 1.3 }
 local path = os.tmpname()
 os.remove(path)
 local function search(more)
   local t = { parameters = { { name = "size", start = 1, low = 0.1, high = 10 }, { name = "rate", start = 0.4, low = 0, high = 3 } },
-    tests = { { name = "decay", measured = truth, predict = decay } }, processes = 1, checkpoint = path, tolerance = 1e-10, difference = 1e-5 }
+    tests = { { name = "decay", measured = reference, predict = decay } }, processes = 1, checkpoint = path, tolerance = 1e-10, difference = 1e-5 }
   for k, v in pairs(more or {}) do t[k] = v end
   return lab.identify(t)
 end
@@ -59,11 +59,11 @@ os.remove(path)
 -- --- the checkpoint ---
 
 -- another noise has the same predictions and other residuals: as if there had been no checkpoint
-local crooked = table.move(truth, 1, #truth, 1, {})
+local crooked = table.move(reference, 1, #reference, 1, {})
 for i = 1, #crooked do crooked[i] = crooked[i] + (i % 3 - 1) * 0.05 * i end
 local function weighed(noise, checkpoint)
   local list = {}
-  for i = 1, #truth do list[i] = noise(i) end
+  for i = 1, #reference do list[i] = noise(i) end
   return search { checkpoint = checkpoint, tests = { { name = "decay", measured = crooked, noise = list, predict = decay } } }
 end
 local function late(i) return 0.01 * i ^ 2 end
@@ -81,7 +81,7 @@ local function twice(p)
   for i, y in ipairs(out) do out[i] = 1.01 * y end
   return out
 end
-fails("is of another problem: at size=1, rate=0.4 number 1 of test 'decay' is 0.970", search, { tests = { { name = "decay", measured = truth, predict = twice } } })
+fails("is of another problem: at size=1, rate=0.4 number 1 of test 'decay' is 0.970", search, { tests = { { name = "decay", measured = reference, predict = twice } } })
 fails("other parameters, tests, data or key", search, { key = "6 cells" })
 os.remove(path)
 search { key = 6 }
@@ -99,7 +99,7 @@ local function dies_at(points)
     return decay(p)
   end
 end
-local once = search { processes = 2, tests = { { name = "decay", measured = truth, predict = dies_at(function()
+local once = search { processes = 2, tests = { { name = "decay", measured = reference, predict = dies_at(function()
   local there = io.open(marker)
   if there then there:close() os.remove(marker) end
   return there
@@ -107,18 +107,18 @@ end) } } }
 assert(not io.open(marker) and once.parameters.size == whole.parameters.size, once.text)
 os.remove(path)
 fails("ended twice without an answer: the process was ended by signal 9", search,
-  { processes = 2, tests = { { name = "decay", measured = truth, predict = dies_at(function() return true end) } } })
+  { processes = 2, tests = { { name = "decay", measured = reference, predict = dies_at(function() return true end) } } })
 for stored in io.lines(path) do assert(not stored:find " failed: ", stored) end
 calls = 0
 assert(search().parameters.size == whole.parameters.size)
 os.remove(path)
 -- a failure of predict itself is kept, and is none of the numbers
 search { parameters = { { name = "size", start = 1, low = 0.1, high = 10 }, { name = "rate", start = 2.899, low = 0, high = 3 } }, difference = 1e-2, iterations = 1,
-  settle = 0, tests = { { name = "decay", measured = truth, predict = function(p) return p.rate > 2.9 and { 0 / 0 } or decay(p) end } } }
+  settle = 0, tests = { { name = "decay", measured = reference, predict = function(p) return p.rate > 2.9 and { 0 / 0 } or decay(p) end } } }
 os.remove(path)
 fails("the start cannot be simulated: test 'decay': expected predict to return finite numbers, got ", search,
-  { tests = { { name = "decay", measured = truth, predict = function() local out = decay { size = 1, rate = 1 } out[3] = 0 / 0 return out end } } })
-fails("expected 20 predicted numbers, got 1", search, { tests = { { name = "decay", measured = truth, predict = function() return { 1 } end } } })
+  { tests = { { name = "decay", measured = reference, predict = function() local out = decay { size = 1, rate = 1 } out[3] = 0 / 0 return out end } } })
+fails("expected 20 predicted numbers, got 1", search, { tests = { { name = "decay", measured = reference, predict = function() return { 1 } end } } })
 os.remove(path)
 
 -- --- what it says ---
@@ -150,11 +150,11 @@ assert(blind.deviation[1] == 8 and blind.deviation[2] == 5 and blind.weakest_dev
 -- --- what is refused ---
 
 local function refused(words, test, where)
-  local t = { name = "decay", measured = truth, predict = decay }
+  local t = { name = "decay", measured = reference, predict = decay }
   for k, v in pairs(test) do t[k] = v end
   fails(words, search, { [where or "tests"] = { t } })
 end
-refused("unknown field 'tests[1].mesured', did you mean 'measured'?", { mesured = truth })
+refused("unknown field 'tests[1].mesured', did you mean 'measured'?", { mesured = reference })
 refused("field 'tests[1].name': expected a string, got 5", { name = 5 })
 refused("field 'tests[1].predict': expected a function, got 3", { predict = 3 })
 refused("field 'tests[1].measured': expected a list of numbers, got 3", { measured = 3 })

@@ -262,8 +262,8 @@ local points = lab.fit { tests = late, find_slack = "either" }
 assert(points.text:find "points of a monotone curve instead" and type(points.loading[1]) == "table", points.text)
 for _, p in ipairs(points.loading) do
   local e = math.sqrt(1 + 2 * p[1]) - 1
-  local truth = 1.02 * (1000 * 0.1 * e + 1e-3 * (math.exp(60 * e) - 1)) / 2e-5 / (1 + e)
-  assert(math.abs(p[2] - truth) < 0.01 * points.loading[#points.loading][2], p[1])
+  local reference = 1.02 * (1000 * 0.1 * e + 1e-3 * (math.exp(60 * e) - 1)) / 2e-5 / (1 + e)
+  assert(math.abs(p[2] - reference) < 0.01 * points.loading[#points.loading][2], p[1])
 end
 
 -- How specimens differ: with four and more of them the band of the others holds one left out 95 times in 100.

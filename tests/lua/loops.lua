@@ -11,9 +11,9 @@ local function says(act, words)
 end
 
 -- --- the card ---
-local truth = { friction = 0.3, reach = 0.5, curve = 0.6 }
+local reference = { friction = 0.3, reach = 0.5, curve = 0.6 }
 local straight = fabric.card("blend"):with { warp = { unloading = 300 * MPa } }
-local card = straight:with { warp = { loop = truth } }
+local card = straight:with { warp = { loop = reference } }
 assert(card.warp.loop.friction == 0.3 and card.weft.loop == nil and straight.warp.loop == nil)
 assert(tostring(card):find("friction 0.3, over 0.5 of the way, curve 0.6", 1, true), tostring(card))
 card:write "out/card.lua"
@@ -30,9 +30,9 @@ local function way(m, x) return m - (1 - x) * P(m) / (300 * MPa) end
 local p = fabric.point(card)
 check("the measured curve", p:uniaxial("warp", 0.1).S, P(0.1), 1e-13)
 -- At a third of the reach from the peak strands end: friction (1 - (1 - 1/3)^2) is lost.
-local x = 1 - truth.reach / 3
+local x = 1 - reference.reach / 3
 check("on the way back", p:uniaxial("warp", way(0.1, x)).S,
-  P(0.1) * ((1 - truth.friction) * (1 - truth.curve + truth.curve * x) * x + truth.friction * 4 / 9), 1e-11)
+  P(0.1) * ((1 - reference.friction) * (1 - reference.curve + reference.curve * x) * x + reference.friction * 4 / 9), 1e-11)
 check("residual strain", p:state().residual1, way(0.1, 0), 1e-13)
 
 -- --- static: a strip pulled, let go, pulled again ---
@@ -112,7 +112,7 @@ local function tests_of(of, n, noise)
   return out
 end
 local exact = lab.loops { tests = tests_of(card, 1, 0) }
-for name, want in pairs(truth) do check("without noise: " .. name, exact.loop[name], want, 2e-3) end
+for name, want in pairs(reference) do check("without noise: " .. name, exact.loop[name], want, 2e-3) end
 check("without noise: unloading", exact.unloading, 300 * MPa, 2e-3)
 assert(exact.rms.curved.all < 1e-3 and exact.rms.straight.unloading > 0.05 and exact.text:find("the straight law misses it by rms", 1, true), exact.text)
 local plain = lab.loops { tests = tests_of(straight, 1, 0.004) }
@@ -121,7 +121,7 @@ assert(not plain.curved and plain.loop == nil and plain.text:find("The straight 
 local inside, all = 0, 0
 for _ = 1, 12 do
   local l = lab.loops { tests = tests_of(card, 1, 0.005) }
-  for name, want in pairs(truth) do
+  for name, want in pairs(reference) do
     all = all + 1
     if l.low[name] <= want and want <= l.high[name] then inside = inside + 1 end
   end
@@ -173,7 +173,7 @@ for _, asked in ipairs { "false", "true" } do
   local text = f:read "a"
   assert(text:find("Loops of the warp", 1, true) and text:find("the straight law misses it by rms", 1, true))
   assert((text:find("loops=true in laboratory.lua", 1, true) ~= nil) == (asked == "false"))
-  if asked == "true" then check("friction from a folder", found.card.warp.loop.friction, truth.friction, 3e-2) end
+  if asked == "true" then check("friction from a folder", found.card.warp.loop.friction, reference.friction, 3e-2) end
 end
 lay "5"
 says(function() folder.reduce "out/folder" end, "laboratory.lua: field 'loops': expected true or false, got 5")

@@ -52,14 +52,14 @@ end
 -- next to the peak lie off its curve by +-d of their stress: what is not known is the peak's stress, by d / sqrt(rows), and the parameters follow it. How they do is seen by
 -- lifting those rows by a known share.
 do
-  local truth = { unloading = 300e6, friction = 0.3, reach = 0.4, curve = 0.5 }
-  local card = fabric.woven { name = "looped", density = 500, thickness = 0.4e-3, warp = { loading = { d0, d1 }, unloading = truth.unloading, poisson = 0.2,
-      loop = { friction = truth.friction, reach = truth.reach, curve = truth.curve } },
+  local reference = { unloading = 300e6, friction = 0.3, reach = 0.4, curve = 0.5 }
+  local card = fabric.woven { name = "looped", density = 500, thickness = 0.4e-3, warp = { loading = { d0, d1 }, unloading = reference.unloading, poisson = 0.2,
+      loop = { friction = reference.friction, reach = reference.reach, curve = reference.curve } },
     weft = { loading = { 2 * d0 }, unloading = 500e6, poisson = 0.2 }, shear = { loading = { 2e6 }, unloading = 8e6 }, tested = { warp = 0.12, weft = 0.1, shear = 0.3 } }
   local m, n = 0.1, 64
   local p = fabric.point(card)
   p:uniaxial("warp", m)
-  local low = m - 0.9 * P(m) / truth.unloading
+  local low = m - 0.9 * P(m) / reference.unloading
   local back, again = {}, {}
   for k = 1, 50 do
     local E = m + (low - m) * k / 50
@@ -70,12 +70,12 @@ do
     again[k] = { E, p:uniaxial("warp", E).S11 }
   end
   local function found(noise)
-    return fabric.lab.loops { tests = { test(m, n, noise, { back, again }) }, fit = { loading = { d0, d1 }, tested = m, unloading = truth.unloading } }
+    return fabric.lab.loops { tests = { test(m, n, noise, { back, again }) }, fit = { loading = { d0, d1 }, tested = m, unloading = reference.unloading } }
   end
   local exact = found(quiet)
   assert(exact.curved, exact.text)
-  for _, name in ipairs { "friction", "reach", "curve" } do check("exact: " .. name, exact.loop[name], truth[name], { relative = 0.01 }) end
-  check("exact: unloading", exact.unloading, truth.unloading, { relative = 2e-3 })
+  for _, name in ipairs { "friction", "reach", "curve" } do check("exact: " .. name, exact.loop[name], reference[name], { relative = 0.01 }) end
+  check("exact: unloading", exact.unloading, reference.unloading, { relative = 2e-3 })
   -- All virgin rows higher by a share: the peak is.
   local lift = 2e-3
   local function lifted(share) return found(function(k) return share * P(m * k / n) end) end

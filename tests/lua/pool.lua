@@ -31,11 +31,11 @@ local function pool(tests, more)
 end
 
 local trials = 100
-local truth, alone, following, left, squares, of = 0, 0, 0, 0, 0, 0
+local covered, alone, following, left, squares, of = 0, 0, 0, 0, 0, 0
 for trial = 1, trials do
   local tests = specimens(5)
   local f = pool(tests)
-  if f.low.b <= 400 and 400 <= f.high.b then truth = truth + 1 end
+  if f.low.b <= 400 and 400 <= f.high.b then covered = covered + 1 end
   if trial <= 25 then -- the same points taken for noise alone
     local g = lab.identify { parameters = parameters, tests = tests, processes = 1 }
     if math.abs(g.parameters.b - 400) <= 1.96 * g.deviation[2] / math.sqrt(g.chi2) then alone = alone + 1 end
@@ -50,7 +50,7 @@ for trial = 1, trials do
   left, squares = left + f.coverage / trials, squares + f.between ^ 2 / trials
   assert(f.chi2 < 3, f.text)
 end
-assert(truth >= 89 and truth <= 100, truth) -- 95 +- 3 standard errors of a count
+assert(covered >= 89 and covered <= 100, covered) -- 95 +- 3 standard errors of a count
 assert(alone <= 12, alone)                  -- what the stated noise alone would have said of it
 assert(following / of > 0.88 and following / of < 0.995, following / of)
 assert(left > 0.9 and left < 0.995, left)
@@ -67,16 +67,16 @@ local function wavy()
   end
   return y
 end
-truth, left = 0, 0
+covered, left = 0, 0
 for _ = 1, 60 do
   local tests = {}
   for i = 1, 5 do tests[i] = { name = "pull " .. i, measured = wavy(), noise = 0.3 * noise, predict = predict } end
   local g = pool(tests)
   left = left + g.coverage / 60
-  if g.low.a <= 8 and 8 <= g.high.a then truth = truth + 1 end
+  if g.low.a <= 8 and 8 <= g.high.a then covered = covered + 1 end
 end
 assert(left > 0.9 and left < 0.985, left) -- 1.0 where what is left counts as known as well as noise
-assert(truth >= 51, truth)              -- 57 less three standard errors of a count
+assert(covered >= 51, covered)              -- 57 less three standard errors of a count
 
 -- a low specimen counts no more than a high one: the mean, not less
 local three = {}

@@ -29,20 +29,20 @@ local function compare(name, make, reading, o)
     a:solve()
     return { forces = forces, energy = a.energy, loop = loop }
   end
-  local truth = run("static", { step = o.step })
+  local reference = run("static", { step = o.step })
   local slow = run("dynamic", { step = o.step, scheme = "implicit", slow = true })
   local finer = run("dynamic", { step = o.step / 2, scheme = "implicit", slow = true })
   local most, off = 0, 0
-  for i, force in ipairs(truth.forces) do
+  for i, force in ipairs(reference.forces) do
     most, off = math.max(most, math.abs(force)), math.max(off, math.abs(force - slow.forces[i]))
   end
   local e, of = slow.energy, o.account
-  local lost = truth.energy[of]
+  local lost = reference.energy[of]
   print(("%s: force off by %.3g of %.3g N; loop %.4g, %.4g J; lost %.4g, %.4g J; kinetic %.2g, damping %.2g, %.2g J"):format(
-    name, off, most, truth.loop, slow.loop, lost, e[of], e.kinetic, e.damping, finer.energy.damping))
+    name, off, most, reference.loop, slow.loop, lost, e[of], e.kinetic, e.damping, finer.energy.damping))
   fabric.expect {
     { name .. ": forces of the statics", off / most, 0, absolute = 2e-3 },
-    { name .. ": the loop", slow.loop, truth.loop, relative = 2e-3 },
+    { name .. ": the loop", slow.loop, reference.loop, relative = 2e-3 },
     { name .. ": what friction took", e[of], lost, relative = 2e-3 },
     { name .. ": kinetic energy, of that", e.kinetic / lost, 0, absolute = 2e-3 },
     { name .. ": ledger", e.error, 0, absolute = 1e-3 },

@@ -12,8 +12,8 @@ local function worst(yarn, weft, shear, width, length, way)
     local t = { displacement = d, force = F, width = width, length = length, thickness = card.thickness, cut = true }
     for name, value in pairs(more) do t[name] = value end
     local r, sum, n = lab.bias_shear(t), 0, 0
-    local truth = fabric.point(card):path({ E12 = r.E12 }, { "S12" }).S12
-    for i = #r.E12 // 2, #r.E12 do sum, n = sum + r.S12[i] / truth[i] - 1, n + 1 end
+    local reference = fabric.point(card):path({ E12 = r.E12 }, { "S12" }).S12
+    for i = #r.E12 // 2, #r.E12 do sum, n = sum + r.S12[i] / reference[i] - 1, n + 1 end
     return sum / n, r.taken_out or 0
   end
   local before = mean_error {}

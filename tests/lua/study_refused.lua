@@ -71,9 +71,9 @@ end
 assert(#smooth == 401 and not pcall(function() return fabric.columns(c):window("y", 0) end))
 local rows = {}
 for i = 1, #c.time do rows[i] = { time = c.time[i], displacement = c.time[i], force = c.y[i] } end
-local truth = { displacement = {}, force = {} }
-for i = 1, 18 do truth.displacement[i], truth.force[i] = 0.1 * i, (0.1 * i) ^ 2 + 0.2 ^ 2 / 12 end
-local compared = fabric.lab.compare(truth, { curve = rows }, { window = 0.2 })
-assert(compared.rms < 1e-3 and fabric.lab.compare(truth, { curve = rows }).rms > 0.05, compared.rms)
-local ok, why = pcall(fabric.lab.compare, truth, truth, { window = 0.2 })
+local reference = { displacement = {}, force = {} }
+for i = 1, 18 do reference.displacement[i], reference.force[i] = 0.1 * i, (0.1 * i) ^ 2 + 0.2 ^ 2 / 12 end
+local compared = fabric.lab.compare(reference, { curve = rows }, { window = 0.2 })
+assert(compared.rms < 1e-3 and fabric.lab.compare(reference, { curve = rows }).rms > 0.05, compared.rms)
+local ok, why = pcall(fabric.lab.compare, reference, reference, { window = 0.2 })
 assert(not ok and tostring(why):find("field 'window'", 1, true), why)

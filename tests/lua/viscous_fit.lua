@@ -1,4 +1,4 @@
--- Shear that relaxes, found from tests: the program's own points and squares come back, bands hold their truth, and what tests do not tell is said.
+-- Shear that relaxes, found from tests: the program's own points and squares come back, bands hold the true values, and what tests do not tell is said.
 local fabric = require "fabric"
 local lab, MPa = fabric.lab, fabric.units.MPa
 local draw = require "fabric.lab.random" (31)
@@ -154,9 +154,9 @@ for _ = 1, sets do
   local v = lab.viscous { tests = { made(0.001, 1e6, 30, 0.03), made(0.05, 1e6, 30, 0.03, 3) }, scatter = 0.03 }
   if v.viscous then
     seen = seen + 1
-    for name, truth in pairs { modulus = 1e6, time = 30, viscosity = 3e7 } do
+    for name, reference in pairs { modulus = 1e6, time = 30, viscosity = 3e7 } do
       of = of + 1
-      if v.low[name] <= truth and truth <= v.high[name] then inside = inside + 1 end
+      if v.low[name] <= reference and reference <= v.high[name] then inside = inside + 1 end
     end
   end
 end

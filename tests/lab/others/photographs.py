@@ -123,10 +123,10 @@ class Errors:
         u, v = np.broadcast_to(u, t["x"].shape), np.broadcast_to(v, t["x"].shape)
         found = np.isfinite(t["u"])
         self.found, self.of = self.found + found.sum(), self.of + len(found)
-        t, truth = t[found], np.stack([u, v], 1)[found]
+        t, reference = t[found], np.stack([u, v], 1)[found]
         self.told.append(t["deviation"])
         for key, moved in {"own": np.stack([t["u"], t["v"]], 1), **references(first, second, t["x"], t["y"])}.items():
-            e = moved - truth
+            e = moved - reference
             self.errors.setdefault(key, []).append(e[np.isfinite(e).all(1)])
 
     def rms(self, key):
@@ -219,8 +219,8 @@ def waved(name, image):
 def stereo():
     """Two photographs of a plant before a cloth, from places apart; how far each pixel moved was measured by structured light
     (D. Scharstein, C. Pal, CVPR 2007), in whole pixels of the full size. A quarter of that size is correlated."""
-    left, right, truth = photograph("aloeL.jpg"), photograph("aloeR.jpg"), photograph("aloeGT.png")
-    if left is None or right is None or truth is None:
+    left, right, reference = photograph("aloeL.jpg"), photograph("aloeR.jpg"), photograph("aloeGT.png")
+    if left is None or right is None or reference is None:
         return
     small = [cv2.resize(p, None, fx=0.25, fy=0.25, interpolation=cv2.INTER_AREA) for p in (left, right)]
     first, second = (np.rint(p).astype(np.uint8) for p in small)
@@ -228,9 +228,9 @@ def stereo():
     x, y = t["x"], t["y"]
     u, keep = np.full(len(x), np.nan), np.zeros(len(x), bool)
     for i in np.flatnonzero(np.isfinite(t["u"])):
-        part = truth[int(4 * y[i]) - 48:int(4 * y[i]) + 52, int(4 * x[i]) - 48:int(4 * x[i]) + 52]
+        part = reference[int(4 * y[i]) - 48:int(4 * y[i]) + 52, int(4 * x[i]) - 48:int(4 * x[i]) + 52]
         keep[i] = part.min() > 0 and np.ptp(part) <= 12  # no edge of a leaf within the subset
-        middle = truth[int(4 * y[i]) - 2:int(4 * y[i]) + 6, int(4 * x[i]) - 2:int(4 * x[i]) + 6]
+        middle = reference[int(4 * y[i]) - 2:int(4 * y[i]) + 6, int(4 * x[i]) - 2:int(4 * x[i]) + 6]
         u[i] = -middle.mean() / 4
     errors = Errors("aloe, two cameras", far=1.0)
     errors.add(first, second, t[keep], u[keep], np.zeros(keep.sum()))

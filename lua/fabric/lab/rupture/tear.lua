@@ -167,7 +167,7 @@ local idle = 0.01  -- of the work: more in motion and damping is said
 
 local function doubt(balance, energy)
   if math.abs(balance.fracture / energy - 1) > apart then
-    fabric.warn(("tear: breaking took %.3g J per metre of tear where the card has %.3g J/m: joints opened whose yarns still hold, and what came out is no steady tear; "
+    fabric.warn(("tear: breaking took %.3g J per metre of tear where the card has %.3g J/m: joints opened whose yarns still hold, and the tear is not steady; "
       .. "try other elements, or a smaller speed"):format(balance.fracture, energy))
   end
   local damping, motion = balance.damping / balance.work, balance.kinetic / balance.work
