@@ -79,7 +79,7 @@ for cloth.
 and `tropical`) reduces this angle to 14 and 31 degrees.
 - G is the initial shear force per width over the shear angle. The last column is the force per width at a stretch of 1 %.
 
-**Choosing a card.** Take a cloth of similar use and mass whose *measured* properties determine your result: bending and mass for hanging and draping (all
+**Choosing a card.** Take a cloth of similar use and mass whose *measured* properties determine your result. These are bending and mass for hanging and draping (all
 but the four cards of the thesis), warp and weft for tension and membranes, shear for bias tests and forming. `card:with{...}` replaces a property by your
 own value. All cards unload along straight lines; `card:with{ warp={ loop={ friction=0.3, reach=0.5, curve=0.5 } } }` makes unloading curved
 ([law](law.md)). None has `rupture` ([tears](tearing.md)).

@@ -168,10 +168,10 @@ end
 -- Units, source and losses stand once in a deck, and before the material; notes on the model too.
 for _, to in ipairs { "abaqus", "ls-dyna", "openradioss" } do
   r = fabric.export.model { model = m, warp = 90, to = to }
-  for _, words in ipairs { "Units: ", "What is lost", "its source: ", "cyclic shear" } do
+  for _, words in ipairs { "Units: ", "Losses of this law", "its source: ", "cyclic shear" } do
     assert(select(2, r.text:gsub(words, "")) == 1, to .. ": " .. words)
   end
-  assert(r.text:find("What is lost", 1, true) < r.text:find(({ abaqus = "\n*MATERIAL", ["ls-dyna"] = "\n*MAT_FABRIC", openradioss = "\n/MAT/" })[to], 1, true))
+  assert(r.text:find("Losses of this law", 1, true) < r.text:find(({ abaqus = "\n*MATERIAL", ["ls-dyna"] = "\n*MAT_FABRIC", openradioss = "\n/MAT/" })[to], 1, true))
 end
 
 -- A drape: a square held at its corners, of triangles too.
