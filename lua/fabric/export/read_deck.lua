@@ -121,15 +121,14 @@ end
 
 -- --- Radioss ---
 
--- Blocks {key, line, {text, line}...} of a starter deck.
-function read.blocks(path)
-  local out, block = {}, nil
+-- Blocks {key, line, {text, line}...} of a deck whose keys begin with a sign, comments with one of others: of a starter deck by default.
+function read.blocks(path, sign, comment)
+  local out = {}
   for i, l in ipairs(lines_of(path)) do
-    if l:sub(1, 1) == "/" then
-      block = { key = l:match "^(%S+)", line = i }
-      out[#out + 1] = block
-    elseif l:sub(1, 1) ~= "#" and l:sub(1, 1) ~= "$" and block then
-      block[#block + 1] = { l, i }
+    if l:sub(1, 1) == (sign or "/") then
+      out[#out + 1] = { key = l:match "^(%S+)", line = i }
+    elseif not l:find(comment or "^[#$]") and #out > 0 then
+      table.insert(out[#out], { l, i })
     end
   end
   return out

@@ -37,14 +37,10 @@ end
 
 -- Keywords {key, line, {text, line}...}; a title is taken off the lines.
 local function keywords(path)
-  local out, here = {}, nil
-  for i, l in ipairs(read.lines_of(path)) do
-    if l:sub(1, 1) == "*" then
-      here = { key = l:upper():match "^%S+", line = i }
-      out[#out + 1] = here
-    elseif l:sub(1, 1) ~= "$" and here then
-      if here.key:find "_TITLE$" and not here.title then here.title = l:match "^%s*(.-)%s*$" else here[#here + 1] = { l, i } end
-    end
+  local out = read.blocks(path, "*", "^%$")
+  for _, here in ipairs(out) do
+    here.key = here.key:upper()
+    if here.key:find "_TITLE$" and here[1] then here.title = table.remove(here, 1)[1]:match "^%s*(.-)%s*$" end
   end
   return out
 end
