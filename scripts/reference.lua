@@ -126,13 +126,13 @@ local function shown_once(row)
   return looks(value)
 end
 
--- Places in memory and on the disk differ from run to run; what gnuplot draws in letters, and what lies in a folder, from system to system.
+-- Places in memory and on the disk differ from run to run; what gnuplot draws in letters, what lies in a folder, and whether there are photographs, from system to system.
 local page_now = ""
 if arg[1] ~= "write" then
   local file <close> = assert(io.open(root .. "share/doc/reference.md"))
   page_now = file:read "a"
 end
-local silent = { ["fabric.help"] = true, ["fabric.plot"] = true, ["fabric.folder"] = true }
+local silent = { ["fabric.help"] = true, ["fabric.plot"] = true, ["fabric.folder"] = true, ["fabric.lab.track"] = true, ["fabric.lab.correlate"] = true }
 local function shown(row)
   if silent[row.name] or returns[row.name] == "nil" then return end
   local text = shown_once(row)

@@ -3,10 +3,11 @@ find_package(Eigen3 3.3 REQUIRED NO_MODULE)
 find_package(OpenMP REQUIRED COMPONENTS CXX)
 find_package(PkgConfig REQUIRED)
 find_package(ZLIB REQUIRED)
-# Photographs; VTK's own packages stand on the same ones.
-find_package(PNG REQUIRED)
-find_package(JPEG REQUIRED)
-find_package(TIFF REQUIRED)
+if(FABRICSH_PHOTOGRAPHS)
+  find_package(PNG REQUIRED)
+  find_package(JPEG REQUIRED)
+  find_package(TIFF REQUIRED)
+endif()
 # SVG drawings: XML, and the headers of svgpp.
 find_package(LibXml2 REQUIRED)
 find_path(SVGPP_INCLUDE_DIR svgpp/svgpp.hpp REQUIRED)
@@ -22,7 +23,7 @@ pkg_check_modules(EDIT REQUIRED IMPORTED_TARGET libedit)
 include(FabricshLibraries)
 
 # What the room format reads and writes with, which C++ users of the core link too; and what draws.
-set(FABRICSH_VTK_FILES CommonCore CommonDataModel IOCore IOImage IOLegacy IOXML)
+set(FABRICSH_VTK_FILES CommonCore CommonDataModel IOCore IOLegacy IOXML)
 foreach(folder ${CMAKE_BINARY_DIR} ${CMAKE_SOURCE_DIR}/build)  # unpacked there beside ParaView: scripts/lib.sh
   if(EXISTS ${folder}/vtk/version)
     list(PREPEND CMAKE_PREFIX_PATH ${folder}/vtk/usr)
@@ -30,4 +31,4 @@ foreach(folder ${CMAKE_BINARY_DIR} ${CMAKE_SOURCE_DIR}/build)  # unpacked there 
   endif()
 endforeach()
 find_package(VTK 9 REQUIRED COMPONENTS ${FABRICSH_VTK_FILES}
-  FiltersGeometry RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2)
+  FiltersGeometry IOImage RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2)

@@ -1,5 +1,5 @@
-# What is installed: the program with its data; the core for C++ users (find_package(fabricsh), component dev);
-# and the Debian packages that `cpack` makes of these two.
+# The installed components: the program with its data; photographs, the module for them (CMakeLists.txt); the core for
+# C++ users (find_package(fabricsh), component dev). `cpack` makes a Debian package of each.
 include(CMakePackageConfigHelpers)
 include(${CMAKE_CURRENT_LIST_DIR}/FabricshOwner.cmake)
 
@@ -61,14 +61,23 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_ALL program dev)
+if(FABRICSH_PHOTOGRAPHS)
+  list(APPEND CPACK_COMPONENTS_ALL photographs)
+  set(picture_libraries ", libpng-dev, libjpeg-dev, libtiff-dev")
+endif()
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME fabricsh)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "gnuplot-nox | gnuplot, xvfb, python3-numpy")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "fabricsh-photographs, gnuplot-nox | gnuplot, xvfb, python3-numpy")
+set(CPACK_DEBIAN_PHOTOGRAPHS_PACKAGE_NAME fabricsh-photographs)
+set(CPACK_DEBIAN_PHOTOGRAPHS_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PHOTOGRAPHS_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PHOTOGRAPHS_PACKAGE_DEPENDS "fabricsh (= ${PROJECT_VERSION})")
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME libfabricsh-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "libeigen3-dev, libsuitesparse-dev, libopenblas-dev, libvtk9-dev, zlib1g-dev, libpng-dev, libjpeg-dev, libtiff-dev, libdxflib-dev, libxml2-dev")
+set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "libeigen3-dev, libsuitesparse-dev, libopenblas-dev, libvtk9-dev, zlib1g-dev, libdxflib-dev, libxml2-dev${picture_libraries}")
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "${CPACK_PACKAGE_DESCRIPTION}")
+set(CPACK_COMPONENT_PHOTOGRAPHS_DESCRIPTION "Follows dots and speckles on photographs of cloth: fabric.lab.track and fabric.lab.correlate.")
 set(CPACK_COMPONENT_DEV_DESCRIPTION "The core of fabricsh as C++ libraries with headers, for find_package(fabricsh).")
 include(CPack)

@@ -794,7 +794,7 @@ function fabric.lab.compare(measured, test, options) end
 ---@field gauge? integer subsets in a row, odd, whose displacements make a strain (default 5)
 ---@field scale? number m: of a pixel
 
----Follows a speckled surface through photographs by digital image correlation: rows, columns (of subsets in the region of the first), frames, x, y (of their middles on each photograph; m, or pixels without a scale; y upwards; nan: lost, or without texture), E11, E22, E12 (Green-Lagrange), correlation, deviation (of a displacement, from what differs between the photographs), all frames x subsets; found (part of the subsets, by frame). rows, columns, x, y are a grid of markers for poisson and shear_from_bias.
+---Follows a speckled surface through photographs by digital image correlation: rows, columns (of subsets in the region of the first), frames, x, y (of their middles on each photograph; m, or pixels without a scale; y upwards; nan: lost, or without texture), E11, E22, E12 (Green-Lagrange), correlation, deviation (of a displacement, from what differs between the photographs), all frames x subsets; found (part of the subsets, by frame). rows, columns, x, y are a grid of markers for poisson and shear_from_bias. Needs the part photographs.
 ---@param fields fabric_lab_correlate_fields
 ---@return table<string, any>
 function fabric.lab.correlate(fields) end
@@ -1321,7 +1321,7 @@ function fabric.lab.parallel(fields) end
 ---@field ink? number brightness of the dots (default 0.15)
 ---@field seed? integer of the noise (default 1)
 
----Makes a photograph of a dot grid under a known map, with blur and noise: for trying the tracker.
+---Makes a photograph of a dot grid under a known map, with blur and noise: for trying the tracker. Needs the part photographs.
 ---@param fields fabric_lab_photograph_fields
 function fabric.lab.photograph(fields) end
 
@@ -1550,7 +1550,7 @@ function fabric.lab.shear_from_bias(fields) end
 ---@field pattern? integer seed of the speckles (default 1)
 ---@field seed? integer of the noise (default 1)
 
----Makes a photograph of speckled cloth under a known map, exact at every place: for trying the correlation.
+---Makes a photograph of speckled cloth under a known map, exact at every place: for trying the correlation. Needs the part photographs.
 ---@param fields fabric_lab_speckles_fields
 ---@return table<string, any>
 function fabric.lab.speckles(fields) end
@@ -1698,7 +1698,7 @@ function fabric.lab.tension_field(fields) end
 ---@field largest? number area of a dot, pixels (default 1e+05)
 ---@field contrast? number least, black on white being 1 (default 0.1)
 
----Follows a grid of dots through photographs: rows, columns, frames, x, y (m, or pixels without a scale; y upwards; nan: lost), scale, doubtful = { {frame, marker, lost}, ... }; lost ones are looked for again.
+---Follows a grid of dots through photographs: rows, columns, frames, x, y (m, or pixels without a scale; y upwards; nan: lost), scale, doubtful = { {frame, marker, lost}, ... }; lost ones are looked for again. Needs the part photographs.
 ---@param fields fabric_lab_track_fields
 ---@return table<string, any>
 function fabric.lab.track(fields) end

@@ -105,6 +105,7 @@ void allow_system(const Landlock& wall) {
   wall.allow(program, execute | read_file);
   for (const auto& folder : {program.parent_path(), program.parent_path().parent_path()})
     wall.allow(folder / "fabricsh.home", read_file);  // contains the location of the data (system/paths.hpp)
+  wall.allow(module_file("photographs.so"), read_file);
   allow_program(wall, "gnuplot");
 }
 

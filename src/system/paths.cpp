@@ -37,6 +37,14 @@ std::string program_path() {
   return started == nullptr ? std::string() : resolved(fs::absolute(started, code)).string();
 }
 
+std::string module_file(const std::string& name) {
+  const fs::path folder = fs::path(program_path()).parent_path();
+  for (const fs::path& modules :
+       {folder / config::modules_from_program, folder / "modules", folder.parent_path() / "modules"})
+    if (std::error_code code; fs::exists(modules / name, code)) return resolved(modules / name).string();
+  return {};
+}
+
 std::vector<std::string> data_roots() {
   std::vector<std::string> roots;
   const char* home = std::getenv("FABRICSH_HOME");

@@ -13,6 +13,9 @@ std::vector<std::string> data_roots();
 // The first existing <root>/<relative>, or empty: data_file("share/cards/denim.lua").
 std::string data_file(const std::string& relative);
 
+// The file of an optional part, installed or in the build tree; empty if there is none.
+std::string module_file(const std::string& name);
+
 // The running program, absolute; empty if the system does not provide it.
 std::string program_path();
 

@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 #include "base/error.hpp"
-#include "format/image.hpp"
+#include "photograph/image.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace fabricsh;
@@ -14,7 +14,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                      : data[0] == 'B'  ? "fuzz.bmp"
                                        : "fuzz.tif";
   try {
-    const format::Image image = format::parse_image(name, {reinterpret_cast<const char*>(data), size});
+    const photograph::Image image =
+        photograph::parse_image(name, {reinterpret_cast<const char*>(data), size});
     if (image.width < 1 || image.pixels.size() != static_cast<std::size_t>(image.width) * image.height)
       std::abort();
     for (const float pixel : image.pixels)

@@ -23,6 +23,7 @@ BEGIN {
   owner("^(openblas/)?(cblas|lapacke|openblas_config)[A-Za-z_0-9]*\\.h$", "linear")
   owner("^zlib\\.h$", "format")
   owner("^vtk[A-Za-z0-9]*\\.h$", "format render")
+  owner("^(png|jpeglib|jerror|tiffio)\\.h$", "photograph")
   owner("^(lua5\\.4/)?(lua|lauxlib|lualib|luaconf)\\.(h|hpp)$", "script repl")
   owner("^(histedit\\.h|editline/.*)$", "repl")
 }

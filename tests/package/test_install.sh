@@ -9,6 +9,19 @@ cd "$prefix"
 unset FABRICSH_HOME FABRICSH
 bin/fabricsh -e 'local fabric = require "fabric"; assert(fabric.card("denim").thickness > 0)'
 bin/fabricsh --quiet share/fabricsh/scripts/thesis/uniaxial.lua blend warp free 20 "$prefix/out" >/dev/null
+# Photographs are a part: without its module a call names the package, and all else is as it was.
+photograph='local fabric = require "fabric"
+local ok, why = pcall(fabric.lab.photograph, { file="out/dots.png", rows=2, columns=2, pitch=20, radius=4, width=60, height=60 })
+if not ok then print((tostring(why):match "photograph: .*")) end'
+module=$(find . -name photographs.so)
+if [ -n "$module" ]; then
+  [ -z "$(bin/fabricsh --quiet --safe -e "$photograph")" ] && [ -s out/dots.png ]
+  echo broken >"$module"
+  bin/fabricsh --quiet -e "$photograph" | grep -q 'photograph: photographs: cannot load the part: .*photographs.so'
+  rm "$module"
+fi
+bin/fabricsh --quiet -e "$photograph" |
+  grep -q 'photograph: photographs are a part that is not installed (Debian package fabricsh-photographs, or'
 if /usr/bin/python3 -c 'import numpy' 2>/dev/null; then
   PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=share/fabricsh/share/python \
     /usr/bin/python3 -c 'import fabricsh, os; assert fabricsh.read_card("denim")["name"] == "denim" and fabricsh.find_program() == os.path.realpath("bin/fabricsh")'

@@ -2,10 +2,9 @@
 #include "script/bind/correlate.hpp"
 
 #include <cmath>
-#include <limits>
 
 #include "base/error.hpp"
-#include "lab/speckle.hpp"
+#include "format/source.hpp"
 #include "script/bind/rooms.hpp"
 #include "script/bind/run.hpp"
 #include "script/call/words.hpp"
@@ -17,10 +16,12 @@ void set_scaled(lua_State* L, const char* name, std::vector<double> values, doub
   put(L, name, values);
 }
 
-std::vector<std::string> file_names(const Call& call) {
-  auto out = call.texts("files", "names of photographs");
-  if (out.size() < 2) call.refuse("files", "expected at least two photographs");
-  return out;
+const lab::Photographs& photographs(const Call& call) {
+  try {
+    return lab::photographs();
+  } catch (const Error& error) {
+    throw Error(last_word(call.entry().name) + ": " + error.what());
+  }
 }
 
 Argument region_() {
@@ -32,8 +33,10 @@ Argument region_() {
                  "pixels of the photograph, as picture viewers count them; default: all");
 }
 
-lab::PixelRegion region_of(const Call& call, const format::Image& image) {
-  lab::PixelRegion r{0, 0, image.width, image.height};
+namespace {
+
+lab::PixelRegion region_of(const Call& call, int width, int height) {
+  lab::PixelRegion r{0, 0, width, height};
   if (!call.has("region")) return r;
   const Fields given = call.fields("region");
   const auto take = [&](const char* name, int& edge, int most) {
@@ -43,10 +46,10 @@ lab::PixelRegion region_of(const Call& call, const format::Image& image) {
       given.refuse(name, "expected a pixel of the photograph, " + std::to_string(most) + " at most, got " +
                              std::to_string(edge));
   };
-  take("left", r.left, image.width);
-  take("top", r.top, image.height);
-  take("right", r.right, image.width);
-  take("bottom", r.bottom, image.height);
+  take("left", r.left, width);
+  take("top", r.top, height);
+  take("right", r.right, width);
+  take("bottom", r.bottom, height);
   if (r.right <= r.left)
     given.refuse("right",
                  "expected more than left, " + std::to_string(r.left) + ", got " + std::to_string(r.right));
@@ -57,42 +60,21 @@ lab::PixelRegion region_of(const Call& call, const format::Image& image) {
   return r;
 }
 
+}  // namespace
+
+lab::PhotographSeries series_of(const Call& call) {
+  auto names = call.texts("files", "names of photographs");
+  if (names.size() < 2) call.refuse("files", "expected at least two photographs");
+  return {std::move(names), format::read_file,
+          [&call](int width, int height) { return region_of(call, width, height); }};
+}
+
 namespace {
-
-// Columns of numbers, a photograph's subsets behind those of the one before, row by row from the lowest.
-struct SubsetColumns {
-  std::vector<double> x, y, E11, E22, E12, correlation, deviation, found;
-
-  void add(const std::vector<lab::Subset>& subsets, std::size_t rows, std::size_t columns, bool first) {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    double count = 0;
-    for (std::size_t r = rows; r-- > 0;)
-      for (std::size_t c = 0; c < columns; ++c) {
-        const lab::Subset& s = subsets[r * columns + c];
-        const bool known = first ? s.state != lab::Subset::SubsetState::textureless
-                                 : s.state == lab::Subset::SubsetState::found;
-        count += known ? 1 : 0;
-        const auto put = [&](std::vector<double>& list, double at_first, double later) {
-          list.push_back(!known ? nan : first ? at_first : later);
-        };
-        put(x, s.x, s.x + s.u);
-        put(y, -s.y, -s.y - s.v);
-        put(E11, 0, s.strain[0]);
-        put(E22, 0, s.strain[1]);
-        put(E12, 0, -s.strain[2]);  // the picture's y points downwards
-        put(correlation, 1, s.correlation);
-        put(deviation, 0, s.deviation);
-      }
-    found.push_back(count / static_cast<double>(subsets.size()));
-  }
-};
 
 int correlate(Call& call) {
   lua_State* L = call.L();
-  const auto names = file_names(call);
-  const format::Image first = format::read_image(names[0]);
+  const lab::PhotographSeries series = series_of(call);
   lab::CorrelationOptions options;
-  options.region = region_of(call, first);
   const int side = call.count("subset");
   if (side % 2 == 0)
     call.refuse("subset",
@@ -103,22 +85,10 @@ int correlate(Call& call) {
   options.gauge = call.count("gauge");
   if (options.gauge % 2 == 0)
     call.refuse("gauge", "expected an odd number of subsets, got " + std::to_string(options.gauge));
-  lab::Correlator correlator(first, options);
-  SubsetColumns out;
-  const std::size_t rows = correlator.rows(), columns = correlator.columns();
-  out.add(correlator.subsets(), rows, columns, true);
-  double most = 0;
-  for (std::size_t i = 1; i < names.size(); ++i) {
-    out.add(correlator.add(format::read_image(names[i])), rows, columns, false);
-    most = std::max(most, out.found.back());
-  }
-  if (most == 0)
-    throw Error("correlate: no subset is found again on any photograph: nothing moved by less than " +
-                std::to_string(options.search) + " pixels looks as it did on '" + names[0] +
-                "' (field 'search'; a series follows larger ways in steps)");
+  const lab::CorrelatedSubsets out = photographs(call).correlate(series, options);
   const double scale = call.has("scale") ? call.number("scale") : 1;
-  push_record(L, "rows", static_cast<double>(rows), "columns", static_cast<double>(columns), "frames",
-              static_cast<double>(names.size()), "scale", scale);
+  push_record(L, "rows", static_cast<double>(out.rows), "columns", static_cast<double>(out.columns), "frames",
+              static_cast<double>(series.names.size()), "scale", scale);
   set_scaled(L, "x", out.x, scale);
   set_scaled(L, "y", out.y, scale);
   set_scaled(L, "E11", out.E11);
@@ -152,8 +122,7 @@ int speckles(Call& call) {
   s.noise = call.number("noise");
   s.pattern = static_cast<std::uint64_t>(call.integer("pattern"));
   s.seed = static_cast<std::uint64_t>(call.integer("seed"));
-  if (!call.session().options().check) format::write_png(file, lab::photograph(s));
-  return 0;
+  return write_picture(call, s);
 }
 
 }  // namespace
@@ -180,7 +149,7 @@ std::vector<Entry> correlation_rows() {
        "without a scale; y upwards; nan: lost, or without texture), E11, E22, E12 (Green-Lagrange), "
        "correlation, deviation (of a displacement, from what differs between the photographs), all frames x "
        "subsets; found (part of the subsets, by frame). rows, columns, x, y are a grid of markers for "
-       "poisson and shear_from_bias.",
+       "poisson and shear_from_bias. Needs the part photographs.",
        name + "local t = lab.correlate{ files={name..'1.png', name..'2.png'} }\n"
               "for i = 1, 2 do os.remove(name..i..'.png') end\nos.remove(name)\n"
               "assert(t.found[2] > 0.9 and math.abs(t.E22[#t.E22 - 10] - (1.02^2 - 1)/2) < 1e-3)",
@@ -198,7 +167,7 @@ std::vector<Entry> correlation_rows() {
         integer_("pattern", not_negative, "seed of the speckles").or_else(1.0),
         integer_("seed", not_negative, "of the noise").or_else(1.0)},
        "Makes a photograph of speckled cloth under a known map, exact at every place: for trying the "
-       "correlation.",
+       "correlation. Needs the part photographs.",
        name + "for i = 1, 2 do os.remove(name..i..'.png') end\nos.remove(name)",
        speckles,
        {"cover"}},

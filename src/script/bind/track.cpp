@@ -3,7 +3,6 @@
 #include <cctype>
 #include <cmath>
 
-#include "lab/tracker.hpp"
 #include "script/bind/correlate.hpp"
 #include "script/bind/rooms.hpp"
 #include "script/bind/run.hpp"
@@ -12,15 +11,6 @@
 namespace fabricsh::script {
 
 namespace {
-
-// Dots of a photograph within the region, in pixels of the whole.
-std::vector<lab::Dot> dots_of(const Call& call, const std::string& file, const lab::DotOptions& options) {
-  const format::Image image = format::read_image(file);
-  const lab::PixelRegion r = region_of(call, image);
-  auto dots = lab::find_dots(lab::cropped(image, r), options);
-  for (lab::Dot& d : dots) d.x += r.left, d.y += r.top;
-  return dots;
-}
 
 // Metres per pixel: given, or from the distance of two markers in the first photograph.
 double scale_of(const Call& call, const lab::Tracks& t) {
@@ -57,17 +47,16 @@ int track(Call& call) {
   options.dark = call.flag("dark");
   options.largest = call.number("largest");
   options.contrast = call.number("contrast");
-  const auto names = file_names(call);
-  lab::Tracker tracker(static_cast<std::size_t>(call.integer("rows")),
-                       static_cast<std::size_t>(call.integer("columns")), dots_of(call, names[0], options));
-  for (std::size_t i = 1; i < names.size(); ++i) tracker.add(dots_of(call, names[i], options));
-  const lab::Tracks& t = tracker.tracks();
+  const lab::TrackedDots found =
+      photographs(call).track(series_of(call), static_cast<std::size_t>(call.integer("rows")),
+                              static_cast<std::size_t>(call.integer("columns")), options);
+  const lab::Tracks& t = found.tracks;
   const double scale = scale_of(call, t);
   push_record(L, "rows", static_cast<double>(t.rows), "columns", static_cast<double>(t.columns), "frames",
               static_cast<double>(t.frames), "scale", scale);
   set_scaled(L, "x", t.x, scale);
   set_scaled(L, "y", t.y, scale);
-  put(L, "doubtful", [&] { push_doubts(L, tracker.doubts()); });
+  put(L, "doubtful", [&] { push_doubts(L, found.doubts); });
   return 1;
 }
 
@@ -98,8 +87,7 @@ int photograph(Call& call) {
   s.ink = call.number("ink");
   if (s.ground == s.ink) call.refuse("ink", "expected another brightness than that of the ground");
   s.seed = static_cast<std::uint64_t>(call.integer("seed"));
-  if (!call.session().options().check) format::write_png(call.text("file"), lab::photograph(s));
-  return 0;
+  return write_picture(call, s);
 }
 
 std::vector<Entry> track_entries() {
@@ -123,7 +111,7 @@ std::vector<Entry> track_entries() {
         number_("contrast", "", Range{0, 1}, "least, black on white being 1").or_else(0.1)},
        "Follows a grid of dots through photographs: rows, columns, frames, x, y (m, or pixels without a "
        "scale; y upwards; nan: lost), scale, doubtful = { {frame, marker, lost}, ... }; lost ones are looked "
-       "for again.",
+       "for again. Needs the part photographs.",
        name + "local t = lab.track{ files={name..'1.png', name..'2.png'}, rows=3, columns=2 }\n"
               "for i = 1, 2 do os.remove(name..i..'.png') end\nos.remove(name)\n"
               "assert(t.frames == 2 and #t.doubtful == 0 and math.abs((t.y[11] - t.y[9]) / 44 - 1) < 0.01)",
@@ -143,7 +131,9 @@ std::vector<Entry> track_entries() {
         number_("ground", "", Range{0, 1}, "brightness of the cloth, white being 1").or_else(0.85),
         number_("ink", "", Range{0, 1}, "brightness of the dots").or_else(0.15),
         integer_("seed", not_negative, "of the noise").or_else(1.0)},
-       "Makes a photograph of a dot grid under a known map, with blur and noise: for trying the tracker.",
+       "Makes a photograph of a dot grid under a known map, with blur and noise: for trying the tracker. "
+       "Needs "
+       "the part photographs.",
        name + "for i = 1, 2 do os.remove(name..i..'.png') end\nos.remove(name)",
        photograph},
   };

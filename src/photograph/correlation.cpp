@@ -1,4 +1,4 @@
-#include "lab/correlation.hpp"
+#include "photograph/correlation.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 #include "base/error.hpp"
 
-namespace fabricsh::lab {
+namespace fabricsh::photograph {
 
 namespace {
 
@@ -45,14 +45,14 @@ void set_map(Subset& s, const Eigen::Matrix3d& m) {
 
 }  // namespace
 
-format::Image cropped(const format::Image& image, const PixelRegion& r) {
-  format::Image out{r.right - r.left, r.bottom - r.top, {}};
+Image cropped(const Image& image, const PixelRegion& r) {
+  Image out{r.right - r.left, r.bottom - r.top, {}};
   for (int row = r.top; row < r.bottom; ++row)
     for (int column = r.left; column < r.right; ++column) out.pixels.push_back(image.at(column, row));
   return out;
 }
 
-Correlator::Correlator(const format::Image& first, const CorrelationOptions& options)
+Correlator::Correlator(const Image& first, const CorrelationOptions& options)
     : width_(first.width), height_(first.height), options_(options) {
   const Spline spline(first);
   const int half = options.half, side = 2 * half + 1;
@@ -116,7 +116,7 @@ Correlator::Correlator(const format::Image& first, const CorrelationOptions& opt
 
 // Whole pixels around where the subset is expected, its pattern turned and stretched as last seen: the place
 // where the correlation is largest. False: not in the picture.
-bool Correlator::searched(const format::Image& pixels, Subset& s, std::size_t subset) const {
+bool Correlator::searched(const Image& pixels, Subset& s, std::size_t subset) const {
   const int half = options_.half;
   const SubsetPattern& p = patterns_[subset];
   std::vector<std::pair<int, int>> places;
@@ -253,7 +253,7 @@ void Correlator::spread(const Spline& image, std::vector<std::size_t> found) {
   }
 }
 
-void Correlator::seed(const Spline& image, const format::Image& pixels, std::size_t subset) {
+void Correlator::seed(const Spline& image, const Image& pixels, std::size_t subset) {
   if (subsets_[subset].state != Subset::SubsetState::lost) return;
   Subset s = subsets_[subset];
   if (!searched(pixels, s, subset) || !refine(image, s, subset)) return;
@@ -330,7 +330,7 @@ void Correlator::strains() {
   }
 }
 
-const std::vector<Subset>& Correlator::add(const format::Image& image) {
+const std::vector<Subset>& Correlator::add(const Image& image) {
   if (image.width != width_ || image.height != height_)
     throw Error("correlate: expected photographs of " + std::to_string(width_) + " x " +
                 std::to_string(height_) + " pixels as the first, got one of " + std::to_string(image.width) +
@@ -344,4 +344,4 @@ const std::vector<Subset>& Correlator::add(const format::Image& image) {
   return subsets_;
 }
 
-}  // namespace fabricsh::lab
+}  // namespace fabricsh::photograph

@@ -1,11 +1,11 @@
-#include "lab/ellipse.hpp"
+#include "photograph/ellipse.hpp"
 
 #include <Eigen/Dense>
 #include <cmath>
 #include <unsupported/Eigen/NonLinearOptimization>
 #include <unsupported/Eigen/NumericalDiff>
 
-namespace fabricsh::lab {
+namespace fabricsh::photograph {
 
 namespace {
 
@@ -40,7 +40,7 @@ struct EllipseResiduals {
   using ValueType = Vector;
   using JacobianType = Eigen::MatrixXd;
 
-  const format::Image& image;
+  const Image& image;
   Window w;
 
   int inputs() const { return kParameters; }
@@ -57,7 +57,7 @@ struct EllipseResiduals {
 
 }  // namespace
 
-std::optional<Ellipse> fit_ellipse(const format::Image& image, const Window& window, const Ellipse& start,
+std::optional<Ellipse> fit_ellipse(const Image& image, const Window& window, const Ellipse& start,
                                    double largest_residual) {
   Eigen::NumericalDiff<EllipseResiduals> picture(EllipseResiduals{image, window});
   Eigen::LevenbergMarquardt<Eigen::NumericalDiff<EllipseResiduals>> search(picture);
@@ -72,4 +72,4 @@ std::optional<Ellipse> fit_ellipse(const format::Image& image, const Window& win
   return found;
 }
 
-}  // namespace fabricsh::lab
+}  // namespace fabricsh::photograph

@@ -1,20 +1,13 @@
-#include "format/image.hpp"
-
-#include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkPNGWriter.h>
+#include "photograph/image.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <filesystem>
 
 #include "base/error.hpp"
-#include "format/image_decode.hpp"
-#include "format/source.hpp"
-#include "system/atomic.hpp"
+#include "photograph/image_decode.hpp"
 
-namespace fabricsh::format {
+namespace fabricsh::photograph {
 
 namespace {
 
@@ -109,28 +102,6 @@ Image parse_image(const std::string& name, std::string_view bytes) {
   return format.decode({name, bytes});
 }
 
-Image read_image(const std::string& path) {
-  format_of(path);  // a wrong extension is reported before the file is read
-  return parse_image(path, read_file(path));
-}
+void check_ending(const std::string& name) { format_of(name); }
 
-void write_png(const std::string& path, const Image& image) {
-  vtkNew<vtkImageData> data;
-  data->SetDimensions(image.width, image.height, 1);
-  data->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
-  for (int row = 0; row < image.height; ++row)
-    for (int column = 0; column < image.width; ++column) {
-      const double grey = std::clamp(std::round(255.0 * image.at(column, row)), 0.0, 255.0);
-      data->SetScalarComponentFromDouble(column, image.height - 1 - row, 0, 0, grey);
-    }
-  system::make_folder_for(path);
-  system::AtomicFile file(path);
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetFileName(file.temporary().c_str());
-  writer->SetInputData(data);
-  writer->Write();
-  if (writer->GetErrorCode() != 0) throw Error("cannot write '" + path + "'");
-  file.commit(system::Sync::no);
-}
-
-}  // namespace fabricsh::format
+}  // namespace fabricsh::photograph

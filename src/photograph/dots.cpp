@@ -1,14 +1,12 @@
-#include "lab/dots.hpp"
+#include "photograph/dots.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <random>
 
-#include "lab/ellipse.hpp"
+#include "photograph/ellipse.hpp"
 
-namespace fabricsh::lab {
-
-using format::Image;
+namespace fabricsh::photograph {
 
 namespace {
 
@@ -230,7 +228,7 @@ std::vector<double> true_positions(const DotGrid& s) {
   return out;
 }
 
-format::Image photograph(const DotGrid& s) {
+Image draw(const DotGrid& s) {
   const double det = s.F[0] * s.F[3] - s.F[1] * s.F[2];
   const std::array<double, 4> inverse{s.F[3] / det, -s.F[1] / det, -s.F[2] / det, s.F[0] / det};
   Image image{s.width, s.height,
@@ -247,4 +245,4 @@ format::Image photograph(const DotGrid& s) {
   return image;
 }
 
-}  // namespace fabricsh::lab
+}  // namespace fabricsh::photograph

@@ -2,9 +2,9 @@
 #pragma once
 #include <optional>
 
-#include "format/image.hpp"
+#include "photograph/image.hpp"
 
-namespace fabricsh::lab {
+namespace fabricsh::photograph {
 
 struct Window {
   int left, right, top, bottom;  // columns and rows, inclusive, within the image
@@ -21,7 +21,7 @@ struct Ellipse {
 // fraction of a Gaussian point spread that a straight rim at the pixel's distance covers. All pixels of the
 // rim contribute, which minimises the effect of noise. Empty: the fit does not converge near `start`, or its
 // root mean square residual exceeds `largest_rest` of the contrast, so that the spot is no ellipse.
-std::optional<Ellipse> fit_ellipse(const format::Image& image, const Window& window, const Ellipse& start,
+std::optional<Ellipse> fit_ellipse(const Image& image, const Window& window, const Ellipse& start,
                                    double largest_residual);
 
-}  // namespace fabricsh::lab
+}  // namespace fabricsh::photograph

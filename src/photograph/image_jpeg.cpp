@@ -7,9 +7,9 @@
 #include <jerror.h>
 #include <jpeglib.h>
 
-#include "format/image_decode.hpp"
+#include "photograph/image_decode.hpp"
 
-namespace fabricsh::format {
+namespace fabricsh::photograph {
 
 namespace {
 
@@ -118,4 +118,4 @@ Image decode_jpeg(const Encoded& file) {
   return image;
 }
 
-}  // namespace fabricsh::format
+}  // namespace fabricsh::photograph

@@ -10,12 +10,12 @@
 #include <cmath>
 #include <random>
 
-#include "format/image.hpp"
 #include "message_of.hpp"
+#include "photograph/image.hpp"
 #include "scratch.hpp"
 
 using namespace fabricsh;
-using namespace fabricsh::format;
+using namespace fabricsh::photograph;
 
 namespace {
 
@@ -44,7 +44,7 @@ void write(const std::string& path, int channels, int type) {
 
 void check_ramp(const std::string& path, double error) {
   INFO(path);
-  const Image got = read_image(path), want = ramp();
+  const Image got = parse_image(path, content_of(path)), want = ramp();
   REQUIRE(got.width == 40);
   REQUIRE(got.height == 20);
   for (std::size_t i = 0; i < want.pixels.size(); ++i)
@@ -55,7 +55,7 @@ void check_ramp(const std::string& path, double error) {
 
 TEST_CASE("a picture is the same the right way up in every format", "[files]") {
   const ScratchFolder folder;
-  write_png(folder / "own.png", ramp());
+  std::ofstream(folder / "own.png", std::ios::binary) << png_of(ramp());
   check_ramp(folder / "own.png", 1e-6);  // single precision
   write<vtkPNGWriter>(folder / "colour.PNG", 3, VTK_UNSIGNED_CHAR);
   check_ramp(folder / "colour.PNG", 1e-6);
@@ -72,11 +72,8 @@ TEST_CASE("a picture is the same the right way up in every format", "[files]") {
 }
 
 TEST_CASE("what is no picture is said so", "[files]") {
-  const ScratchFolder folder;
-  std::ofstream(folder / "text.png") << "not a picture";
-  says(message_of([&] { read_image(folder / "text.png"); }), "expected a png file");
-  says(message_of([&] { read_image(folder / "film.gif"); }), "expected a name ending in .png");
-  says(message_of([&] { read_image(folder / "none.jpg"); }), "No such file");
+  says(message_of([&] { parse_image("text.png", "not a picture"); }), "expected a png file");
+  says(message_of([&] { check_ending("film.gif"); }), "expected a name ending in .png");
 }
 
 namespace {

@@ -5,28 +5,17 @@
 #include <cstdint>
 #include <vector>
 
-#include "format/image.hpp"
-#include "lab/spline.hpp"
+#include "lab/photographs.hpp"
+#include "photograph/image.hpp"
+#include "photograph/spline.hpp"
 
-namespace fabricsh::lab {
+namespace fabricsh::photograph {
 
-// Pixels from `left` to `right` - 1, `top` to `bottom` - 1.
-struct PixelRegion {
-  int left = 0, top = 0, right = 0, bottom = 0;
-};
+using lab::CorrelationOptions;
+using lab::PixelRegion;
+
 // The pixels of a region, which must lie in the picture.
-format::Image cropped(const format::Image& image, const PixelRegion& region);
-
-struct CorrelationOptions {
-  PixelRegion
-      region;     // of the first photograph, in which whole subsets lie; four pixels at its rim are left out
-  int half = 12;  // a subset is 2 half + 1 pixels wide and high
-  int step = 12;  // between the middles of neighbours
-  int search =
-      20;  // how far a subset may have moved since the photograph before where no neighbour leads to it
-  double least = 0.8;  // correlation below which a subset is lost
-  int gauge = 5;       // neighbours in a row whose displacements make a strain
-};
+Image cropped(const Image& image, const PixelRegion& region);
 
 // Where the subset with its middle at X has gone: x = X + u + G (X' - X) for its places X'.
 struct Subset {
@@ -43,12 +32,12 @@ struct Subset {
 class Correlator {
  public:
   // Error: the region holds no subset, or none with a texture that determines a displacement.
-  Correlator(const format::Image& first, const CorrelationOptions& options);
+  Correlator(const Image& first, const CorrelationOptions& options);
   std::size_t rows() const { return rows_; }
   std::size_t columns() const { return columns_; }
   // The subsets, row by row from the top, on another photograph of the same size. Each photograph starts from
   // where the one before left off.
-  const std::vector<Subset>& add(const format::Image& image);
+  const std::vector<Subset>& add(const Image& image);
   const std::vector<Subset>& subsets() const { return subsets_; }
 
  private:
@@ -59,10 +48,10 @@ class Correlator {
     std::array<double, 36> products{}, inverse{};  // of the descent: their sum, and its inverse
     double norm = 0;
   };
-  void seed(const Spline& image, const format::Image& pixels, std::size_t subset);
+  void seed(const Spline& image, const Image& pixels, std::size_t subset);
   bool refine(const Spline& image, Subset& s, std::size_t subset) const;
   double deviation(const SubsetPattern& p, const Subset& s, double rest) const;
-  bool searched(const format::Image& pixels, Subset& s, std::size_t subset) const;
+  bool searched(const Image& pixels, Subset& s, std::size_t subset) const;
   void spread(const Spline& image, std::vector<std::size_t> found);
   void part_strays();
   void strains();
@@ -75,4 +64,4 @@ class Correlator {
   std::vector<Subset> subsets_;
 };
 
-}  // namespace fabricsh::lab
+}  // namespace fabricsh::photograph

@@ -1,9 +1,9 @@
-#include "lab/spline.hpp"
+#include "photograph/spline.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace fabricsh::lab {
+namespace fabricsh::photograph {
 
 namespace {
 
@@ -53,7 +53,7 @@ double Spline::kept(double column, double row) {
 
 double Spline::slope_noise() { return (together(0) - together(2)) / 2; }
 
-Spline::Spline(const format::Image& image)
+Spline::Spline(const Image& image)
     : width_(image.width), height_(image.height), weights_(image.pixels.begin(), image.pixels.end()) {
   for (int row = 0; row < height_; ++row)
     prefilter(weights_.data() + static_cast<std::ptrdiff_t>(row) * width_, width_, 1);
@@ -79,4 +79,4 @@ std::array<double, 2> Spline::slope(int column, int row) const {
   return {x, y};
 }
 
-}  // namespace fabricsh::lab
+}  // namespace fabricsh::photograph

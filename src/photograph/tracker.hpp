@@ -2,15 +2,12 @@
 #pragma once
 #include <vector>
 
-#include "lab/dots.hpp"
-#include "lab/markers.hpp"
+#include "photograph/dots.hpp"
 
-namespace fabricsh::lab {
+namespace fabricsh::photograph {
 
-struct DoubtfulMarker {
-  std::size_t frame, marker;
-  bool lost;  // not found (its position is then NaN); otherwise found, but changed
-};
+using lab::DoubtfulMarker;
+using lab::Tracks;
 
 class Tracker {
  public:
@@ -38,4 +35,4 @@ class Tracker {
   std::vector<DoubtfulMarker> doubts_;
 };
 
-}  // namespace fabricsh::lab
+}  // namespace fabricsh::photograph

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace fabricsh::format {
+namespace fabricsh::photograph {
 
 // Brightness from 0 (black) to 1 (white), row by row from the top. The centre of a pixel is at (column, row).
 struct Image {
@@ -14,13 +14,13 @@ struct Image {
   float at(int column, int row) const { return pixels[static_cast<std::size_t>(row) * width + column]; }
 };
 
-// Colours are weighted by Rec. 601, opacity is ignored; 8 or 16 bits per channel. The
-// extension determines the format (.png .jpg .jpeg .tif .tiff .bmp). Error: another
-// extension, a file that does not have that format, or one that is damaged or truncated.
-Image read_image(const std::string& path);
-// Reads an image from bytes in memory; `name` is used in errors in place of the path.
+// Error: a name with another ending than .png, .jpg, .jpeg, .tif, .tiff or .bmp.
+void check_ending(const std::string& name);
+// Reads an image from the bytes of a file, whose name's ending determines the format. Colours are weighted by
+// Rec. 601, opacity is ignored; 8 or 16 bits per channel. Error: another ending, bytes that do not have that
+// format, or that are damaged or truncated.
 Image parse_image(const std::string& name, std::string_view bytes);
-// Writes 8-bit grey; replaces the file.
-void write_png(const std::string& path, const Image& image);
+// The bytes of a PNG file, 8-bit grey.
+std::string png_of(const Image& image);
 
-}  // namespace fabricsh::format
+}  // namespace fabricsh::photograph

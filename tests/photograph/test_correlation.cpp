@@ -4,13 +4,13 @@
 #include <limits>
 #include <random>
 
-#include "lab/correlation.hpp"
-#include "lab/speckle.hpp"
-#include "lab/spline.hpp"
 #include "message_of.hpp"
+#include "photograph/correlation.hpp"
+#include "photograph/speckle.hpp"
+#include "photograph/spline.hpp"
 
 using namespace fabricsh;
-using namespace fabricsh::lab;
+using namespace fabricsh::photograph;
 
 namespace {
 
@@ -60,7 +60,7 @@ Misses misses(const Speckles& s, const std::vector<Subset>& subsets) {
 }  // namespace
 
 TEST_CASE("the spline meets every pixel, and a smooth picture between them", "[lab]") {
-  format::Image image{60, 50, {}};
+  Image image{60, 50, {}};
   const auto f = [](double x, double y) { return 0.5 + 0.3 * std::sin(0.4 * x + 0.2) * std::cos(0.3 * y); };
   for (int row = 0; row < 50; ++row)
     for (int column = 0; column < 60; ++column) image.pixels.push_back(static_cast<float>(f(column, row)));
@@ -83,7 +83,7 @@ TEST_CASE("the spline meets every pixel, and a smooth picture between them", "[l
 }
 
 TEST_CASE("what the spline makes of noise", "[lab]") {
-  format::Image image{400, 300, {}};
+  Image image{400, 300, {}};
   std::mt19937_64 random(3);
   std::normal_distribution<double> normal(0, 1);
   for (int i = 0; i < 400 * 300; ++i) image.pixels.push_back(static_cast<float>(normal(random)));
@@ -108,11 +108,11 @@ TEST_CASE("what the spline makes of noise", "[lab]") {
 
 TEST_CASE("shifts of parts of a pixel come back within 0.006 pixels without noise", "[lab]") {
   Speckles s = speckles();
-  Correlator correlator(photograph(s), options());
+  Correlator correlator(draw(s), options());
   REQUIRE(correlator.subsets().size() == correlator.rows() * correlator.columns());
   for (int k = 0; k <= 10; ++k) {
     s.shift = {0.1 * k, 3 - 0.07 * k};
-    const Misses m = misses(s, correlator.add(photograph(s)));
+    const Misses m = misses(s, correlator.add(draw(s)));
     INFO("shift " << s.shift[0] << ", " << s.shift[1] << ": rms " << m.rms << ", mean " << m.mean_x << ", "
                   << m.mean_y << ", largest " << m.largest << " px");
     CHECK(m.found == correlator.subsets().size());
@@ -129,10 +129,10 @@ TEST_CASE("what noise does to a displacement is told", "[lab]") {
       s.noise = noise;
       s.pattern = static_cast<std::uint64_t>(k + 1);
       s.seed = static_cast<std::uint64_t>(2 * k + 1);
-      Correlator correlator(photograph(s), options());
+      Correlator correlator(draw(s), options());
       s.shift = {0.37 + 0.1 * k, -1.2 + 0.13 * k};
       s.seed = static_cast<std::uint64_t>(2 * k + 2);
-      const Misses m = misses(s, correlator.add(photograph(s)));
+      const Misses m = misses(s, correlator.add(draw(s)));
       CHECK(m.found == correlator.subsets().size());
       squares += m.rms * m.rms * static_cast<double>(m.found);
       told += m.deviation * m.deviation * static_cast<double>(m.found);
@@ -146,7 +146,7 @@ TEST_CASE("what noise does to a displacement is told", "[lab]") {
 
 TEST_CASE("strains, turns and large ways", "[lab]") {
   Speckles s = speckles();
-  Correlator correlator(photograph(s), options());
+  Correlator correlator(draw(s), options());
   const double c = std::cos(0.4), t = std::sin(0.4);
   // Five steps to a stretch of 15 %, a contraction, a shear, turned by 23 degrees and moved by 25 pixels.
   for (int k = 1; k <= 5; ++k) {
@@ -156,7 +156,7 @@ TEST_CASE("strains, turns and large ways", "[lab]") {
                  g = 0.05 * part;  // of the cloth, before it is turned
     s.F = {cc * a, cc * g - ss * b, ss * a, ss * g + cc * b};
     s.shift = {25 * part, -10 * part};
-    const auto& subsets = correlator.add(photograph(s));
+    const auto& subsets = correlator.add(draw(s));
     const Misses m = misses(s, subsets);
     INFO("step " << k << ": rms " << m.rms << ", largest " << m.largest << " px, found " << m.found);
     CHECK(m.rms < 0.01);
@@ -178,7 +178,7 @@ TEST_CASE("strains, turns and large ways", "[lab]") {
 
 TEST_CASE("what leaves the picture is lost and found again, and a blank patch is told", "[lab]") {
   Speckles s = speckles();
-  format::Image first = photograph(s);
+  Image first = draw(s);
   for (int row = 90; row < 150; ++row)
     for (int column = 100; column < 160; ++column) first.at(column, row) = 0.5F;
   Correlator correlator(first, options());
@@ -189,7 +189,7 @@ TEST_CASE("what leaves the picture is lost and found again, and a blank patch is
       CHECK((subset.x > 100 && subset.x < 160 && subset.y > 90 && subset.y < 150));
     }
   CHECK(blank >= 4);
-  format::Image empty = first;
+  Image empty = first;
   std::fill(empty.pixels.begin(), empty.pixels.end(), 0.5F);
   for (const Subset& subset : correlator.add(empty)) CHECK(subset.state != Subset::SubsetState::found);
   std::size_t found = 0;
@@ -203,15 +203,14 @@ TEST_CASE("what leaves the picture is lost and found again, and a blank patch is
 }
 
 TEST_CASE("a subset that resembles the wrong place is lost, not misplaced", "[lab]") {
-  const format::Image first = photograph(speckles());
+  const Image first = draw(speckles());
   CorrelationOptions o = options();
   o.step = 25;
   Correlator correlator(first, o);
   const std::size_t middle = correlator.rows() / 2 * correlator.columns() + correlator.columns() / 2;
   const int x = static_cast<int>(correlator.subsets()[middle].x),
             y = static_cast<int>(correlator.subsets()[middle].y);
-  format::Image second =
-      first;  // what the subset shows stands 9 pixels to the right, on a cloth that is still
+  Image second = first;  // what the subset shows stands 9 pixels to the right, on a cloth that is still
   for (int row = -12; row <= 12; ++row)
     for (int column = -12; column <= 12; ++column)
       second.at(x + 9 + column, y + row) = first.at(x + column, y + row);
@@ -228,7 +227,7 @@ TEST_CASE("a subset that resembles the wrong place is lost, not misplaced", "[la
 }
 
 TEST_CASE("photographs without a texture, or of another size, are refused", "[lab]") {
-  format::Image grey{200, 200, std::vector<float>(40000, 0.5F)};
+  Image grey{200, 200, std::vector<float>(40000, 0.5F)};
   CorrelationOptions o = options();
   o.region = {0, 0, 200, 200};
   CHECK(message_of([&] { Correlator(grey, o); }).find("has a texture that determines a displacement") !=
@@ -240,10 +239,9 @@ TEST_CASE("photographs without a texture, or of another size, are refused", "[la
   CHECK(message_of([&] { Correlator(grey, o); }).find("has a texture that determines a displacement") !=
         std::string::npos);
   o.region = {0, 0, 20, 200};
-  CHECK(message_of([&] {
-          Correlator(photograph(speckles()), o);
-        }).find("expected a region of at least 25 x 25") != std::string::npos);
-  Correlator correlator(photograph(speckles()), options());
+  CHECK(message_of([&] { Correlator(draw(speckles()), o); }).find("expected a region of at least 25 x 25") !=
+        std::string::npos);
+  Correlator correlator(draw(speckles()), options());
   CHECK(message_of([&] { correlator.add(grey); }) ==
         "correlate: expected photographs of 240 x 220 pixels as the first, got one of 200 x 200");
 }

@@ -9,9 +9,9 @@
 #include <cstring>
 #include <memory>
 
-#include "format/image_decode.hpp"
+#include "photograph/image_decode.hpp"
 
-namespace fabricsh::format {
+namespace fabricsh::photograph {
 
 namespace {
 
@@ -150,4 +150,4 @@ Image decode_tiff(const Encoded& file) {
   return image;
 }
 
-}  // namespace fabricsh::format
+}  // namespace fabricsh::photograph

@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "format/image.hpp"
+#include "photograph/image.hpp"
 
-namespace fabricsh::format {
+namespace fabricsh::photograph {
 
 // The bytes of a file, and its name for errors.
 struct Encoded {
@@ -37,4 +37,4 @@ Image image_of_size(const Encoded& file, std::uint64_t width, std::uint64_t heig
 // colours with opacity. Each sample has 8 or 16 bits in the machine's byte order.
 void fill_row(Image& image, int row, const std::uint8_t* samples, int channels, int bits);
 
-}  // namespace fabricsh::format
+}  // namespace fabricsh::photograph

@@ -1,4 +1,4 @@
-#include "lab/speckle.hpp"
+#include "photograph/speckle.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-namespace fabricsh::lab {
+namespace fabricsh::photograph {
 
 namespace {
 
@@ -48,7 +48,7 @@ void blot(const Speckles& s, const Map& map, double X, double Y, std::vector<dou
 
 }  // namespace
 
-format::Image photograph(const Speckles& s) {
+Image draw(const Speckles& s) {
   const auto pixels = static_cast<std::size_t>(s.width) * static_cast<std::size_t>(s.height);
   std::vector<double> light(pixels, 1);
   const Map map{s};
@@ -64,7 +64,7 @@ format::Image photograph(const Speckles& s) {
   }
   std::mt19937_64 shaken(s.seed);
   std::normal_distribution<double> normal(0, 1);
-  format::Image image{s.width, s.height, std::vector<float>(pixels)};
+  Image image{s.width, s.height, std::vector<float>(pixels)};
   for (std::size_t i = 0; i < pixels; ++i) {
     const double value = kDark + (kLight - kDark) * light[i] + (s.noise > 0 ? s.noise * normal(shaken) : 0);
     image.pixels[i] = static_cast<float>(std::clamp(std::round(255 * value) / 255, 0.0, 1.0));
@@ -72,4 +72,4 @@ format::Image photograph(const Speckles& s) {
   return image;
 }
 
-}  // namespace fabricsh::lab
+}  // namespace fabricsh::photograph

@@ -1,4 +1,4 @@
-#include "lab/tracker.hpp"
+#include "photograph/tracker.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -10,7 +10,7 @@
 #include "base/error.hpp"
 #include "lab/statistics.hpp"
 
-namespace fabricsh::lab {
+namespace fabricsh::photograph {
 
 namespace {
 
@@ -42,7 +42,7 @@ std::optional<DotStep> step_along(const std::vector<Dot>& dots, const DotStep& d
     y.push_back(nearest->y);
   }
   if (x.empty()) return std::nullopt;
-  return DotStep{median(x), median(y)};
+  return DotStep{lab::median(x), lab::median(y)};
 }
 
 using Label = std::pair<int, int>;  // row, column, relative to any dot
@@ -193,4 +193,4 @@ void Tracker::add(const std::vector<Dot>& dots) {
   record(seen);
 }
 
-}  // namespace fabricsh::lab
+}  // namespace fabricsh::photograph

@@ -4,11 +4,11 @@
 #include <optional>
 
 #include "draws.hpp"
-#include "lab/tracker.hpp"
 #include "message_of.hpp"
+#include "photograph/tracker.hpp"
 
 using namespace fabricsh;
-using namespace fabricsh::lab;
+using namespace fabricsh::photograph;
 
 namespace {
 
@@ -41,7 +41,7 @@ TEST_CASE("a dot's middle as well as the noise lets it be known", "[lab]") {
     for (int k = 0; k < 6; ++k) {
       s.F = pulled(0.05 * k, 0.06 * k);
       s.seed = static_cast<std::uint64_t>(k + 1);
-      const auto dots = find_dots(photograph(s), {});
+      const auto dots = find_dots(draw(s), {});
       const auto reference = true_positions(s);
       REQUIRE(dots.size() == 24);
       for (const Dot& d : dots) {
@@ -66,7 +66,7 @@ TEST_CASE("a dot's middle as well as the noise lets it be known", "[lab]") {
 }
 
 TEST_CASE("a blot that is no ellipse keeps its centroid", "[lab]") {
-  format::Image image{60, 60, std::vector<float>(3600, 0.9F)};
+  Image image{60, 60, std::vector<float>(3600, 0.9F)};
   double x = 0, y = 0, n = 0;
   for (int r = 20; r < 40; ++r)
     for (int c = 20; c < 40; ++c) {
@@ -90,7 +90,7 @@ TEST_CASE("strain to 2e-4 through 50 % and 30 degrees", "[lab]") {
     reference.push_back(pulled(0.5 * part, 0.5235987755982988 * part));
     s.F = reference.back();
     s.seed = static_cast<std::uint64_t>(f + 1);
-    const auto dots = find_dots(photograph(s), {});
+    const auto dots = find_dots(draw(s), {});
     if (!tracker)
       tracker.emplace(s.rows, s.columns, dots);
     else
@@ -129,7 +129,7 @@ TEST_CASE("a grid is known on a first photograph that is turned", "[lab]") {
     for (int degrees = -40; degrees <= 40; degrees += 80 / test::draws(10)) {
       INFO("turned by " << degrees << " degrees, strain " << strain);
       s.F = pulled(strain, degrees * std::numbers::pi / 180);
-      const Tracker tracker(s.rows, s.columns, find_dots(photograph(s), {}));
+      const Tracker tracker(s.rows, s.columns, find_dots(draw(s), {}));
       const auto reference = true_positions(s);  // rows downwards
       double worst = 0;
       for (std::size_t r = 0; r < s.rows; ++r)
@@ -147,10 +147,10 @@ TEST_CASE("dots that are no grid are refused", "[lab]") {
   s.width = s.height = 1100;
   const std::string wanted = "dots on the first photograph are no grid of 6 rows and 4 columns";
   s.F = pulled(0, 55 * std::numbers::pi / 180);
-  const auto turned = find_dots(photograph(s), {});
+  const auto turned = find_dots(draw(s), {});
   says(message_of([&] { Tracker(s.rows, s.columns, turned); }), wanted);
   s.F = {1, 0, 0, 1};
-  auto dots = find_dots(photograph(s), {});
+  auto dots = find_dots(draw(s), {});
   Tracker(s.rows, s.columns, dots);
   dots[5].x += 50;  // a stain between two dots, and a dot that is missing
   says(message_of([&] { Tracker(s.rows, s.columns, dots); }), wanted);
@@ -158,7 +158,7 @@ TEST_CASE("dots that are no grid are refused", "[lab]") {
 
 TEST_CASE("lost and changed dots are told, and found again", "[lab]") {
   const DotGrid s = scene();
-  const auto dots = find_dots(photograph(s), {});
+  const auto dots = find_dots(draw(s), {});
   Tracker tracker(s.rows, s.columns, dots);
   auto fewer = dots;
   fewer.erase(fewer.begin() + 7);
@@ -182,7 +182,7 @@ TEST_CASE("light dots on dark cloth, and what is no dot", "[lab]") {
   DotGrid s = scene();
   s.ground = 0.1;
   s.ink = 0.9;
-  const auto image = photograph(s);
+  const auto image = draw(s);
   CHECK(find_dots(image, {false, 12, 1e5, 0.1}).size() == 24);
   CHECK(find_dots(image, {false, 1000, 1e5, 0.1}).empty());
   CHECK(find_dots(image, {false, 12, 100, 0.1}).empty());

@@ -1,9 +1,9 @@
 // BMP without compression: 8 bits with a palette, 24 or 32 bits per pixel.
 #include <cstring>
 
-#include "format/image_decode.hpp"
+#include "photograph/image_decode.hpp"
 
-namespace fabricsh::format {
+namespace fabricsh::photograph {
 
 namespace {
 
@@ -60,4 +60,4 @@ Image decode_bmp(const Encoded& file) {
   return image;
 }
 
-}  // namespace fabricsh::format
+}  // namespace fabricsh::photograph

@@ -2,13 +2,16 @@
 // functions between contain no object that needs a destructor.
 #include <png.h>
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 #include <csetjmp>
 #include <cstring>
 
-#include "format/image_decode.hpp"
+#include "base/error.hpp"
+#include "photograph/image_decode.hpp"
 
-namespace fabricsh::format {
+namespace fabricsh::photograph {
 
 namespace {
 
@@ -91,4 +94,56 @@ Image decode_png(const Encoded& file) {
   return image;
 }
 
-}  // namespace fabricsh::format
+namespace {
+
+struct PngWriter {
+  png_structp png = nullptr;
+  png_infop info = nullptr;
+  std::string bytes;
+  std::vector<std::uint8_t> samples;
+  std::vector<png_bytep> rows;
+
+  PngWriter() = default;
+  PngWriter(const PngWriter&) = delete;
+  PngWriter& operator=(const PngWriter&) = delete;
+  ~PngWriter() { png_destroy_write_struct(&png, &info); }
+};
+
+extern "C" {
+
+void png_give(png_structp png, png_bytep from, std::size_t count) {
+  static_cast<PngWriter*>(png_get_io_ptr(png))->bytes.append(reinterpret_cast<const char*>(from), count);
+}
+
+void png_flushed(png_structp) {}
+}
+
+bool write_grey(PngWriter& job, const Image& image) {
+  if (setjmp(png_jmpbuf(job.png)) != 0) return false;
+  png_set_write_fn(job.png, &job, png_give, png_flushed);
+  png_set_compression_level(job.png, 5);
+  png_set_IHDR(job.png, job.info, static_cast<png_uint_32>(image.width),
+               static_cast<png_uint_32>(image.height), 8, PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE,
+               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_write_info(job.png, job.info);
+  png_write_image(job.png, job.rows.data());
+  png_write_end(job.png, job.info);
+  return true;
+}
+
+}  // namespace
+
+std::string png_of(const Image& image) {
+  PngWriter job;
+  for (const float value : image.pixels)
+    job.samples.push_back(
+        static_cast<std::uint8_t>(std::clamp(std::round(255.0 * static_cast<double>(value)), 0.0, 255.0)));
+  for (int row = 0; row < image.height; ++row)
+    job.rows.push_back(&job.samples[static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width)]);
+  job.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, png_quiet);
+  if (job.png != nullptr) job.info = png_create_info_struct(job.png);
+  if (job.info == nullptr || !write_grey(job, image)) throw Error("image: not enough memory to write it");
+  return std::move(job.bytes);
+}
+
+}  // namespace fabricsh::photograph

@@ -3,13 +3,13 @@
 #include <array>
 #include <vector>
 
-#include "format/image.hpp"
+#include "photograph/image.hpp"
 
-namespace fabricsh::lab {
+namespace fabricsh::photograph {
 
 class Spline {
  public:
-  explicit Spline(const format::Image& image);
+  explicit Spline(const Image& image);
   // Whether all pixels that the value at a place is made of lie in the picture.
   bool holds(double column, double row) const {
     return column >= 1 && row >= 1 && column < width_ - 2 && row < height_ - 2;
@@ -32,4 +32,4 @@ class Spline {
   std::vector<double> weights_;
 };
 
-}  // namespace fabricsh::lab
+}  // namespace fabricsh::photograph
