@@ -57,7 +57,7 @@ return {
 local rows, names = {}, {}
 for name in pairs(files) do names[#names + 1] = name end
 table.sort(names)
-fabric.card "blend":write(out .. "/truth.lua")
+fabric.card "blend":write(out .. "/reference.lua")
 for _, name in ipairs(names) do
   local f <close> = assert(io.open(out .. "/" .. name, "w"))
   f:write(files[name])

@@ -12,7 +12,7 @@ namespace fabricsh::script {
 
 namespace {
 
-enum class Tag : std::uint8_t { number, integer, text, truth, table, known };
+enum class Tag : std::uint8_t { number, integer, text, boolean, table, known };
 constexpr int kDeepest = 150;  // largest depth of nested tables
 
 // Does not call __tostring, because a function of the deck could change the table being traversed.
@@ -33,7 +33,7 @@ class Packer {
         return lua_isinteger(L_, index) != 0 ? put(Tag::integer, lua_tointeger(L_, index))
                                              : put(Tag::number, lua_tonumber(L_, index));
       case LUA_TBOOLEAN:
-        return put(Tag::truth, lua_toboolean(L_, index) != 0);
+        return put(Tag::boolean, lua_toboolean(L_, index) != 0);
       case LUA_TSTRING: {
         std::size_t size = 0;
         const char* text = lua_tolstring(L_, index, &size);
@@ -119,7 +119,7 @@ class Filler {
         return lua_pushnumber(L_, get<lua_Number>());
       case Tag::integer:
         return lua_pushinteger(L_, get<lua_Integer>());
-      case Tag::truth:
+      case Tag::boolean:
         return lua_pushboolean(L_, get<bool>());
       case Tag::text: {
         const auto text = get<std::string>();

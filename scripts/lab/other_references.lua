@@ -4,15 +4,15 @@
 -- any laboratory's are, and put into budgets of other things: a strip held at both ends and blown by a pressure, the load of a longer strip, the force of a picture
 -- frame, the angle of a given overhang. The true values come from the curves themselves.
 --
---   fabricsh scripts/lab/other_truths.lua [seeds] [samples] [out]      1 24; a figure in out; the table of share/doc/laboratory.md is of scripts/long/lab_other_truths.lua
+--   fabricsh scripts/lab/other_references.lua [seeds] [samples] [out]      1 24; a figure in out; the table of share/doc/laboratory.md is of scripts/long/lab_other_references.lua
 local fabric = require "fabric"
 local lab = fabric.lab
 local folder = require "fabric.lab.folder"
 local random = require "fabric.lab.random"
 
 local seeds, samples = math.tointeger(tonumber(arg[1] or 1)), math.tointeger(tonumber(arg[2] or 24))
-if not seeds or seeds < 1 or not samples or samples < 8 then error("usage: fabricsh other_truths.lua [seeds >= 1] [samples >= 8] [out]", 0) end
-local out = arg[3] or "out/other_truths"
+if not seeds or seeds < 1 or not samples or samples < 8 then error("usage: fabricsh other_references.lua [seeds >= 1] [samples >= 8] [out]", 0) end
+local out = arg[3] or "out/other_references"
 local length, width, thickness, give = 0.2, 0.05, 4e-4, 1e-7
 local share, specimens, reach = 0.05, 3, 0.1 -- deviation between specimens; largest strain of the pulls
 

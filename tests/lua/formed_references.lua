@@ -113,4 +113,4 @@ do
   assert(#of_triangles.analysis.steps < 1.5 * #of_squares.analysis.steps and math.abs(triangle.external / square.external - 1) < 0.05)
   assert(math.abs(of_triangles.draw_in.mean / of_squares.draw_in.mean - 1) < 0.03)
 end
-print "formed_truths ok"
+print "formed_references ok"

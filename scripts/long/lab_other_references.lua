@@ -1,4 +1,4 @@
--- scripts/lab/other_truths.lua twenty times.
+-- scripts/lab/other_references.lua twenty times.
 -- warns: make no card and were drawn again
 -- warns: is unlike the others
 arg[0] = arg[0]:gsub("long/lab_", "lab/")
