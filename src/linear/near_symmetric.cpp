@@ -6,14 +6,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "linear/supernodal/supernodal.hpp"
 #include "linear/vector.hpp"
 
 namespace fabricsh::linear {
 
 namespace {
 
-constexpr double kEnough = 1e-10;  // of the right-hand side, left of it
-constexpr Index kMost = 40;        // iterations, beyond which the whole matrix is factorised
+constexpr double kEnough = 1e-6;    // of the right-hand side, left of it
+constexpr double kRounded = 1e-12;  // of two opposite entries: they differ by rounding alone
+constexpr Index kMost = 40;         // iterations, beyond which the whole matrix is factorised
 
 class NearSymmetric final : public LinearSolver {
  public:
@@ -42,14 +44,17 @@ class NearSymmetric final : public LinearSolver {
     by_whole_ = false;
     skew_.clear();
     if (A.pattern->upper) return half_->factorise(A);
-    std::size_t i = 0;
-    for (Index c = 0; c < A.size(); ++c)
-      for (Index k = S_.pattern->column[c]; k < S_.pattern->column[c + 1]; ++k, ++i) {
-        const double a = A.value[static_cast<std::size_t>(above_[i])],
-                     b = A.value[static_cast<std::size_t>(below_[i])];
-        S_.value[i] = (a + b) / 2;
-        if (a != b) skew_.push_back({S_.pattern->row[k], c, (a - b) / 2});
+    const double* const value = A.value.data();
+    double* const mean = S_.value.data();
+    for (std::size_t i = 0; i < above_.size(); ++i) {
+      const double a = value[above_[i]], b = value[below_[i]];
+      mean[i] = (a + b) / 2;
+      if (std::abs(a - b) > kRounded * std::abs(a + b)) {
+        const auto& starts = S_.pattern->column;
+        const auto next = std::upper_bound(starts.begin(), starts.end(), static_cast<Index>(i));
+        skew_.push_back({S_.pattern->row[i], next - starts.begin() - 1, (a - b) / 2});
       }
+    }
     return half_->factorise(S_) || by_whole(A);
   }
 
@@ -141,7 +146,7 @@ class NearSymmetric final : public LinearSolver {
       for (std::size_t i = 0; i < u.size(); ++i) u[i] += weight[j] * basis_[j][i];
   }
 
-  std::unique_ptr<LinearSolver> half_ = make_symmetric_solver(), whole_;
+  std::unique_ptr<LinearSolver> half_ = make_signed_solver(), whole_;
   Matrix S_;                          // the symmetric part
   std::vector<Index> above_, below_;  // for each entry of S its place in A, and that of the entry opposite
   struct Skew {

@@ -353,7 +353,37 @@ void Stiffness::add_entry(Index r, Index c, double v, const Target& to) const {
   to.K.add(r, c, v);
 }
 
+namespace {
+
+// Adds a block of two nodes without ties, from their equation number `first` on. The rows of a node follow
+// each other in each column.
+template <int n>
+void add_free(const Dofs& dofs, bool upper, Index a, Index b, int first, const Eigen::Matrix<double, n, n>& k,
+              const Stiffness::Target& to) {
+  const auto &rows = dofs.freedoms().nodes[a].equation, &columns = dofs.freedoms().nodes[b].equation;
+  for (int j = 0; j < n; ++j) {
+    const Index c = columns[first + j];
+    if (c == held || (c < held && to.lead.empty())) continue;
+    const double led = c < held ? dofs.lead_of(motion_of(c), to.lead) : 0;
+    Index slot = -1, row = 0;
+    for (int i = 0; i < n; ++i) {
+      const Index r = rows[first + i];
+      if (r < 0 || k(i, j) == 0) continue;
+      if (c < held) {
+        to.product[r] += k(i, j) * led;
+      } else if (!upper || r <= c) {
+        if (slot < 0) slot = to.K.pattern->slot(row = r, c);
+        to.K.value[slot + r - row] += k(i, j);
+      }
+    }
+  }
+}
+
+}  // namespace
+
 void Stiffness::add_block(Index a, Index b, const Eigen::Matrix<double, 5, 5>& k, const Target& to) const {
+  if (!dofs_.has_ties() || (!dofs_.freedoms().ties(a) && !dofs_.freedoms().ties(b)))
+    return add_free<5>(dofs_, upper_, a, b, 0, k, to);
   std::vector<Link> A, B;
   dofs_.links(a, A);
   dofs_.links(b, B);
@@ -416,9 +446,7 @@ void Stiffness::Sink::on_positions(Index a, Index b, const Mat3& k) {
     block.topLeftCorner<3, 3>() = turned;
     return stiffness_.add_block(a, b, block, to_);
   }
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      stiffness_.add_entry(nodes[a].equation[i], nodes[b].equation[j], turned(i, j), to_);
+  add_free<3>(stiffness_.dofs_, stiffness_.upper_, a, b, 0, turned, to_);
 }
 
 void Stiffness::Sink::on_nodes(Index a, Index b, const Eigen::Matrix<double, 5, 5>& k) {
@@ -445,9 +473,7 @@ void Stiffness::Sink::on_director(Index a, const Eigen::Matrix2d& k) {
     block.bottomRightCorner<2, 2>() = k;
     return stiffness_.add_block(a, a, block, to_);
   }
-  const auto& equation = stiffness_.dofs_.freedoms().nodes[a].equation;
-  for (int i = 0; i < 2; ++i)
-    for (int j = 0; j < 2; ++j) stiffness_.add_entry(equation[3 + i], equation[3 + j], k(i, j), to_);
+  add_free<2>(stiffness_.dofs_, stiffness_.upper_, a, a, 3, k, to_);
 }
 
 }  // namespace fabricsh::mechanics
