@@ -11,6 +11,7 @@
 
 #include "linear/suitesparse/ordering.hpp"
 #include "linear/supernodal/dense.hpp"
+#include "linear/vector.hpp"
 #include "simd/aligned.hpp"
 #include "simd/copies.hpp"
 
@@ -21,6 +22,7 @@ FABRICSH_DECLARE_COPIES(DenseKernels dense_kernels_of_isa();)
 namespace {
 
 constexpr double kMeaningless = 1e-13;  // of the largest diagonal entry: a pivot that means nothing
+constexpr double kLeft = 1e-8;          // of the right-hand side, left of it
 constexpr long up_to(long n, long multiple) { return (n + multiple - 1) / multiple * multiple; }
 
 class Supernodal final : public LinearSolver {
@@ -65,31 +67,22 @@ class Supernodal final : public LinearSolver {
       for (const double s : sign_) report_.negative_pivots += s < 0;
       return true;
     }
-    if (!general_) general_ = make_unsymmetric_solver();
-    by_general_ = true;
-    const bool done = general_->factorise(A);
-    report_ = general_->report();
-    return done;
+    return by_general(A);
   }
 
+  // Without an exchange of rows an indefinite matrix may be solved badly: what is left is looked at.
   bool solve(const Matrix& A, std::span<const double> b, std::span<double> x) override {
     if (by_general_) return general_->solve(A, b, x);
-    const DenseKernels& k = kernels_;
-    for (std::size_t i = 0; i < b.size(); ++i) y_[place_of_[i]] = b[i];
-    for (const Node& s : nodes_) {
-      k.forward(value_.data() + s.value, s.stride, s.rows, s.columns, y_.data() + s.first, below_.data());
-      const Index* const row = rows_.data() + s.row;
-      for (long i = s.columns; i < s.rows; ++i) y_[row[i]] -= below_[i - s.columns];
+    substitute(b, x);
+    if (report_.negative_pivots == 0) return true;
+    const double enough = kLeft * std::sqrt(dot(b, b));
+    for (bool refined = false;; refined = true) {
+      left_of(A, b, x);
+      if (std::sqrt(dot(left_, left_)) <= enough) return true;
+      if (refined) return by_general(A) && general_->solve(A, b, x);
+      substitute(left_, left_);
+      for (std::size_t i = 0; i < x.size(); ++i) x[i] += left_[i];
     }
-    for (std::size_t i = 0; i < b.size(); ++i) y_[i] *= sign_[i];
-    for (std::size_t n = nodes_.size(); n-- > 0;) {
-      const Node& s = nodes_[n];
-      const Index* const row = rows_.data() + s.row;
-      for (long i = s.columns; i < s.rows; ++i) below_[i - s.columns] = y_[row[i]];
-      k.backward(value_.data() + s.value, s.stride, s.rows, s.columns, y_.data() + s.first, below_.data());
-    }
-    for (std::size_t i = 0; i < b.size(); ++i) x[i] = y_[place_of_[i]];
-    return true;
   }
 
   LinearReport report() const override { return report_; }
@@ -108,6 +101,45 @@ class Supernodal final : public LinearSolver {
     Index node;
     long from, to;  // the rows of that node that are columns of this one
   };
+
+  bool by_general(const Matrix& A) {
+    if (!general_) general_ = make_unsymmetric_solver();
+    by_general_ = true;
+    const bool done = general_->factorise(A);
+    report_ = general_->report();
+    return done;
+  }
+
+  // x = A^-1 b by the factors; both may be the same.
+  void substitute(std::span<const double> b, std::span<double> x) {
+    const DenseKernels& k = kernels_;
+    for (std::size_t i = 0; i < b.size(); ++i) y_[place_of_[i]] = b[i];
+    for (const Node& s : nodes_) {
+      k.forward(value_.data() + s.value, s.stride, s.rows, s.columns, y_.data() + s.first, below_.data());
+      const Index* const row = rows_.data() + s.row;
+      for (long i = s.columns; i < s.rows; ++i) y_[row[i]] -= below_[i - s.columns];
+    }
+    for (std::size_t i = 0; i < b.size(); ++i) y_[i] *= sign_[i];
+    for (std::size_t n = nodes_.size(); n-- > 0;) {
+      const Node& s = nodes_[n];
+      const Index* const row = rows_.data() + s.row;
+      for (long i = s.columns; i < s.rows; ++i) below_[i - s.columns] = y_[row[i]];
+      k.backward(value_.data() + s.value, s.stride, s.rows, s.columns, y_.data() + s.first, below_.data());
+    }
+    for (std::size_t i = 0; i < b.size(); ++i) x[i] = y_[place_of_[i]];
+  }
+
+  // b - A x, of the upper half of A.
+  void left_of(const Matrix& A, std::span<const double> b, std::span<const double> x) {
+    left_.assign(b.begin(), b.end());
+    const Pattern& pattern = *A.pattern;
+    for (Index c = 0; c < pattern.size; ++c)
+      for (Index k = pattern.column[c]; k < pattern.column[c + 1] && pattern.row[k] <= c; ++k) {
+        const Index r = pattern.row[k];
+        left_[r] -= A.value[k] * x[c];
+        if (r != c) left_[c] -= A.value[k] * x[r];
+      }
+  }
 
   void take(const cholmod_factor& L, Index size) {
     const auto *starts = static_cast<const Index*>(L.super), *rows = static_cast<const Index*>(L.pi),
@@ -229,6 +261,7 @@ class Supernodal final : public LinearSolver {
   std::vector<Update> updates_;
   LineVector value_;  // of L
   std::vector<double> sign_, y_, below_, product_, packed_;
+  Vector left_;
   std::vector<Index> local_;  // of a row, its number in the node at work
   std::vector<Run> run_;
   std::unique_ptr<LinearSolver> general_;
