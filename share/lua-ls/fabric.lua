@@ -844,7 +844,7 @@ function fabric.lab.density(fields) end
 
 ---@class fabric_lab_drape_fields
 ---@field card card the fabric
----@field cells? integer along an edge (default 20)
+---@field cells? integer along an edge; 20 are those of the thesis, 1 to 2 for each fold of a square of 2 m by its weight (model:check()) (default 20)
 ---@field size? number m: of the square (default 2)
 ---@field duration? number s: of the run (default 0.5)
 ---@field step? number s: as for fabric.dynamic; default: "auto"
@@ -1353,7 +1353,7 @@ function fabric.lab.poisson(fields) end
 ---@field height? number m: that the punch rises to (default 0.4)
 ---@field stroke? number s: up and down (default 0.5)
 ---@field card card the fabric
----@field cells? integer along an edge (default 20)
+---@field cells? integer along an edge; 20 are those of the thesis, 1 to 2 for each fold of a square of 2 m by its weight (model:check()) (default 20)
 ---@field size? number m: of the square (default 2)
 ---@field duration? number s: of the run (default 0.5)
 ---@field step? number s: as for fabric.dynamic; default: "auto"

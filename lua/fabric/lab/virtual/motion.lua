@@ -46,7 +46,7 @@ function motion.node(n, i, j) return j * (n + 1) + i + 1 end
 
 motion.arguments = {
   { name = "card", of = "card", sentence = "the fabric" },
-  { name = "cells", kind = "integer", low = 4, default = 20, sentence = "along an edge" },
+  { name = "cells", kind = "integer", low = 4, default = 20, sentence = "along an edge; 20 are those of the thesis, 1 to 2 for each fold of a square of 2 m by its weight (model:check())" },
   { name = "size", kind = "number", unit = "m", above = 0, default = 2, sentence = "of the square" },
   { name = "duration", kind = "number", unit = "s", above = 0, default = 0.5, sentence = "of the run" },
   { name = "step", kind = "number", unit = "s", above = 0, optional = true, sentence = "as for fabric.dynamic; default: \"auto\"" },
