@@ -2,7 +2,6 @@
 -- energy when it is twisted far. Errors in %, of triangles cut one way, and both ways in turn. Curved shells: sze_triangles.lua.
 --
 --   fabricsh scripts/verify/triangles_beside.lua [number of sizes]      usually 2; 3 takes ten times as long
--- warns: is far from what cloth is
 -- warns: nine measured cloths in ten have 1 to 70 uN.m
 local fabric = require "fabric"
 local problem = dofile((arg[0]:gsub("[^/]*$", "problem.lua")))

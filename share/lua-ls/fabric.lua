@@ -2663,11 +2663,12 @@ function history:points() end
 ---@return number
 function history:value(time) end
 
----Errors of the mesh and remarks on it: a table {ok, text, items, area, shortest, longest, aspect, warping, least_angle, triangles, quadrilaterals, parts, borders}, which prints as its text; an item has key (degenerate, inverted, fold, repeated, orientation, one_sided, apart, unused, duplicate, nonmanifold, aspect, warping, angle, wide, taper, hanging, free), severity (note, warning, error), text, elements, nodes. With a card two lines more, and yarns (degrees from the sides of elements, most, stiffness over shear, locking: share of the cloth whose elements lock) and folds (length: from one to the next, element: its side, m).
+---Errors of the mesh and remarks on it: a table {ok, text, items, area, shortest, longest, aspect, warping, least_angle, triangles, quadrilaterals, parts, borders}, which prints as its text; an item has key (degenerate, inverted, fold, repeated, orientation, one_sided, apart, unused, duplicate, nonmanifold, aspect, warping, angle, wide, taper, hanging, free), severity (note, warning, error), text, elements, nodes. With a card two lines more, and yarns (degrees from the sides of elements, most, stiffness over shear, locking: share of the cloth whose elements lock) and folds (length: from one to the next by weight, flesh: on flesh, element: its side, m).
 ---@param card? card of the cloth that the mesh is for
 ---@param warp? number|number[] degrees: as for fabric.model
+---@param flesh? number Pa/m: stiffness of what the cloth lies on, as flesh
 ---@return table<string, any>
-function mesh:check(card, warp) end
+function mesh:check(card, warp, flesh) end
 
 ---Numbers of the elements all of whose nodes are in the set.
 ---@param set string name of a node set
@@ -2757,7 +2758,7 @@ function mesh:write(file) end
 ---@return model
 function model:band(fields) end
 
----The suitability of the mesh for this cloth, as two lines for each region: how yarns cross its elements, and how large folds are beside elements.
+---The suitability of the mesh for this cloth, as two lines for each region: how yarns cross its elements, and how large folds are beside elements, by weight and on bodies that give way.
 ---@return model
 function model:check() end
 

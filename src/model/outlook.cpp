@@ -90,7 +90,37 @@ std::array<double, 2> stiffness_of(const section::Section& section) {
   return {of.axis[0] / of.shear, of.axis[1] / of.shear};
 }
 
-Outlook outlook_of(const Model& model, std::size_t region) {
+// Pa/m: of the softest body whose contact has a stiffness of its own.
+std::optional<double> softest_body(const Model& model) {
+  std::optional<double> softest;
+  for (const ContactGiven& contact : model.all<ContactGiven>())
+    for (const Party& side : contact.between)
+      if (side.body && contact.stiffness)
+        softest = std::min(softest.value_or(*contact.stiffness), *contact.stiffness);
+  return softest;
+}
+
+// Whether supports hold every node across a plane.
+bool stays_flat(const Model& model) {
+  std::vector<bool> held(model.mesh().nodes.size());
+  const Flat first = flat_of(model, 0);
+  for (const Support& support : model.all<Support>())
+    for (int i = 0; i < 3; ++i)
+      if (support.fixed.translation[static_cast<std::size_t>(i)] &&
+          std::abs(support.frame.row(i).dot(first.normal)) > 1 - 1e-9)
+        for (const Index n : model.mesh().set(support.set)) held[static_cast<std::size_t>(n)] = true;
+  return std::all_of(held.begin(), held.end(), [](bool h) { return h; });
+}
+
+Test test_of(const Model& model, bool on_flesh) {
+  const auto& gravity = model.gravity();
+  if (on_flesh) return Test::pressed;
+  if (stays_flat(model)) return Test::flat;
+  if (std::any_of(gravity.begin(), gravity.end(), [](const auto& g) { return bool(g); })) return Test::falls;
+  return model.all<Support>().empty() ? Test::unknown : Test::pulled;
+}
+
+Outlook outlook_of(const Model& model, std::size_t region, const std::optional<double>& flesh) {
   const section::Section& section = model.sections()[region];
   const auto ratio = stiffness_of(section);
   const bool eased = section.yarns_over_shear[0] > 0;
@@ -127,7 +157,10 @@ Outlook outlook_of(const Model& model, std::size_t region) {
   out.yarns.degrees /= area;
   out.yarns.triangles /= area;
   out.folds.element = std::sqrt(area) / out.yarns.across;
-  out.folds.length = 2 * std::numbers::pi * std::cbrt(rigidity(section) / (section.areal_mass * kGravity));
+  const double B = rigidity(section);
+  out.folds.length = 2 * std::numbers::pi * std::cbrt(B / (section.areal_mass * kGravity));
+  if (flesh) out.folds.flesh = 2 * std::numbers::pi * std::pow(B / *flesh, 0.25);
+  out.test = test_of(model, flesh.has_value());
   return out;
 }
 
@@ -135,11 +168,18 @@ std::string percent(double share) { return number(std::round(100 * share), 3) + 
 std::string degrees(double angle) { return number(std::round(angle), 3); }
 std::string mm(double length) { return number(1e3 * length, 3) + " mm"; }
 
+// "about 120 mm from one to the next, 6 elements"
+std::string spacing(double length, double element) {
+  return "about " + mm(length) + " from one to the next, " + number(element > 0 ? length / element : 0, 2) +
+         " elements";
+}
+
 }  // namespace
 
-std::vector<Outlook> outlook(const Model& model) {
+std::vector<Outlook> outlook(const Model& model, std::optional<double> flesh) {
+  if (!flesh) flesh = softest_body(model);
   std::vector<Outlook> all;
-  for (std::size_t r = 0; r < model.regions().size(); ++r) all.push_back(outlook_of(model, r));
+  for (std::size_t r = 0; r < model.regions().size(); ++r) all.push_back(outlook_of(model, r, flesh));
   return all;
 }
 
@@ -155,14 +195,25 @@ std::array<std::string, 2> words(const Outlook& o) {
              number(kLocks * y.across, 2) + " times)";
   else
     yarns += "no element locks";
-  const double elements = o.folds.element > 0 ? o.folds.length / o.folds.element : 0;
-  std::string folds = of + "folds by its own weight are about " + mm(o.folds.length) +
-                      " from one to the next, " + number(elements, 2) + " elements: ";
-  if (elements >= kWell)
+  const OwnFolds& f = o.folds;
+  std::string folds = of + "folds by its own weight are " + spacing(f.length, f.element);
+  if (f.flesh > 0) folds += ", folds on what gives way under it " + spacing(f.flesh, f.element);
+  const double shortest = f.flesh > 0 ? std::min(f.length, f.flesh) : f.length;
+  folds += ": ";
+  if (o.test == Test::flat)
+    folds += "the cloth is held in its plane, where none can form";
+  else if (shortest >= kWell * f.element)
     folds += "the mesh shows them";
+  else if (f.flesh > 0)
+    folds += "pressures where it folds need elements of " + mm(shortest / kWell) +
+             " or folds=\"within elements\"; the work and the pressure of taut cloth do not";
+  else if (o.test == Test::pulled)
+    folds += "a pull does not need them; where it is pressed together, elements of " + mm(shortest / kWell) +
+             " or folds=\"within elements\" do";
   else
-    folds += "for draping and crumpling elements of " + mm(o.folds.length / kWell) +
-             " show them, coarser ones hang too straight; pulls in the plane do not need that";
+    folds += "for draping and crumpling elements of " + mm(shortest / kWell) +
+             " show them, coarser ones hang too straight" +
+             (o.test == Test::falls ? "" : "; pulls in the plane do not need that");
   return {yarns, folds};
 }
 

@@ -2,6 +2,7 @@
 // elements, and how large its folds are.
 #pragma once
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,19 +22,31 @@ struct YarnsAcross {
   Index worst = -1;      // the element that locks most
 };
 
-// Folds by the sheet's own weight: 2 pi (B / (rho g t))^(1/3) from one to the next, B: of the softer yarns.
+// Lengths from one fold to the next, m, with the rigidity B of the softer yarns.
 struct OwnFolds {
-  double length = 0;   // m
-  double element = 0;  // m, mean side
+  double length = 0;   // by the sheet's own weight, 2 pi (B / (rho g t))^(1/3)
+  double flesh = 0;    // on what gives way under it by k, Pa/m, 2 pi (B / k)^(1/4); 0: there is none
+  double element = 0;  // mean side
+};
+
+// How the cloth is loaded, by the declarations of the model.
+enum class Test {
+  unknown,
+  flat,     // it cannot leave its plane
+  pulled,   // neither weight nor body
+  falls,    // it has weight
+  pressed,  // bodies with a stiffness of their own press on it
 };
 
 struct Outlook {
   std::string region;  // empty: the only one
   YarnsAcross yarns;
   OwnFolds folds;
+  Test test = Test::unknown;
 };
 
-std::vector<Outlook> outlook(const Model& model);  // of each region
+// Of each region. flesh: Pa/m, of what the cloth lies on; the softest body by default.
+std::vector<Outlook> outlook(const Model& model, std::optional<double> flesh = {});
 // Two lines: about the yarns and about the folds.
 std::array<std::string, 2> words(const Outlook& outlook);
 // What to warn of; empty: nothing.

@@ -91,7 +91,7 @@ void set_outlook(lua_State* L, const model::Outlook& o) {
   push_record(L, "degrees", o.yarns.degrees, "most", o.yarns.most, "stiffness", o.yarns.stiffness, "locking",
               o.yarns.locking, "across", o.yarns.across);
   lua_setfield(L, -2, "yarns");
-  push_record(L, "length", o.folds.length, "element", static_cast<double>(o.folds.element));
+  push_record(L, "length", o.folds.length, "flesh", o.folds.flesh, "element", o.folds.element);
   lua_setfield(L, -2, "folds");
 }
 
@@ -109,7 +109,8 @@ int check_file(Call& call) {
   std::string text = report.text();
   lua_newtable(L);
   if (call.has("card") && report.ok()) {
-    const model::Outlook outlook = model::outlook(model_of(call)).front();
+    const auto flesh = call.has("flesh") ? std::optional(call.number("flesh")) : std::nullopt;
+    const model::Outlook outlook = model::outlook(model_of(call), flesh).front();
     for (const std::string& line : model::words(outlook)) text += (text.ends_with('\n') ? "" : "\n") + line;
     set_outlook(L, outlook);
   }
@@ -194,14 +195,16 @@ Entry deck_lines_row() {
 Entry check_row() {
   return {"mesh:check()",
           {object_("card?", "card", "of the cloth that the mesh is for"),
-           Argument{"warp", number | numbers, "degrees", everything, "as for fabric.model"}.optional()},
+           Argument{"warp", number | numbers, "degrees", everything, "as for fabric.model"}.optional(),
+           number_("flesh?", "Pa/m", positive, "stiffness of what the cloth lies on, as flesh")},
           "Errors of the mesh and remarks on it: a table {ok, text, items, area, shortest, longest, "
           "aspect, warping, least_angle, triangles, quadrilaterals, parts, borders}, which prints as its "
           "text; an item has key (degenerate, inverted, fold, repeated, orientation, one_sided, apart, "
           "unused, duplicate, nonmanifold, aspect, warping, angle, wide, taper, hanging, free), severity "
           "(note, warning, error), text, elements, nodes. With a card two lines more, and yarns (degrees "
           "from the sides of elements, most, stiffness over shear, locking: share of the cloth whose "
-          "elements lock) and folds (length: from one to the next, element: its side, m).",
+          "elements lock) and folds (length: from one to the next by weight, flesh: on flesh, element: its "
+          "side, m).",
           std::string(disk_sample) +
               "local report = mesh:check()\nassert(report.ok and report.borders == 1)\n"
               "assert(tostring(report) == report.text)",

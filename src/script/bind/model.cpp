@@ -242,8 +242,9 @@ std::vector<Entry> model_entries() {
        gravity},
       without_arguments(
           "model:check",
-          "The suitability of the mesh for this cloth, as two lines for each region: how yarns cross "
-          "its elements, and how large folds are beside elements.",
+          "The suitability of the mesh for this cloth, as two lines for each region: how yarns "
+          "cross its elements, and how large folds are beside elements, by weight and on bodies that "
+          "give way.",
           sample + "print(m:check())\nassert(m:check():find 'folds')", check_mesh),
       without_arguments("model.thickness", "Thickness of the sheet, m; of several bodies the first one's.",
                         sample + "assert(m.thickness > 0)", thickness),

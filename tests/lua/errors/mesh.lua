@@ -119,6 +119,10 @@ wrong("mesh:check", "mesh:check(card, 'x')",
   "deck.lua:1: check: argument 'warp': expected a number in degrees or a table of numbers in degrees, got 'x'")
 wrong("mesh:check", "mesh:check(card, {1, 2})",
   "deck.lua:1: check: field 'warp': expected {x, y, z}, got 2 numbers")
+wrong("mesh:check", "mesh:check(card, 0, 'soft')",
+  "deck.lua:1: check: argument 'flesh': expected a positive number in Pa/m, got 'soft'")
+wrong("mesh:check", "mesh:check(card, 0, 0)",
+  "deck.lua:1: check: argument 'flesh': expected a positive number in Pa/m, got 0")
 
 -- mesh:orient
 wrong("mesh:orient", "mesh:orient({1, 'two'})",
