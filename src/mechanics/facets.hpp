@@ -59,10 +59,10 @@ class OnMotion : public Facet {
 // others [kane1999]: forces that come and go within a step then make no energy.
 class AtStepEnd : public Facet {
  public:
-  virtual void set_weight(double weight) = 0;      // of the steps from the next one on, which are implicit
-  virtual bool acts() const = 0;                   // in the trial state
-  virtual std::span<const Vec3> push() const = 0;  // N, on the nodes
-  virtual double work_on_cloth() const = 0;        // J, on the nodes that move freely, in the step
+  virtual void set_weight(double weight) = 0;  // of the steps from the next one on, which are implicit
+  virtual bool acts() const = 0;               // in the trial state
+  virtual std::span<const Vec3> nodal_forces() const = 0;  // N
+  virtual double work_on_cloth() const = 0;                // J, on the nodes that move freely, in the step
 };
 
 // Says how far a step may go. The way from the marked positions to the trial ones is straight for the nodes.

@@ -227,10 +227,10 @@ void EquilibriumProblem::balance(double inertia, double at_end, std::span<double
     const double on_body = at_end == 0 || missing == 0 ? at_end : at_end / (1 - missing);
     for (const auto* const term : assembly_.terms().all<mechanics::AtStepEnd>()) {
       if (at_end == 1) break;
-      const auto push = term->push();
-      for (std::size_t n = 0; n < push.size(); ++n) {
+      const auto forces = term->nodal_forces();
+      for (std::size_t n = 0; n < forces.size(); ++n) {
         const double times = freedoms.body(static_cast<mechanics::Index>(n)) < 0 ? at_end : on_body;
-        at(on_x_, n) += (times - 1) * push[n];
+        at(on_x_, n) += (times - 1) * forces[n];
       }
     }
     assembly_.residual(on_x_, r, on_d_);

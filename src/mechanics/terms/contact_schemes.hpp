@@ -39,7 +39,7 @@ class ImplicitContact final : public ContactScheme, public AtStepEnd {
 
   void set_weight(double weight) override;
   bool acts() const override { return state_.acts(); }
-  std::span<const Vec3> push() const override { return state_.nodal_forces(); }
+  std::span<const Vec3> nodal_forces() const override { return state_.nodal_forces(); }
   double work_on_cloth() const override;
 
  private:
