@@ -24,7 +24,7 @@ namespace {
 constexpr int kChecks = 200;            // checks of the ledger in a run
 constexpr int kApart = 16;              // least number of explicit steps between checks: one costs a step
 constexpr int kYoung = 50;              // explicit steps until the trapezoidal rule gives a reliable work
-constexpr double kYoungPart = 0.1;      // of the duration of a driven implicit run
+constexpr double kYoungPart = 0.1;      // of the duration of an implicit run, at least
 constexpr double kYoungLimit = 10;      // factor on the limit for implicit steps until then
 constexpr double kWarning = 1e-3;       // created energy over the external work
 constexpr double kShortWarning = 1e-2;  // the same at the end of a run of fewer than kYoung explicit steps
@@ -456,9 +456,10 @@ bool Dynamic::is_driven() const {
 // If supports begin to move with a jump in velocity, the trapezoidal rule gives their work badly at first; so
 // it does where a moved body comes to touch. The fewer the steps, the less work has been done after them.
 bool Dynamic::is_young() const {
-  if (options_.scheme == Scheme::implicit_steps)
-    return is_driven() && time() - began() < kYoungPart * (duration_ - began());
-  return now_.steps < std::max<std::int64_t>(0, now_.touched) + kYoung;
+  const bool is_implicit = options_.scheme == Scheme::implicit_steps;
+  if (is_implicit && !is_driven()) return false;
+  return (is_implicit && time() - began() < kYoungPart * (duration_ - began())) ||
+         now_.steps < std::max<std::int64_t>(0, now_.touched) + kYoung;
 }
 
 void Dynamic::check() {

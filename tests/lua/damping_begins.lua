@@ -103,13 +103,3 @@ do
     assert(pulled.energy.error < 1e-4 and pulled.energy.damping == 0)
   end
 end
-
--- A driven run is young for a tenth of its duration, however few its steps: those behind that are shortened for their error, and the run need not
--- stop as it comes of age. (A strip that yarns let go and reload, 80 steps.)
-local strip = fabric.mesh.rectangle { width = 0.03, height = 0.06, nx = 3, ny = 6 }
-local cycles = fabric.model { mesh = strip, card = fabric.card("denim", { bending = "estimated" }), warp = 90 }
-local way = 3.6e-3
-cycles:fix("bottom", "x y z rotation"):fix("top", "x z rotation")
-cycles:move("top", { y = fabric.history { { 0, 0 }, { 0.1, way }, { 0.16, 0.2 * way }, { 0.24, 1.4 * way }, { 0.32, 0.1 * way }, { 0.4, 1.2 * way } } })
-local driven = fabric.dynamic { model = cycles, duration = 0.4, scheme = "implicit", step = 5e-3, damping = { mass = 60 } }:solve()
-assert(driven.time == 0.4 and driven.energy.error < 0.02, driven.energy.error)
