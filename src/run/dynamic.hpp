@@ -118,6 +118,7 @@ class Dynamic : public Run {
   bool is_driven() const;  // by supports or bodies
   // Whether the work that drives the run may still be badly known, so that more is allowed to its ledger.
   bool is_young() const;
+  bool has_few_steps() const;
   // J: what the error of the ledger is compared with.
   double ledger_scale(const EnergyAccount& energies) const;
 

@@ -379,7 +379,8 @@ std::string Implicit::damping_text() const {
 
 // A step that makes more energy than the ledger allows is repeated with strong damping, which is kept if that
 // makes less than half as much: the work of a support that begins to move with a jump, which the ledger does
-// not know well, is no reason. Other steps with more than a small error are shortened.
+// not know well, is no reason. Other steps with more than a small error are shortened, and those that damping
+// does not help.
 bool Implicit::takes_back() {
   using Try = Repeatable::Try;
   const Try which = std::exchange(repeatable_.which, Try::first);
@@ -389,7 +390,7 @@ bool Implicit::takes_back() {
   const double made = (now.surplus() - repeatable_.surplus) / ledger_scale(now);
   if (repeatable_.settling) return shortens(std::max(0.0, made), kSettlingHalvings);
   if (which == Try::first) {
-    const bool may_damp = chooses_scheme() && now_.damping != Damping::strong;
+    const bool may_damp = chooses_scheme() && now_.damping != Damping::strong && repeatable_.halved == 0;
     if (!(made > options_.ledger_limit && may_damp)) return shortens(made, kMostHalvings);
     return_to_start(Try::first);
     if (const std::string text = shorten_for_turning(); !text.empty()) {
@@ -404,7 +405,10 @@ bool Implicit::takes_back() {
     return true;
   }
   if (!(made < repeatable_.made / 2)) {
-    return_to_start(Try::first_again);
+    const double end = committed_time();
+    const bool young = is_young();
+    return_to_start(young ? Try::first_again : Try::first);
+    if (!young) halve(end);
     return true;
   }
   warn("ledger", "dynamic: a step to time " + number(committed_time()) + " s would have made " +
@@ -443,9 +447,14 @@ bool Implicit::shortens(double error, int most) {
   if (is_young() && !repeatable_.settling) return false;
   const double end = committed_time();
   return_to_start(Repeatable::Try::first);
+  halve(end, halved);
+  return true;
+}
+
+// The step that ended there and is repeated.
+void Implicit::halve(double end, int halved) {
   control_.set((end - committed_time()) / 2);
   repeatable_.halved = halved + 1;
-  return true;
 }
 
 void Implicit::take_scheme() {

@@ -78,6 +78,7 @@ class Implicit final : public Dynamic {
   bool repeats() const { return repeatable_.which != Repeatable::Try::first || repeatable_.halved > 0; }
   void return_to_start(Repeatable::Try next);
   bool shortens(double error, int most);  // at most so many times
+  void halve(double end, int halved = 0);
 };
 
 }  // namespace fabricsh::run
