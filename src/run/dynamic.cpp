@@ -27,7 +27,7 @@ constexpr int kYoung = 50;              // steps until the trapezoidal rule give
 constexpr double kYoungPart = 0.1;      // of the duration of a driven implicit run
 constexpr double kYoungLimit = 10;      // factor on the limit for implicit steps until then
 constexpr double kWarning = 1e-3;       // created energy over the external work
-constexpr double kShortWarning = 1e-2;  // the same at the end of a run of fewer than kYoung explicit steps
+constexpr double kShortWarning = 1e-2;  // the same in a run of fewer than kYoung steps
 constexpr double kHeavy = 0.05;   // fraction of the kinetic energy in scaled rotary inertia that is tolerated
 constexpr int kLooksForRest = 8;  // in the window of rest
 constexpr double kRateStep = 1e-6;  // s, for differences of prescribed motions
@@ -495,7 +495,8 @@ void Dynamic::check() {
     now_.touched = now_.steps;
   // A run of a few explicit steps is over before it is of age: what it ends with counts all the same.
   const bool is_short = !is_implicit && end && !is_driven();
-  const double unsaid = !is_young()   ? kWarning
+  const bool is_lenient = is_implicit && is_driven() && (is_young() || has_few_steps());
+  const double unsaid = !is_young()   ? (is_lenient ? kShortWarning : kWarning)
                         : is_implicit ? kYoungLimit * options_.ledger_limit
                         : is_short    ? kShortWarning
                                       : std::numeric_limits<double>::infinity();
@@ -516,7 +517,6 @@ void Dynamic::check() {
              "repeat with a smaller step to see whether the step is the cause",
          now_.began);
   }
-  const bool is_lenient = is_implicit && is_driven() && (is_young() || has_few_steps());
   const double limit = (is_lenient ? kYoungLimit : 1) * options_.ledger_limit;
   const bool over = !(made <= limit * scale), twice = now_.was_over;
   now_.was_over = over;
