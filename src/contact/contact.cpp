@@ -1,7 +1,5 @@
 #include "contact/contact.hpp"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -148,6 +146,7 @@ void Contact::open_to(std::span<const double> share) {
 void Contact::scale_all() {
   for (auto* list : {&outer_, &inner_})
     for (Candidate& c : *list) scale(c);
+  find_plain();
 }
 
 // Only pairs that would be within reach at their whole lengths are looked at: every list has them.
@@ -175,7 +174,7 @@ void Contact::scene_changed() {
   at_search_.clear();  // the lists are found anew
   outer_.clear();
   inner_.clear();
-  tried_.reset();
+  has_tried_ = false;
   apart_changed();
 }
 
@@ -250,6 +249,8 @@ void Contact::refine(std::span<const Vec3> x, double since_search) {
 
 // For each point, the slots that hold forces on it, in the order of the pairs.
 void Contact::index_slots() {
+  held_.pack();
+  tried_.pack();
   slots_.resize(inner_.size());
   active_.assign(inner_.size(), 0);
   known_.assign(inner_.size(), unknown);
@@ -281,6 +282,16 @@ void Contact::index_slots() {
     row_of_[std::size_t(touched_[row])] = std::uint32_t(row);
   index_spots();
   at_point_.resize(touched_.size());
+  index_places();
+  corners_of_.resize(inner_.size());
+  rows_of_.resize(inner_.size());
+  for (std::size_t i = 0; i < inner_.size(); ++i) {
+    corners_of_[i] = inner_[i].point;
+    rows_of_[i][0] = first_row_of(i);
+    for (std::size_t k = 1; k < 4; ++k)
+      rows_of_[i][k] = inner_[i].point[k] < 0 ? no_row : row_of_[std::size_t(inner_[i].point[k])];
+  }
+  find_plain();
 }
 
 // Rows of what is counted at the first corners of pairs, where these are contact points inside facets; their
@@ -301,77 +312,17 @@ void Contact::index_spots() {
           std::lower_bound(touched_.begin() + nodes, touched_.end(), inner_[i].point[0]) - touched_.begin());
 }
 
-// The slip of the pair in a slot.
-class Contact::OfSlot final : public SlipSource {
- public:
-  OfSlot(Contact& contact, std::size_t slot, std::span<const Vec3> x, const Way& way)
-      : contact_(contact), slot_(slot), x_(x), way_(way) {}
-  void find(Slip& slip) const override { contact_.find_slip(slot_, x_, way_, slip); }
-
- private:
-  Contact& contact_;
-  const std::size_t slot_;
-  const std::span<const Vec3> x_;
-  const Way& way_;
-};
-
-bool Contact::press(std::size_t i, std::span<const Vec3> x, const Way& way) {
-  const Candidate& c = inner_[i];
-  const Interaction& it = scene_->interactions()[std::size_t(c.interaction)];
-  const OfSlot slips(*this, i, x, way);
-  const bool rubs = !way.start.empty() && it.rubs();
-  const Corners corners = corners_of(c, x);
-  if (!find_force(it.law, c.pair, corners, rubs ? &slips : nullptr, slots_[i])) return false;
-  active_[i] = rubs ? rubbing : pressing;
-  if (rubs) keep_slip(i, corners, way);
-  Force& force = slots_[i];
-  force.barrier.struck = force.guard != 0 && it.eased && approaches_fast(c, force, corners, way);
-  return true;
-}
-
-// One thread sums the forces of a pair while they are at hand; several share the points afterwards.
-void Contact::press_all(std::span<const Vec3> x, const Way& way, bool torques) {
-  const double change = change_ + rounding * skins_.inner;  // pairs beyond it are still out of reach
-  const auto n = std::ptrdiff_t(inner_.size());
-  const auto rows = std::uint32_t(touched_.size());
-  const int parts = n > 256 ? omp_get_max_threads() : 1;
-  in_use_.clear();
-  if (parts == 1) {
-    std::fill(at_point_.begin(), at_point_.end(), AtPoint());
-    for (std::uint32_t i = 0; i < std::uint32_t(n); ++i) {
-      active_[i] = 0;
-      if (margin_[i] > change || !press(i, x, way)) continue;
-      in_use_.push_back(i);
-      gather_slot(i, 0, rows, torques);
-    }
-    return;
-  }
-#pragma omp parallel for schedule(static)
-  for (std::ptrdiff_t i = 0; i < n; ++i) {
-    active_[std::size_t(i)] = 0;
-    if (margin_[std::size_t(i)] <= change) press(std::size_t(i), x, way);
-  }
-  for (std::size_t i = 0; i < active_.size(); ++i)
-    if (active_[i] != 0) in_use_.push_back(std::uint32_t(i));
-#pragma omp parallel for schedule(static, 1)
-  for (int part = 0; part < parts; ++part) {
-    const auto share = [&](int p) {
-      return std::uint32_t(std::uint64_t(rows) * std::uint64_t(p) / std::uint64_t(parts));
-    };
-    gather(share(part), share(part + 1), torques);
-  }
-}
-
 Totals Contact::add_forces(std::span<const Vec3> x, std::span<Vec3> force, const Way& way,
                            std::span<Vec3> torque) {
   prepare(x);
   if (way.start.empty()) torque = {};
+  if (!way.start.empty()) tried_.clear_places(inner_.size());
   press_all(x, way, !torque.empty());
   Totals totals;
   totals.gap = narrowest_;
   totals.hard_gap = std::numeric_limits<double>::infinity();
   add_points(force, torque, totals);
-  if (!way.start.empty()) note_slips();
+  if (!way.start.empty()) share_slips();
   return totals;
 }
 
@@ -398,15 +349,13 @@ void Contact::gather(std::uint32_t from, std::uint32_t to, bool torques) {
 
 void Contact::gather_slot(std::uint32_t i, std::uint32_t from, std::uint32_t to, bool torques) {
   const Force& slot = slots_[i];
-  const auto& point = inner_[i].point;
   const Spot& spot = inner_[i].spot;
   if (spot.any())
     for (std::size_t k = 0; k < 3; ++k)
       if (const std::uint32_t row = row_of_[std::size_t(spot.node[k])]; row >= from && row < to)
         at_point_[row].force += spot.weight(k) * slot.on[0];
   for (std::uint32_t k = 0; k < 4; ++k) {
-    if (point[k] < 0) continue;
-    const std::uint32_t row = k == 0 ? first_row_of(i) : row_of_[std::size_t(point[k])];
+    const std::uint32_t row = rows_of_[i][k];
     if (row < from || row >= to) continue;
     AtPoint& sum = at_point_[row];
     sum.force += slot.on[k];
@@ -420,7 +369,7 @@ void Contact::gather_slot(std::uint32_t i, std::uint32_t from, std::uint32_t to,
       if (!eases(i)) sum.hard_gap = std::min(sum.hard_gap, slot.gap);
     }
     ++sum.pairs;
-    sum.slips += active_[i] == rubbing ? 1 : 0;
+    sum.slips += active_[i] == rubbing && inner_[i].pair.kind == PairKind::facet ? 1 : 0;
   }
 }
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/archive.hpp"
+#include "contact/batch.hpp"
 #include "contact/patches.hpp"
 #include "contact/search.hpp"
 
@@ -84,7 +85,7 @@ class Contact {
   // The elastic slips of friction are those of the last forces that were added with a way; or stay those of
   // the last commit.
   void commit();
-  void rollback() { tried_.reset(); }
+  void rollback() { has_tried_ = false; }
   // What friction does to the pairs that hold a slip in the committed state.
   struct Rubbing {
     std::size_t pairs = 0, sliding = 0;
@@ -160,7 +161,7 @@ class Contact {
   const Held* held_by(std::size_t slot);
   // What is kept of the slip in a slot: turned with the pair, and with what resists at its mirror images.
   void keep_slip(std::size_t slot, const Corners& x, const Way& way);
-  void note_slips();
+  void share_slips();
   bool passes_on(PairKind kind, std::int32_t first, std::int32_t interaction) const;
   bool eases(std::size_t slot) const;
   bool approaches_fast(const Candidate& c, const Force& force, const Corners& now, const Way& way) const;
@@ -181,6 +182,11 @@ class Contact {
   // Whether the pair in a slot touches; its forces are then there.
   bool press(std::size_t slot, std::span<const Vec3> x, const Way& way);
   void press_all(std::span<const Vec3> x, const Way& way, bool torques);
+  // --- batches of pairs (press.cpp)
+  class Batches;
+  void find_plain();
+  // What the pairs of an interaction have in common; empty: none are taken by the batch in such a step.
+  std::vector<BatchLaw> laws_of_batches(const Way& way) const;
   void gather(std::uint32_t from, std::uint32_t to, bool torques);
   void gather_slot(std::uint32_t slot, std::uint32_t from, std::uint32_t to, bool torques);
   void add_points(std::span<Vec3> force, std::span<Vec3> torque, Totals& totals) const;
@@ -203,6 +209,13 @@ class Contact {
   std::vector<double> outer_margin_;  // of each pair of the outer list: the same in search()
   std::vector<double> margin_;  // of each pair of the inner list: how far out of reach it was in refine()
   std::vector<Force> slots_;
+  // By slot: the row of its batches' law, -1: it is taken alone; and m2, above which it is out of reach.
+  std::vector<std::int32_t> batch_of_;
+  std::vector<double> far_;
+  // By slot: its corners, and their rows; of a spot and where there is none: no_row.
+  std::vector<std::array<std::int32_t, 4>> corners_of_;
+  std::vector<std::array<std::uint32_t, 4>> rows_of_;
+  static constexpr std::uint32_t no_row = ~std::uint32_t(0);
   static constexpr char pressing = 1, rubbing = 2;
   std::vector<char> active_;  // whether the slot of a pair is in use, with or without a slip; 0: it is not
   std::vector<std::uint32_t> in_use_;            // these slots, ascending
@@ -221,19 +234,15 @@ class Contact {
     double contact = 0, guard = 0, stick = 0, work = 0, impact = 0;
     // m, the smallest of its pairs; of those with a guard that is not eased.
     double gap = std::numeric_limits<double>::infinity(), hard_gap = gap;
-    std::uint32_t pairs = 0, slips = 0;
+    std::uint32_t pairs = 0, slips = 0;  // slips: of facets
     bool struck = false;
   };
   std::vector<AtPoint> at_point_;
-  // By touched point: where the slips of the pairs that have it as their first corner begin, and of each slot
-  // in use where its slip is.
-  std::vector<std::uint32_t> first_slip_, slip_at_;
   // The elastic slips of the pairs that touch. The first corner of a pair is what slides over the rest of it;
   // the slips are in the order of the first corners, for each in the order of the pairs.
   struct alignas(64) Held {  // two lines of a cache: all are read and written in each step
     std::array<std::int32_t, 4> point{};
     std::int32_t interaction = 0;
-    std::uint32_t slot = 0;  // of the list at that time
     PairKind kind = PairKind::facet;
     bool slides = false;
     double gap = 0, damped = 0;  // m, N
@@ -245,17 +254,32 @@ class Contact {
     bool beside(const Held& other) const;
     void keep(Archive& archive);
   };
-  struct Tried {
-    std::uint64_t version = 0;  // of the lists
+  // While the lists stay, a pair has its own place; else the slips that are in use stand beside each other.
+  struct Memory {
     std::vector<Held> held;
+    std::vector<char> used;  // by place
+    bool by_place = false;
+    void clear_places(std::size_t count);
+    void pack();  // those in use alone, in their order
+    template <class Visit>
+    void each(Visit visit) const {
+      for (std::size_t i = 0; i < held.size(); ++i)
+        if (!by_place || used[i] != 0) visit(held[i]);
+    }
   };
-  static void join(std::span<Held> of_one_point);
+  std::vector<std::uint32_t> place_;        // by slot
+  std::vector<std::uint32_t> first_place_;  // by row: those of pairs with this first corner
+  void index_places();
+  void hold(std::size_t slot);  // the slip in a slot that touches
+  void join(std::span<Held> of_one_point, const char* used);
   // The resistances of all committed slips at each point, mirror images included, over 0.2 m / dt.
   std::vector<double> rubbing_at_;
   void count_rubbing();
-  std::vector<Held> held_;
-  std::optional<Tried> tried_;
-  std::vector<std::int32_t> known_;  // by slot: which of held_ its slip is, or one of the following
+  double crowd_at(std::size_t point) const;  // see Slip::crowd
+  Memory held_, tried_;
+  bool has_tried_ = false;
+  // By slot, where slips are not by place: which of held_ is that of the pair, or one of the following.
+  std::vector<std::int32_t> known_;
   static constexpr std::int32_t unknown = -2, none = -1;
   bool eases_ = true;
   double planned_ = 0;  // s

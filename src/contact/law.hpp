@@ -46,10 +46,12 @@ class ContactLaw {
   // for neighbours in a sheet whose reference distance is smaller than the gap.
   ContactResponse scaled(double d, double scale) const;
 
- private:
   struct Knot {
     double gap, stiffness, pressure, energy;
   };
+  const std::vector<Knot>& knots() const { return knots_; }
+
+ private:
   void add(double gap, double stiffness);
   void add_curve(const LawData& data);
   std::vector<Knot> knots_;  // in order of descending gaps; the stiffness is constant below the last knot

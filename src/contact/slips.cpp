@@ -77,24 +77,35 @@ bool Contact::passes_on(PairKind kind, std::int32_t first, std::int32_t interact
 
 // The committed slip of a pair, or that of the nearest facet beside it; null: there is none.
 const Contact::Held* Contact::held_by(std::size_t slot) {
+  const Candidate& c = inner_[slot];
+  const Held sought{c.point, c.interaction, c.pair.kind};
+  const bool passes = passes_on(c.pair.kind, c.point[0], c.interaction);
+  const Held* found = nullptr;
+  const auto look_at = [&](const Held& h) {
+    if (h.is(c)) found = &h;
+    if (h.is(c)) return true;
+    if (passes && h.beside(sought) && (found == nullptr || h.gap < found->gap)) found = &h;
+    return false;
+  };
+  const std::vector<Held>& all = held_.held;
+  if (held_.by_place) {
+    const std::size_t own = place_[slot];
+    if (held_.used[own] != 0) return &all[own];
+    if (!passes) return nullptr;
+    const std::uint32_t row = first_row_of(slot);
+    for (std::size_t i = first_place_[row]; i < first_place_[row + 1]; ++i)
+      if (held_.used[i] != 0) look_at(all[i]);
+    return found;
+  }
   std::int32_t& known = known_[slot];
   if (known == none) return nullptr;
-  if (known != unknown) return &held_[std::size_t(known)];
-  const Candidate& c = inner_[slot];
-  const auto first = std::partition_point(held_.begin(), held_.end(),
-                                          [&](const Held& h) { return h.point[0] < c.point[0]; });
-  const Held sought{c.point, c.interaction, 0, c.pair.kind};
-  const bool passes = passes_on(c.pair.kind, c.point[0], c.interaction);
-  auto found = held_.end();
-  for (auto h = first; h != held_.end() && h->point[0] == c.point[0]; ++h) {
-    if (h->is(c)) {
-      found = h;
-      break;
-    }
-    if (passes && h->beside(sought) && (found == held_.end() || h->gap < found->gap)) found = h;
-  }
-  known = found == held_.end() ? none : std::int32_t(found - held_.begin());
-  return known == none ? nullptr : &*found;
+  if (known != unknown) return &all[std::size_t(known)];
+  const auto first =
+      std::partition_point(all.begin(), all.end(), [&](const Held& h) { return h.point[0] < c.point[0]; });
+  for (auto h = first; h != all.end() && h->point[0] == c.point[0]; ++h)
+    if (look_at(*h)) break;
+  known = found == nullptr ? none : std::int32_t(found - all.data());
+  return found;
 }
 
 void Contact::find_slip(std::size_t i, std::span<const Vec3> x, const Way& way, Slip& slip) {
@@ -142,9 +153,41 @@ void Contact::find_slip(std::size_t i, std::span<const Vec3> x, const Way& way, 
   }
   for (std::size_t k = c.spot.any() ? 1 : 0; k < 4; ++k)
     if (const auto p = c.point[k]; p >= 0) {
-      if (!rubbing_at_.empty()) slip.crowd[k] = std::max(1.0, rubbing_at_[std::size_t(p)] / most_resistance);
+      slip.crowd[k] = crowd_at(std::size_t(p));
       slip.inverse_mass[k] = images * way.inverse_mass[std::size_t(p)] * slip.crowd[k];
     }
+}
+
+// The same for batches; the kinds of each interaction in their order.
+std::vector<BatchLaw> Contact::laws_of_batches(const Way& way) const {
+  std::vector<BatchLaw> out;
+  if (way.inverse_mass.empty() || !way.planes.empty() || !(way.dt > 0)) return out;
+  for (const Interaction& it : scene_->interactions()) {
+    BatchLaw row;
+    const bool plain = it.across < 0 && it.film.viscous == 0 && !it.rigid;
+    const auto& knots = it.law.knots();
+    row.knots = &knots.front().gap;
+    row.count = plain ? int(knots.size()) : 0;
+    row.gap = it.law.gap();
+    row.floor = it.law.floor();
+    row.guard = it.law.guard_gap();
+    row.stiffest = it.law.stiffest();
+    row.rubs = it.rubs();
+    row.coulomb = it.friction > 0 || it.sticking > 0;
+    row.friction = it.friction;
+    row.holding = std::max(it.sticking, it.friction);
+    row.spring = tangential * it.law.stiffest();
+    row.loss = it.loss;
+    row.dt = way.dt;
+    const Surface& second = scene_->surfaces()[std::size_t(it.second)];
+    if (!way.turn.empty() && second.shape != Shape::cloth)
+      std::copy_n(way.turn[std::size_t(second.first_vertex)].data(), 3, row.turn);
+    for (const auto kind : {BatchKind::facet, BatchKind::edges, BatchKind::plane}) {
+      row.kind = kind;
+      out.push_back(row);
+    }
+  }
+  return out;
 }
 
 // With those of the pair's mirror images, which the part of the model beyond a plane of symmetry would have.
@@ -158,9 +201,43 @@ std::array<double, 4> Contact::resists(const Candidate& c, const Force& force, c
   return out;
 }
 
+void Contact::Memory::clear_places(std::size_t count) {
+  by_place = true;
+  held.resize(count);
+  used.assign(count, 0);
+}
+
+void Contact::Memory::pack() {
+  if (!by_place) return;
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < held.size(); ++i)
+    if (used[i] != 0) held[n++] = held[i];
+  held.resize(n);
+  by_place = false;
+}
+
+// The order of the places is that of the first corners, for each that of the pairs.
+void Contact::index_places() {
+  first_place_.assign(touched_.size() + 1, 0);
+  for (std::size_t i = 0; i < inner_.size(); ++i) ++first_place_[first_row_of(i) + 1];
+  for (std::size_t row = 0; row < touched_.size(); ++row) first_place_[row + 1] += first_place_[row];
+  std::vector<std::uint32_t> next(first_place_.begin(), first_place_.end() - 1);
+  place_.resize(inner_.size());
+  for (std::size_t i = 0; i < inner_.size(); ++i) place_[i] = next[first_row_of(i)]++;
+}
+
+void Contact::hold(std::size_t slot) {
+  const Candidate& c = inner_[slot];
+  const Force& force = slots_[slot];
+  const std::size_t place = place_[slot];
+  tried_.used[place] = 1;
+  tried_.held[place] = {c.point,      c.interaction, c.pair.kind, force.slides, force.gap,
+                        force.damped, force.slip,    force.pull,  force.resists};
+}
+
 // Facets beside each other hold a point with the slip at the nearest of them: those are looked at in the
 // order of their gaps, equal ones in their own.
-void Contact::join(std::span<Held> of_one_point) {
+void Contact::join(std::span<Held> of_one_point, const char* used) {
   struct Place {
     double gap;
     Held* of;
@@ -169,8 +246,10 @@ void Contact::join(std::span<Held> of_one_point) {
   };
   thread_local std::vector<Place> nearest;
   nearest.clear();
-  for (Held& h : of_one_point) {
-    if (h.kind != PairKind::facet) continue;
+  for (std::size_t i = 0; i < of_one_point.size(); ++i) {
+    Held& h = of_one_point[i];
+    if (used[i] == 0 || h.kind != PairKind::facet) continue;
+    if (!passes_on(h.kind, h.point[0], h.interaction)) return;
     auto at = nearest.size();
     nearest.push_back({h.gap, &h, h.slip, h.slides});
     for (; at > 0 && h.gap < nearest[at - 1].gap; --at) std::swap(nearest[at - 1], nearest[at]);
@@ -193,42 +272,20 @@ void Contact::keep_slip(std::size_t slot, const Corners& x, const Way& way) {
   if (!way.planes.empty()) force.resists = resists(c, force, way);
 }
 
-void Contact::note_slips() {
-  if (!tried_) tried_.emplace();
-  tried_->version = version_;
-  std::vector<Held>& held = tried_->held;
-  first_slip_.assign(touched_.size() + 1, 0);
-  for (std::size_t row = 0; row < touched_.size(); ++row)
-    first_slip_[row + 1] = first_slip_[row] + at_point_[row].slips;
-  held.resize(first_slip_.back());
-  slip_at_.resize(in_use_.size());
-  std::vector<std::uint32_t> next(first_slip_.begin(), first_slip_.end() - 1);
-  for (std::size_t k = 0; k < in_use_.size(); ++k)
-    if (active_[in_use_[k]] == rubbing) slip_at_[k] = next[first_row_of(in_use_[k])]++;
-  const bool many = held.size() > 256;
-#pragma omp parallel for schedule(static) if (many)
-  for (std::size_t k = 0; k < in_use_.size(); ++k) {
-    const std::uint32_t slot = in_use_[k];
-    if (active_[slot] != rubbing) continue;
-    const Candidate& c = inner_[slot];
-    const Force& force = slots_[slot];
-    held[slip_at_[k]] = {c.point,   c.interaction, slot,       c.pair.kind, force.slides,
-                         force.gap, force.damped,  force.slip, force.pull,  force.resists};
-  }
-#pragma omp parallel for schedule(static) if (many)
+void Contact::share_slips() {
+  has_tried_ = true;
+#pragma omp parallel for schedule(static) if (touched_.size() > 1024)
   for (std::size_t row = 0; row < touched_.size(); ++row) {
-    const std::span<Held> own(held.data() + first_slip_[row], first_slip_[row + 1] - first_slip_[row]);
-    const auto may_pass = [this](const Held& h) {
-      return h.kind != PairKind::facet || passes_on(h.kind, h.point[0], h.interaction);
-    };
-    if (own.size() > 1 && std::all_of(own.begin(), own.end(), may_pass)) join(own);
+    if (at_point_[row].slips < 2) continue;
+    const std::size_t first = first_place_[row];
+    join({tried_.held.data() + first, first_place_[row + 1] - first}, tried_.used.data() + first);
   }
 }
 
 void Contact::count_rubbing() {
   rubbing_at_.assign(scene_->reference().size(), 0);
   const auto count = [&](std::int32_t p, double resists) { rubbing_at_[std::size_t(p)] += resists; };
-  for (const Held& h : held_)
+  held_.each([&](const Held& h) {
     for (std::size_t k = 0; k < 4; ++k)
       if (h.point[k] < 0)
         continue;
@@ -238,41 +295,47 @@ void Contact::count_rubbing() {
         for (const std::int32_t p :
              scene_->triangles()[std::size_t(scene_->triangle_of_spot(h.point[k]))].nodes)
           count(p, h.resists[k]);
+  });
+}
+
+double Contact::crowd_at(std::size_t point) const {
+  return rubbing_at_.empty() ? 1 : std::max(1.0, rubbing_at_[point] / most_resistance);
 }
 
 Contact::Rubbing Contact::held_friction() const {
   Rubbing all;
   double largest = 0;
-  for (const Held& h : held_) {
+  held_.each([&](const Held& h) {
     const double force = h.pull.norm();
     ++all.pairs;
     all.force += force;
-    if (!h.slides) continue;
+    if (!h.slides) return;
     ++all.sliding;
     all.of_sliding += force;
     if (force > largest) {
       largest = force;
       all.most = scene_->with_nodes(h.point);
     }
-  }
+  });
   return all;
 }
 
 void Contact::commit() {
-  if (!tried_) return;
-  std::swap(held_, tried_->held);
+  if (!has_tried_) return;
+  std::swap(held_, tried_);
+  has_tried_ = false;
   count_rubbing();
-  std::fill(known_.begin(), known_.end(), unknown);
-  if (tried_->version == version_)
-    for (std::size_t i = 0; i < held_.size(); ++i) known_[held_[i].slot] = std::int32_t(i);
-  tried_.reset();
+  if (!held_.by_place) std::fill(known_.begin(), known_.end(), unknown);
 }
 
 void Contact::keep(Archive& archive) {
-  archive(held_);
+  Memory kept;
+  if (!archive.reading()) held_.each([&](const Held& h) { kept.held.push_back(h); });
+  archive(kept.held);
   if (!archive.reading()) return;
+  held_ = std::move(kept);
   count_rubbing();
-  tried_.reset();
+  has_tried_ = false;
   std::fill(known_.begin(), known_.end(), unknown);
 }
 
