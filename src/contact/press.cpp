@@ -160,7 +160,9 @@ class Contact::Batches {
       pairs_.inverse_mass[k][lane] = way_.inverse_mass[p] * crowd;
     }
     const Held* const held = contact_.held_by(i);
-    const bool own = held != nullptr && held->is(c);
+    const Memory& before = contact_.held_;
+    const bool own =
+        held != nullptr && (before.by_place ? held == &before.held[contact_.place_[i]] : held->is(c));
     for (int d = 0; d < 3; ++d) {
       pairs_.held[d][lane] = held != nullptr ? held->slip[d] : 0;
       pairs_.pull[d][lane] = own ? held->pull[d] : 0;
