@@ -231,8 +231,16 @@ void Contact::hold(std::size_t slot) {
   const Force& force = slots_[slot];
   const std::size_t place = place_[slot];
   tried_.used[place] = 1;
-  tried_.held[place] = {c.point,      c.interaction, c.pair.kind, force.slides, force.gap,
-                        force.damped, force.slip,    force.pull,  force.resists};
+  Held& held = tried_.held[place];  // field by field: a whole one would be cleared before
+  held.point = c.point;
+  held.interaction = c.interaction;
+  held.kind = c.pair.kind;
+  held.slides = force.slides;
+  held.gap = force.gap;
+  held.damped = force.damped;
+  held.slip = force.slip;
+  held.pull = force.pull;
+  held.resists = force.resists;
 }
 
 // Facets beside each other hold a point with the slip at the nearest of them: those are looked at in the
