@@ -126,8 +126,9 @@ void Contact::scale(Candidate& c) const {
 // m, of the crack faces among the points of a pair of them.
 double Contact::least_apart(const Candidate& c) const {
   double least = std::numeric_limits<double>::infinity();
-  for (const std::int32_t p : scene_->with_nodes(c.point))
-    if (p >= 0 && scene_->apart(p) >= 0) least = std::min(least, scene_->apart(p));
+  const Neighbours& neighbours = scene_->neighbours();
+  for (const std::int32_t p : scene_->spots().with_nodes(c.point))
+    if (p >= 0 && neighbours.apart(p) >= 0) least = std::min(least, neighbours.apart(p));
   return least;
 }
 
@@ -180,7 +181,7 @@ void Contact::scene_changed() {
 
 void Contact::apart_changed() {
   narrowest_ = narrowest_at_first_;
-  for (const double apart : scene_->apart())
+  for (const double apart : scene_->neighbours().apart())
     for (const Interaction& it : scene_->interactions())
       if (const double gap = grown(apart, it.law); gap > 0)
         narrowest_ = std::min(narrowest_, gap / it.law.gap() * (it.law.gap() - it.law.floor()));
@@ -199,7 +200,7 @@ Vec3 Contact::of_body(const Candidate& c, std::span<const Vec3> by_point) const 
 unsigned Contact::planes_of(const Candidate& c, std::span<const unsigned char> planes) const {
   if (planes.empty()) return 0;
   unsigned in = 7;
-  for (const std::int32_t p : scene_->with_nodes(c.point))
+  for (const std::int32_t p : scene_->spots().with_nodes(c.point))
     if (p >= 0 && !rigid(p)) in &= planes[std::size_t(p)];
   return in;
 }
@@ -492,7 +493,7 @@ void Contact::visit_in_nodes(const Candidate& c, const Matrix12& k, const Fricti
 void Contact::couples(std::span<const Vec3> x,
                       const std::function<void(const std::array<std::int32_t, 4>&)>& visit) {
   prepare(x);
-  for (const Candidate& c : inner_) visit(scene_->with_nodes(c.point));
+  for (const Candidate& c : inner_) visit(scene_->spots().with_nodes(c.point));
 }
 
 double Contact::safe_fraction(std::span<const Vec3> x, std::span<const Vec3> by,
@@ -553,7 +554,7 @@ Contact::AtPoints Contact::at_points(std::span<const Vec3> x) const {
   AtPoints out{std::vector<double>(x.size(), widest_), std::vector<double>(x.size(), 0)};
   for (std::size_t row = 0; row < touched_.size(); ++row) {
     const std::int32_t p = touched_[row];
-    if (scene_->is_spot(p)) break;
+    if (scene_->spots().is(p)) break;
     Vec3 normal = Vec3::Zero();
     for (const std::int32_t t : scene_->triangles_at_point(p)) {
       const Triangle& n = scene_->triangles()[std::size_t(t)].nodes;
@@ -597,7 +598,7 @@ std::vector<Contact::Overlap> Contact::overlaps(std::span<const Vec3> x) const {
     // What a seam holds together has its place in common, as what shares a corner.
     const auto sewn = [&](std::int32_t end) {
       return std::any_of(triangle.nodes.begin(), triangle.nodes.end(),
-                         [&](std::int32_t corner) { return scene_->are_sewn(end, corner); });
+                         [&](std::int32_t corner) { return scene_->neighbours().are_sewn(end, corner); });
     };
     if (sewn(edge.a) || sewn(edge.b)) continue;
     const std::int32_t apex = triangle.nodes[2];
@@ -612,7 +613,7 @@ Contact::Overlap Contact::nearest(std::span<const Vec3> x) {
   for (const Candidate& c : inner_) {
     const double gap = gap_of(c, corners_of(c, x)), scale = c.pair.scale;
     if (gap >= law(c).gap() * scale || gap - law(c).floor() * scale >= found.gap) continue;
-    found = {scene_->with_nodes(c.point), gap - law(c).floor() * scale};
+    found = {scene_->spots().with_nodes(c.point), gap - law(c).floor() * scale};
   }
   return found;
 }

@@ -151,7 +151,7 @@ class Contact {
   void scale_all();
   double least_apart(const Candidate& c) const;
   bool rigid(std::int32_t point) const {
-    return point >= std::int32_t(scene_->nodes()) && !scene_->is_spot(point);
+    return point >= std::int32_t(scene_->nodes()) && !scene_->spots().is(point);
   }
   // The value for the rigid side of a pair; zero if no side is rigid.
   Vec3 of_body(const Candidate& c, std::span<const Vec3> by_point) const;

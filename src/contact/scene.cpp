@@ -172,24 +172,6 @@ int Scene::add_wall(const Vec3& point, const Vec3& normal) {
   return add_rigid(std::move(surface), std::array<Vec3, 3>{point, point + u, point + v});
 }
 
-int Scene::add_disc(const Vec3& centre, const Vec3& normal, double radius, double edge, int sides) {
-  check_radius("disc", radius);
-  if (!(edge >= 0 && edge < radius))
-    refuse("disc: edge: expected from 0 to less than the radius of " + number(radius) + " m, got " +
-           number(edge));
-  if (!(normal.norm() > 0)) refuse("disc: expected a normal that is not zero");
-  if (sides < 3) refuse("disc: expected at least 3 sides, got " + std::to_string(sides));
-  const Vec3 n = normal.normalized(), u = n.unitOrthogonal(), v = n.cross(u);
-  std::vector<Vec3> vertices = {centre};
-  std::vector<Triangle> triangles;
-  for (int i = 0; i < sides; ++i) {
-    const double angle = 2 * std::numbers::pi * i / sides;
-    vertices.push_back(centre + (radius - edge) * (std::cos(angle) * u + std::sin(angle) * v));
-    triangles.push_back({0, i + 1, (i + 1) % sides + 1});
-  }
-  return add_solid(vertices, triangles, edge);
-}
-
 void Scene::add_followers(std::span<const Vec3> points) {
   reference_.insert(reference_.end(), points.begin(), points.end());
   area_.resize(reference_.size());
@@ -293,19 +275,20 @@ void Scene::count_places(const Surface& surface) {
 }
 
 void Scene::find_sheets(const Surface& surface) {
-  sheet_.resize(reference_.size(), -1);
+  auto& sheet = neighbours_.sheet_;
+  sheet.resize(reference_.size(), -1);
   std::vector<std::int32_t> open;
   for (const std::int32_t first : surface.points) {
-    if (sheet_[std::size_t(first)] >= 0) continue;
+    if (sheet[std::size_t(first)] >= 0) continue;
     open.assign(1, first);
-    sheet_[std::size_t(first)] = first;
+    sheet[std::size_t(first)] = first;
     while (!open.empty()) {
       const std::int32_t p = open.back();
       open.pop_back();
       for (const std::int32_t t : at_point_[std::size_t(p)])
         for (const std::int32_t q : triangles_[std::size_t(t)].nodes) {
-          if (sheet_[std::size_t(q)] >= 0) continue;
-          sheet_[std::size_t(q)] = first;
+          if (sheet[std::size_t(q)] >= 0) continue;
+          sheet[std::size_t(q)] = first;
           open.push_back(q);
         }
     }
@@ -350,19 +333,14 @@ Scene Scene::with_corners(const std::function<Triangle(const TriangleRow&)>& cor
     // What was a sheet counts as one: its parts are not nearer to each other than before.
     for (std::size_t i = 0; i < triangles.size(); ++i)
       for (std::size_t k = 0; k < 3; ++k)
-        out.sheet_[std::size_t(triangles[i][k])] =
-            sheet_[std::size_t(triangles_[std::size_t(from.first_triangle) + i].nodes[k])];
+        out.neighbours_.sheet_[std::size_t(triangles[i][k])] =
+            neighbours_.sheet(triangles_[std::size_t(from.first_triangle) + i].nodes[k]);
     if (!followers.empty()) out.add_followers(followers);
   }
   out.interactions_ = interactions_;
   out.spots_ = spots_;
-  out.partners_ = partners_;
+  out.neighbours_.partners_ = neighbours_.partners_;
   return out;
-}
-
-void Scene::set_apart(std::vector<double> apart) {
-  const bool any = std::any_of(apart.begin(), apart.end(), [](double a) { return a >= 0; });
-  apart_ = any ? std::move(apart) : std::vector<double>();
 }
 
 int Scene::interaction_number(std::int32_t first, std::int32_t second) const {
@@ -379,7 +357,7 @@ const Interaction* Scene::between(std::int32_t first, std::int32_t second) const
   return number < 0 ? nullptr : &interactions_[std::size_t(number)];
 }
 
-bool Scene::can_meet(Shape first, Shape second) {
+bool can_meet(Shape first, Shape second) {
   const auto is = [&](Shape a, Shape b) {
     return (first == a && second == b) || (first == b && second == a);
   };
@@ -431,7 +409,7 @@ void Scene::spread(std::size_t interaction, std::vector<std::int8_t> parts) {
 
 // The middles of the parts: those with an edge on the same side as the triangle first, row by row, and then
 // those between them.
-Spot Scene::spot(std::int32_t triangle, int parts, int k) const {
+Spot Spots::at(std::int32_t triangle, int parts, int k) const {
   const int upright = parts * (parts + 1) / 2;
   const bool between = k >= upright;
   int left = between ? k - upright : k, row = 0;
@@ -441,26 +419,44 @@ Spot Scene::spot(std::int32_t triangle, int parts, int k) const {
           {std::int16_t(3 * parts - i - j), std::int16_t(i), std::int16_t(j)}};
 }
 
-std::array<std::int32_t, 4> Scene::with_nodes(const std::array<std::int32_t, 4>& points) const {
-  if (!is_spot(points[0])) return points;
-  const Triangle& nodes = triangles_[std::size_t(triangle_of_spot(points[0]))].nodes;
+std::array<std::int32_t, 4> Spots::with_nodes(const std::array<std::int32_t, 4>& points) const {
+  if (!is(points[0])) return points;
+  const Triangle& nodes = triangles_[std::size_t(triangle_of(points[0]))].nodes;
   return {nodes[0], nodes[1], nodes[2], points[1]};
 }
 
-Vec3 Scene::warp_at(const Interaction& it, const std::array<std::int32_t, 4>& points,
-                    std::span<const Vec3> x) const {
-  const auto& own = surfaces_[std::size_t(it.first)].points;
+int add_disc(Scene& scene, const Vec3& centre, const Vec3& normal, double radius, double edge, int sides) {
+  check_radius("disc", radius);
+  if (!(edge >= 0 && edge < radius))
+    refuse("disc: edge: expected from 0 to less than the radius of " + number(radius) + " m, got " +
+           number(edge));
+  if (!(normal.norm() > 0)) refuse("disc: expected a normal that is not zero");
+  if (sides < 3) refuse("disc: expected at least 3 sides, got " + std::to_string(sides));
+  const Vec3 n = normal.normalized(), u = n.unitOrthogonal(), v = n.cross(u);
+  std::vector<Vec3> vertices = {centre};
+  std::vector<Triangle> triangles;
+  for (int i = 0; i < sides; ++i) {
+    const double angle = 2 * std::numbers::pi * i / sides;
+    vertices.push_back(centre + (radius - edge) * (std::cos(angle) * u + std::sin(angle) * v));
+    triangles.push_back({0, i + 1, (i + 1) % sides + 1});
+  }
+  return scene.add_solid(vertices, triangles, edge);
+}
+
+Vec3 warp_at(const Scene& scene, const Interaction& it, const std::array<std::int32_t, 4>& points,
+             std::span<const Vec3> x) {
+  const auto& own = scene.surfaces()[std::size_t(it.first)].points;
   const auto warp = [&](std::int32_t t) {
-    const auto& corner = triangles_[std::size_t(t)].nodes;
+    const auto& corner = scene.triangles()[std::size_t(t)].nodes;
     const auto& [a, b] = it.warp[std::size_t(t)];
     const Vec3& from = x[std::size_t(corner[0])];
     return Vec3(a * (x[std::size_t(corner[1])] - from) + b * (x[std::size_t(corner[2])] - from));
   };
-  if (is_spot(points[0])) return warp(triangle_of_spot(points[0]));
+  if (scene.spots().is(points[0])) return warp(scene.spots().triangle_of(points[0]));
   for (const std::int32_t p : points) {
     if (p < 0 || !std::binary_search(own.begin(), own.end(), p)) continue;
-    for (const std::int32_t t : triangles_at_point(p))
-      if (triangles_[std::size_t(t)].surface == it.first) return warp(t);
+    for (const std::int32_t t : scene.triangles_at_point(p))
+      if (scene.triangles()[std::size_t(t)].surface == it.first) return warp(t);
   }
   return Vec3::Zero();
 }

@@ -17,6 +17,7 @@
 
 #include "contact/intersect.hpp"
 #include "contact/law.hpp"
+#include "contact/neighbours.hpp"
 #include "contact/pair.hpp"
 #include "mesh/mesh.hpp"
 
@@ -82,10 +83,11 @@ struct Interaction {
   bool rubs() const { return sticking > 0 || loss > 0 || film.viscous > 0; }
   // Contact points inside the facets of the first surface, a cloth, on the second, a ball or a rod: each of
   // its triangles is divided into parts[i]^2 of equal area, and has a point in the middle of each. 0: it has
-  // none, and its nodes and edges take part. Empty: no triangle has any. See Scene::spread.
+  // none, and its nodes and edges take part. Empty: no triangle has any. Set by Scene::spread.
   std::vector<std::int8_t> parts = {};
   // Opening of overlaps at the start: for each point the share, 0 to 1, of the law's lengths with which it
-  // begins; two edges begin with the smallest share of their ends. Empty: nothing is opened.
+  // begins; two edges begin with the smallest share of their ends, and sheets of one surface that share no
+  // node do not count as neighbours. Empty: nothing is opened.
   std::vector<double> opening = {};
 };
 
@@ -101,6 +103,28 @@ struct Spot {
   }
 };
 
+// The numbers of contact points inside triangles: they follow those of all other points.
+class Spots {
+ public:
+  static constexpr int most_parts = 64;  // a triangle
+  Spots(std::size_t points, std::int32_t each, std::span<const TriangleRow> triangles)
+      : first_(std::int32_t(points)), each_(each), triangles_(triangles) {}
+  // Point `k` of the parts^2 of a triangle, and its number.
+  Spot at(std::int32_t triangle, int parts, int k) const;
+  std::int32_t number(std::int32_t triangle, int k) const { return first_ + triangle * each_ + k; }
+  bool is(std::int32_t point) const { return point >= first_; }
+  std::int32_t triangle_of(std::int32_t point) const { return (point - first_) / each_; }
+  // The points of a pair, with the corners of its triangle in place of a contact point inside it.
+  std::array<std::int32_t, 4> with_nodes(const std::array<std::int32_t, 4>& points) const;
+
+ private:
+  std::int32_t first_, each_;
+  std::span<const TriangleRow> triangles_;
+};
+
+// Whether rigid shapes meet each other: a ball anything but cloth, a rod a ball or a wall.
+bool can_meet(Shape first, Shape second);
+
 class Scene {
  public:
   // `nodes`: reference positions of all nodes of the model, m.
@@ -113,10 +137,6 @@ class Scene {
   int add_ball(const Vec3& centre, double radius);
   int add_rod(const Vec3& from, const Vec3& to, double radius);
   int add_wall(const Vec3& point, const Vec3& normal);
-  // A flat disc with a rounded edge: `radius` (m) is the outer radius, `edge` (m) that of
-  // the rounding, `sides` the number of sides of the polygon that approximates the circle.
-  int add_disc(const Vec3& centre, const Vec3& normal, double radius, double edge, int sides = 128);
-
   // Points that move with the last surface, which is rigid, and touch nothing.
   void add_followers(std::span<const Vec3> points);
 
@@ -126,68 +146,16 @@ class Scene {
   // or a loss that is negative or not finite, a pair declared already.
   void meet(int first, int second, const ContactLaw& law, double friction, double loss = 0,
             std::optional<double> sticking = {});
-  // Whether rigid shapes meet each other: a ball anything but cloth, a rod a ball or a wall.
-  static bool can_meet(Shape first, Shape second);
-
-  // A film between two surfaces that meet; and friction across the warp of the first.
-  void set_film(std::size_t interaction, const Film& film) { interactions_[interaction].film = film; }
-  void set_across(std::size_t interaction, double across, std::vector<std::array<double, 2>> warp) {
-    interactions_[interaction].across = across;
-    interactions_[interaction].warp = std::move(warp);
-  }
-  void ease(std::size_t interaction) { interactions_[interaction].eased = true; }
-  // The direction of the warp at a pair: that of the first triangle at the pair's first point on the cloth.
-  Vec3 warp_at(const Interaction& it, const std::array<std::int32_t, 4>& points,
-               std::span<const Vec3> x) const;
-
-  // Contact points inside facets, see Interaction::parts; at most most_parts a triangle.
-  static constexpr int most_parts = 64;
+  // For another law; of another gap only before a Contact searches the scene.
+  Interaction& interaction(std::size_t number) { return interactions_[number]; }
+  // Sets Interaction::parts.
   void spread(std::size_t interaction, std::vector<std::int8_t> parts);
-  // Point `k` of the parts^2 of a triangle, and its number, which follows those of all other points.
-  Spot spot(std::int32_t triangle, int parts, int k) const;
-  std::int32_t spot_number(std::int32_t triangle, int k) const {
-    return std::int32_t(reference_.size()) + triangle * spots_ + k;
-  }
-  bool is_spot(std::int32_t point) const { return point >= std::int32_t(reference_.size()); }
-  std::int32_t triangle_of_spot(std::int32_t point) const {
-    return (point - std::int32_t(reference_.size())) / spots_;
-  }
-  // The points of a pair, with the corners of its triangle in place of a contact point inside it.
-  std::array<std::int32_t, 4> with_nodes(const std::array<std::int32_t, 4>& points) const;
-
-  // Another law; of another gap only before a Contact searches the scene.
-  void replace_law(std::size_t interaction, const ContactLaw& law) { interactions_[interaction].law = law; }
-  // See Interaction::opening. Sheets of one surface that share no node then no longer count as neighbours.
-  void open(std::size_t interaction, std::vector<double> opening) {
-    interactions_[interaction].opening = std::move(opening);
-  }
-  // Whether two points of one surface belong to the same sheet, that is, are connected by elements.
-  bool same_sheet(std::int32_t a, std::int32_t b) const {
-    return sheet_[std::size_t(a)] == sheet_[std::size_t(b)];
-  }
-  std::int32_t sheet(std::int32_t point) const { return sheet_[std::size_t(point)]; }  // its first point
+  Spots spots() const { return {reference_.size(), spots_, triangles_}; }
 
   // The same scene with other nodes at the corners of the triangles of cloth, which lie at the same places.
   Scene with_corners(const std::function<Triangle(const TriangleRow&)>& corners) const;
-  // Crack faces: points that were one with others of their place until a joint opened. For each point how far
-  // it has been from all that it was near to, m; -1: it is no crack face. Between crack faces the law's
-  // lengths are at most 0.9 of the least of these, so that nothing is pressed when they part, and nothing
-  // gets through later. Empty: there are no crack faces.
-  void set_apart(std::vector<double> apart);
-  const std::vector<double>& apart() const { return apart_; }
-  bool parts() const { return !apart_.empty(); }  // whether there are crack faces
-  double apart(std::int32_t point) const { return apart_.empty() ? -1 : apart_[std::size_t(point)]; }
-
-  // Points that seams hold together: of each point those that it is sewn to, ascending. Pairs of such points
-  // do not touch, wherever they are in the reference, unless both are crack faces. Empty: there are no seams.
-  void sew(std::vector<std::vector<std::int32_t>> partners) { partners_ = std::move(partners); }
-  bool is_sewn(std::int32_t point) const {
-    return std::size_t(point) < partners_.size() && !partners_[std::size_t(point)].empty();
-  }
-  bool are_sewn(std::int32_t a, std::int32_t b) const {
-    return is_sewn(a) &&
-           std::binary_search(partners_[std::size_t(a)].begin(), partners_[std::size_t(a)].end(), b);
-  }
+  Neighbours& neighbours() { return neighbours_; }
+  const Neighbours& neighbours() const { return neighbours_; }
 
   const std::vector<Vec3>& reference() const { return reference_; }
   std::size_t nodes() const { return nodes_; }  // of the cloth; the rigid vertices follow them
@@ -216,9 +184,7 @@ class Scene {
   std::size_t nodes_ = 0;
   std::vector<Vec3> reference_;
   std::vector<double> area_;
-  std::vector<double> apart_;
-  std::vector<std::vector<std::int32_t>> partners_;
-  std::vector<std::int32_t> sheet_;  // of each point: the first point of its sheet
+  Neighbours neighbours_;
   std::vector<Surface> surfaces_;
   std::vector<EdgeRow> edges_;
   std::vector<TriangleRow> triangles_;
@@ -226,5 +192,14 @@ class Scene {
   std::vector<Interaction> interactions_;
   std::int32_t spots_ = 1;  // at most in a triangle
 };
+
+// Adds a flat disc with a rounded edge, as a solid: `radius` (m) is the outer radius, `edge` (m) that of the
+// rounding, `sides` the number of sides of the polygon that approximates the circle.
+int add_disc(Scene& scene, const Vec3& centre, const Vec3& normal, double radius, double edge,
+             int sides = 128);
+
+// The direction of the warp at a pair: that of the first triangle at the pair's first point on the cloth.
+Vec3 warp_at(const Scene& scene, const Interaction& it, const std::array<std::int32_t, 4>& points,
+             std::span<const Vec3> x);
 
 }  // namespace fabricsh::contact

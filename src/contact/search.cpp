@@ -153,7 +153,7 @@ class Search {
 
   // Where overlaps are opened, sheets that share no node are no neighbours, however near they lie.
   bool same_sheet(int which, std::int32_t p, std::int32_t q) const {
-    return scene_.interactions()[std::size_t(which)].opening.empty() || scene_.same_sheet(p, q);
+    return scene_.interactions()[std::size_t(which)].opening.empty() || scene_.neighbours().same_sheet(p, q);
   }
   // Factor on the law's lengths: 1, less for neighbours in a sheet, 0 for pairs that share a node.
   double scale(double reference_distance, const ContactLaw& law) const {
@@ -162,8 +162,8 @@ class Search {
   // Whether a pair at this distance in the reference is one of crack faces.
   bool crack_faces(std::span<const std::int32_t> one, std::span<const std::int32_t> other,
                    double distance) const {
-    const auto is_crack_face = [&](std::int32_t p) { return scene_.apart(p) >= 0; };
-    return scene_.parts() && distance < faces_reach * cell_ &&
+    const auto is_crack_face = [&](std::int32_t p) { return scene_.neighbours().apart(p) >= 0; };
+    return !scene_.neighbours().apart().empty() && distance < faces_reach * cell_ &&
            std::any_of(one.begin(), one.end(), is_crack_face) &&
            std::any_of(other.begin(), other.end(), is_crack_face);
   }
@@ -173,11 +173,11 @@ class Search {
   }
   // Whether a seam holds a point and one of others together; `parted`: it did until it was opened.
   bool sewn(std::int32_t p, std::span<const std::int32_t> others, bool& parted) const {
-    if (!scene_.is_sewn(p)) return false;
+    if (!scene_.neighbours().is_sewn(p)) return false;
     bool together = false;
     for (const std::int32_t q : others) {
-      if (!scene_.are_sewn(p, q)) continue;
-      if (scene_.apart(p) >= 0 && scene_.apart(q) >= 0)
+      if (!scene_.neighbours().are_sewn(p, q)) continue;
+      if (scene_.neighbours().apart(p) >= 0 && scene_.neighbours().apart(q) >= 0)
         parted = true;
       else
         together = true;
@@ -257,7 +257,7 @@ class Search {
     else
       out.pair.area = shared * std::min(scene_.area(p), surface(row.surface).mean_area);
     if (!keep(out, law, rows)) return;
-    if (neighbours || scene_.is_sewn(p)) uncount_neighbours(rows.back(), row, law);
+    if (neighbours || scene_.neighbours().is_sewn(p)) uncount_neighbours(rows.back(), row, law);
   }
 
   // Next to a facet that has the point as a neighbour nothing is
@@ -431,8 +431,8 @@ class Search {
       Candidate found = row;
       found.pair.area = scene_.triangles()[std::size_t(t)].area / (n * n);
       for (int k = 0; k < n * n; ++k) {
-        found.spot = scene_.spot(t, n, k);
-        found.point[0] = scene_.spot_number(t, k);
+        found.spot = scene_.spots().at(t, n, k);
+        found.point[0] = scene_.spots().number(t, k);
         keep(found, it.law, rows);
       }
     });

@@ -117,7 +117,7 @@ void Contact::find_slip(std::size_t i, std::span<const Vec3> x, const Way& way, 
   slip.film = it.film;
   if (it.across >= 0) {
     slip.across = it.across;
-    slip.along = scene_->warp_at(it, c.point, x);
+    slip.along = warp_at(*scene_, it, c.point, x);
   }
   if (!way.turn.empty()) slip.turn = of_body(c, way.turn);
   if (c.spot.any()) slip.moved[0] = c.spot.of(x) - c.spot.of(way.start);
@@ -139,7 +139,8 @@ void Contact::find_slip(std::size_t i, std::span<const Vec3> x, const Way& way, 
   const double images = way.planes.empty() ? 1 : 1u << std::popcount(planes_of(c, way.planes));
   if (c.spot.any()) {
     // Many resist at its nodes: each as its part of a facet has it.
-    slip.portion = c.pair.area / scene_->triangles()[std::size_t(scene_->triangle_of_spot(c.point[0]))].area;
+    slip.portion =
+        c.pair.area / scene_->triangles()[std::size_t(scene_->spots().triangle_of(c.point[0]))].area;
     double alone = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       const auto p = std::size_t(c.spot.node[k]);
@@ -297,11 +298,11 @@ void Contact::count_rubbing() {
     for (std::size_t k = 0; k < 4; ++k)
       if (h.point[k] < 0)
         continue;
-      else if (!scene_->is_spot(h.point[k]))
+      else if (!scene_->spots().is(h.point[k]))
         count(h.point[k], h.resists[k]);
       else
         for (const std::int32_t p :
-             scene_->triangles()[std::size_t(scene_->triangle_of_spot(h.point[k]))].nodes)
+             scene_->triangles()[std::size_t(scene_->spots().triangle_of(h.point[k]))].nodes)
           count(p, h.resists[k]);
   });
 }
@@ -322,7 +323,7 @@ Contact::Rubbing Contact::held_friction() const {
     all.of_sliding += force;
     if (force > largest) {
       largest = force;
-      all.most = scene_->with_nodes(h.point);
+      all.most = scene_->spots().with_nodes(h.point);
     }
   });
   return all;

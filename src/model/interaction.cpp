@@ -64,7 +64,7 @@ void check_bodies(const ContactGiven& contact) {
       if (all[i].body == all[j].body)
         throw Error("contact: field 'between': expected each body once, got the " + all[i].body->kind() +
                     " twice");
-      if (!contact::Scene::can_meet(shape_of(*all[i].body), shape_of(*all[j].body)) ||
+      if (!contact::can_meet(shape_of(*all[i].body), shape_of(*all[j].body)) ||
           all[i].body->moving() != nullptr || all[j].body->moving() != nullptr)
         throw Error(
             "contact: field 'between': " + words +

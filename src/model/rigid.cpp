@@ -188,7 +188,9 @@ struct AddTo {
   int operator()(const Sphere& s) const { return scene.add_ball(s.centre, s.radius); }
   int operator()(const Plane& p) const { return scene.add_wall(p.point, p.normal); }
   int operator()(const Cylinder& c) const { return scene.add_rod(c.from, c.to, c.radius); }
-  int operator()(const Disc& d) const { return scene.add_disc(d.centre, d.normal, d.radius, d.edge); }
+  int operator()(const Disc& d) const {
+    return contact::add_disc(scene, d.centre, d.normal, d.radius, d.edge);
+  }
   int operator()(const Facets& f) const { return scene.add_solid(f.vertices, f.triangles, 0); }
   int operator()(const MovingFacets& m) const { return (*this)(m.first); }
 };

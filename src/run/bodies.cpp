@@ -9,8 +9,8 @@ namespace fabricsh::run {
 BodyState body_state(const Readings& run, const model::Rigid& body) {
   const std::size_t i = run.body_number(body);
   const auto& bodies = run.contact().bodies();
-  const auto state = bodies.state(i);
-  return {state.place, state.velocity, state.spin, -bodies.force(i), bodies.held(i)};
+  const auto state = bodies.state().kinematics(i);
+  return {state.place, state.velocity, state.spin, -bodies.readings().force(i), bodies.readings().held(i)};
 }
 
 mechanics::OnSkin on_skin(const Readings& run, const model::Rigid& body) {
@@ -36,8 +36,8 @@ std::vector<BodyShown> shown_bodies(const Readings& run) {
   const auto& bodies = contact->bodies();
   for (std::size_t i = 0; i < bodies.count(); ++i) {
     const model::Facets facets = model::shown(bodies.body(i), 1.2 * across);
-    all.push_back({run.model().interactions().name_of(bodies.body(i)), bodies.moved(i, facets.vertices),
-                   facets.triangles,
+    all.push_back({run.model().interactions().name_of(bodies.body(i)),
+                   bodies.state().moved(i, facets.vertices), facets.triangles,
                    bodies.body(i).facets() == nullptr ? std::vector<double>()
                                                       : contact->readings().on_skin(i).pressure});
   }

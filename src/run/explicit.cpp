@@ -442,7 +442,8 @@ std::string Explicit::finer_elements() const {
   if (contact_ == nullptr) return {};
   const auto stopped = contact_->speed_stopped();
   const mesh::Index node = fastest_node();
-  const double speed = std::max(contact().bodies().fastest_free(), node >= 0 ? velocity(node).norm() : 0);
+  const double speed =
+      std::max(contact().bodies().readings().fastest_free(), node >= 0 ? velocity(node).norm() : 0);
   if (stopped.given || !(speed > stopped.flat)) return {};
   const double finer = std::ceil(speed / stopped.flat);
   return "elements that are " + number(finer) + " times as short, " +

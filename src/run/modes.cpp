@@ -132,7 +132,8 @@ class Linearised {
           all[axis] += push[i] * push[i] / M.value[static_cast<std::size_t>(M.pattern->slot(i, i))];
     }
     for (const int k : of_bodies_)
-      if (k % 6 < 3) all[k % 6] += bodies_->bodies().mass_matrix(static_cast<std::size_t>(k / 6))(0, 0);
+      if (k % 6 < 3)
+        all[k % 6] += bodies_->bodies().equations().mass_matrix(static_cast<std::size_t>(k / 6))(0, 0);
     return all;
   }
   // kg: of a motion, by the rigid bodies in it.
@@ -140,7 +141,7 @@ class Linearised {
     Vec3 sum = Vec3::Zero();
     for (std::size_t i = 0; i < of_bodies_.size(); ++i)
       if (const int k = of_bodies_[i]; k % 6 < 3)
-        sum[k % 6] += bodies_->bodies().mass_matrix(static_cast<std::size_t>(k / 6))(0, 0) *
+        sum[k % 6] += bodies_->bodies().equations().mass_matrix(static_cast<std::size_t>(k / 6))(0, 0) *
                       unknowns[static_cast<std::size_t>(assembly_.dofs().unknowns()) + i];
     return sum;
   }
@@ -184,7 +185,8 @@ class Linearised {
     bodies_ = contact;
     for (std::size_t f = 0; 6 * f < contact->unknowns().own_unknowns(); ++f)
       for (int c = 0; c < 6; ++c)
-        if (contact->bodies().freedom(f)[c] != 0) of_bodies_.push_back(static_cast<int>(6 * f) + c);
+        if (contact->bodies().equations().freedom(f)[c] != 0)
+          of_bodies_.push_back(static_cast<int>(6 * f) + c);
   }
   bool is_place(mechanics::Index unknown) const {
     const mechanics::Index cloth = assembly_.dofs().unknowns();
@@ -247,7 +249,7 @@ class Linearised {
       for (std::size_t l = 0; l < of_bodies_.size(); ++l)
         if (of_bodies_[k] / 6 == of_bodies_[l] / 6)
           out.add(n + static_cast<mechanics::Index>(k), n + static_cast<mechanics::Index>(l),
-                  bodies_->bodies().mass_matrix(static_cast<std::size_t>(of_bodies_[k] / 6))(
+                  bodies_->bodies().equations().mass_matrix(static_cast<std::size_t>(of_bodies_[k] / 6))(
                       of_bodies_[k] % 6, of_bodies_[l] % 6));
     return out;
   }

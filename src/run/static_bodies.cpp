@@ -66,10 +66,10 @@ std::string Static::loose_bodies() {
   std::string words;
   for (std::size_t i = 0; i < bodies.count(); ++i) {
     const auto [first, end] = bodies.vertices(i);
-    if (first == end || bodies.free_of(first) < 0) continue;
+    if (first == end || bodies.state().free_of[first] < 0) continue;
     std::string ways;
     for (int c = 0; c < 6; ++c) {
-      const Eigen::Index k = 6 * bodies.free_of(first) + c;
+      const Eigen::Index k = 6 * bodies.state().free_of[first] + c;
       if (A(k, k) > kNothing * largest[c / 3]) continue;
       ways +=
           (ways.empty() ? "" : " and ") + std::string(c < 3 ? "move along " : "turn about ") + "xyz"[c % 3];

@@ -240,7 +240,7 @@ TEST_CASE("contact: what begins too near is opened smoothly, and its work is wha
   Scene scene = sheets.scene();
   scene.meet(0, 1, law, 0);
   const double start = 0.1 * law.floor() / law.gap(), area = 0.02 * 0.02;
-  scene.open(0, std::vector<double>(scene.reference().size(), start));
+  scene.interaction(0).opening.assign(scene.reference().size(), start);
   Contact contact(scene);
   const auto at = [&](double share) {
     contact.open_to(std::vector<double>{share});
@@ -281,7 +281,7 @@ TEST_CASE(
     return least;
   };
   CHECK(scales() == Approx(0.45).epsilon(1e-12));
-  scene.open(0, std::vector<double>(scene.reference().size(), 0.5));
+  scene.interaction(0).opening.assign(scene.reference().size(), 0.5);
   CHECK(scales() == 1);
 }
 

@@ -58,11 +58,11 @@ TEST_CASE(
   const Rows rows;
   const ContactLaw law = test::blend_law();
   Scene scene = rows.scene();
-  scene.set_apart(rows.crack_faces(0));
+  scene.neighbours().set_apart(rows.crack_faces(0));
   Contact contact(scene);
   CHECK(forces(contact, rows.nodes).touching == 0);
   // As they move apart nothing is pressed, and the distance is remembered.
-  std::vector<double> apart = scene.apart();
+  std::vector<double> apart = scene.neighbours().apart();
   const double far = 0.4 * law.gap();
   for (int i = 1; i <= 8; ++i) {
     const auto x = rows.moved(far * i / 8 * way);
@@ -70,7 +70,7 @@ TEST_CASE(
     CHECK(contact.widen(x, apart));
     for (std::size_t p = 4; p < 12; ++p) CHECK(apart[p] == Approx(far * i / 8).epsilon(1e-9));
     CHECK(apart[0] == -1);
-    scene.set_apart(apart);
+    scene.neighbours().set_apart(apart);
     contact.apart_changed();
     CHECK(forces(contact, x).touching == 0);
   }
@@ -95,12 +95,12 @@ TEST_CASE(
   const Rows rows;
   const ContactLaw law = test::blend_law();
   Scene scene = rows.scene();
-  scene.set_apart(rows.crack_faces(0));
+  scene.neighbours().set_apart(rows.crack_faces(0));
   Contact contact(scene);
-  std::vector<double> apart = scene.apart();
+  std::vector<double> apart = scene.neighbours().apart();
   CHECK(contact.widen(rows.moved({0, 1.2 * law.gap(), 0}), apart));
   for (std::size_t p = 4; p < 12; ++p) CHECK(apart[p] == kInfinite);
-  scene.set_apart(apart);
+  scene.neighbours().set_apart(apart);
   contact.apart_changed();
   // The same two rows as two surfaces.
   Scene two(rows.nodes);
@@ -152,5 +152,5 @@ TEST_CASE("contact: a scene whose triangles get other nodes is the scene made wi
   }
   for (std::int32_t p = 0; p < 16; ++p) CHECK(parted.area(p) == made.area(p));
   CHECK(parted.surfaces()[1].first_vertex == made.surfaces()[1].first_vertex);
-  CHECK(parted.same_sheet(4, 8));  // as it was
+  CHECK(parted.neighbours().same_sheet(4, 8));  // as it was
 }

@@ -78,7 +78,7 @@ void Contacts::couple(const Trial& trial, std::vector<NodePair>& pairs) {
 }
 
 StepWork Contacts::step_work() const {
-  StepWork sum = bodies().step_work();
+  StepWork sum = bodies().readings().step_work();
   if (state_.evaluated) sum += settling_.work();
   return sum;
 }
@@ -92,10 +92,10 @@ void Contacts::add_energies(const Trial&, std::vector<Energy>& out) const {
   out.push_back({"impact", Account::dissipated, s.impact + (s.evaluated ? scheme().impact() : 0)});
   if (s.ties.any())
     out.push_back({"springs", Account::stored, s.evaluated ? s.trial_tied : s.committed_tied});
-  out.push_back({"rigid", Account::moving, bodies().kinetic()});
-  if (!bodies().any_loaded()) return;
-  out.push_back({"springs", Account::stored, bodies().spring_energy()});
-  out.push_back({"damping", Account::damping, bodies().damped()});
+  out.push_back({"rigid", Account::moving, bodies().readings().kinetic()});
+  if (!bodies().loads().any()) return;
+  out.push_back({"springs", Account::stored, bodies().loads().spring_energy()});
+  out.push_back({"damping", Account::damping, bodies().loads().damped()});
 }
 
 void Contacts::commit() {

@@ -13,12 +13,12 @@ using Columns = Eigen::Matrix<double, 12, 6>;
 
 void BodyUnknowns::begin_iterate() {
   state_.iterate = state_.share;
-  bodies().begin_iterate();
+  equations().begin_iterate();
 }
 
 void BodyUnknowns::move(double scale) {
   state_.share = state_.iterate + scale * (1 - state_.iterate);
-  bodies().move(scale);
+  equations().move(scale);
 }
 
 void BodyUnknowns::clear() {
@@ -32,14 +32,14 @@ void BodyUnknowns::add(const PairBlock& block, const contact::FrictionTangent* f
   const auto begin = on_bodies_.size();
   for (int q = 0; q < 4; ++q) {
     const auto v = static_cast<std::size_t>(block.point[q]) - nodes();
-    if (block.point[q] < static_cast<std::int32_t>(nodes()) || bodies().free_of(v) < 0) continue;
-    const int body = bodies().free_of(v);
+    if (block.point[q] < static_cast<std::int32_t>(nodes()) || bodies().state().free_of[v] < 0) continue;
+    const int body = bodies().state().free_of[v];
     if (on_bodies_.size() == begin || on_bodies_.back().body != body)
       on_bodies_.push_back({blocks_.size() - 1, body, Columns::Zero(), Columns::Zero(),
-                            Eigen::Matrix<double, 6, 12>::Zero(), Bodies::Matrix6::Zero()});
+                            Eigen::Matrix<double, 6, 12>::Zero(), BodyEquations::Matrix6::Zero()});
     auto& by = on_bodies_.back().by;
     by.block<3, 3>(3 * q, 0).setIdentity();
-    by.block<3, 3>(3 * q, 3) = -cross_matrix(bodies().lever(v));
+    by.block<3, 3>(3 * q, 3) = -cross_matrix(equations().lever(v));
   }
   for (std::size_t i = begin; i < on_bodies_.size(); ++i) {
     OnBody& out = on_bodies_[i];
@@ -63,14 +63,14 @@ void BodyUnknowns::add_ties() {
         block.k.block<3, 3>(3 * a, 3 * b) = (a == b ? stiffness : -stiffness) * Mat3::Identity();
     add(block, nullptr);
     const std::size_t vertex = tie.point - nodes();
-    if (own_unknowns() == 0 || bodies().free_of(vertex) < 0) continue;
+    if (own_unknowns() == 0 || bodies().state().free_of[vertex] < 0) continue;
     const Vec3 force = stiffness * (state_.x[tie.node] - state_.x[tie.point]);
     on_bodies_.back().rubbed.bottomRightCorner<3, 3>() +=
-        cross_matrix(force) * cross_matrix(bodies().lever(vertex));
+        cross_matrix(force) * cross_matrix(equations().lever(vertex));
   }
 }
 
-void BodyUnknowns::add_to_nodes(const OnBody& part, const Bodies::Vector6& moved, double weight,
+void BodyUnknowns::add_to_nodes(const OnBody& part, const BodyEquations::Vector6& moved, double weight,
                                 std::span<double> on_x) const {
   const contact::Vector12 f = part.force * moved;
   for (int a = 0; a < 4; ++a)
@@ -80,10 +80,10 @@ void BodyUnknowns::add_to_nodes(const OnBody& part, const Bodies::Vector6& moved
 
 // Two bodies may meet where no cloth has any force.
 double BodyUnknowns::largest_own_force() const {
-  if (static_) return bodies().largest_force();
+  if (static_) return equations().largest_force();
   const auto& all = state_.surfaces.scene().interactions();
   const bool meet = std::any_of(all.begin(), all.end(), [](const auto& it) { return it.rigid; });
-  return meet ? bodies().largest_force() : 0;
+  return meet ? equations().largest_force() : 0;
 }
 
 void BodyUnknowns::go_static(double rise) {
@@ -98,7 +98,7 @@ void BodyUnknowns::go_static(double rise) {
 
 bool BodyUnknowns::own_push(std::size_t j, std::span<double> on_x) const {
   const auto body = static_cast<int>(j / 6);
-  const Bodies::Vector6 moved = bodies().compliance(j / 6).col(static_cast<Eigen::Index>(j % 6));
+  const BodyEquations::Vector6 moved = equations().compliance(j / 6).col(static_cast<Eigen::Index>(j % 6));
   std::fill(on_x.begin(), on_x.end(), 0.0);
   bool any = false;
   for (const OnBody& part : on_bodies_) {
@@ -113,7 +113,7 @@ bool BodyUnknowns::own_push(std::size_t j, std::span<double> on_x) const {
 }
 
 Eigen::VectorXd BodyUnknowns::own_answer(std::span<const double> move) const {
-  Eigen::VectorXd out = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(bodies().unknowns()));
+  Eigen::VectorXd out = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(equations().unknowns()));
   for (const OnBody& part : on_bodies_) {
     contact::Vector12 x = contact::Vector12::Zero();
     for (int a = 0; a < 4; ++a)
@@ -128,14 +128,14 @@ Eigen::VectorXd BodyUnknowns::own_answer(std::span<const double> move) const {
 
 Eigen::MatrixXd BodyUnknowns::own_response() const {
   Eigen::MatrixXd out = responses();
-  bodies().hold(out);
+  equations().hold(out);
   return out;
 }
 
 Eigen::MatrixXd BodyUnknowns::own_stiffness() const {
   if (!static_) return {};
   Eigen::MatrixXd out = -responses();
-  const std::vector<bool> held = bodies().held();
+  const std::vector<bool> held = equations().held();
   for (Eigen::Index i = 0; i < out.rows(); ++i)
     if (held[static_cast<std::size_t>(i)]) out(i, i) += 1;
   return out;
@@ -144,10 +144,10 @@ Eigen::MatrixXd BodyUnknowns::own_stiffness() const {
 // N and N m on the bodies, by their places and turns. Bodies that meet answer each other; the parts of one
 // pair stand beside each other.
 Eigen::MatrixXd BodyUnknowns::answers(bool with_volumes) const {
-  const auto m = static_cast<Eigen::Index>(bodies().unknowns());
+  const auto m = static_cast<Eigen::Index>(equations().unknowns());
   Eigen::MatrixXd out = Eigen::MatrixXd::Zero(m, m);
   const auto add = [&](const OnBody& part, const OnBody& other) {
-    Bodies::Matrix6 answer = part.answer * other.by;
+    BodyEquations::Matrix6 answer = part.answer * other.by;
     if (part.body == other.body) answer += part.rubbed;
     out.block<6, 6>(6 * part.body, 6 * other.body) += answer;
   };
@@ -165,26 +165,26 @@ Eigen::MatrixXd BodyUnknowns::responses() const {
   Eigen::MatrixXd out = answers(true);
   for (Eigen::Index j = 0; j < out.cols(); j += 6) {
     const Eigen::MatrixXd of_body =
-        out.middleCols<6>(j) * bodies().compliance(static_cast<std::size_t>(j / 6));
+        out.middleCols<6>(j) * equations().compliance(static_cast<std::size_t>(j / 6));
     out.middleCols<6>(j) = of_body;
   }
-  bodies().add_response(out);
+  equations().add_response(out);
   return out;
 }
 
 BodyUnknowns::AtRest BodyUnknowns::at_rest() const {
-  const auto m = static_cast<Eigen::Index>(bodies().unknowns());
+  const auto m = static_cast<Eigen::Index>(equations().unknowns());
   AtRest out;
-  out.stiffness = bodies().spring_stiffness() - answers(false);
+  out.stiffness = equations().spring_stiffness() - answers(false);
   std::vector<char> follows(state_.x.size(), 0);  // what ties push has been counted
   for (const BodyTies::Tie& tie : state_.ties.all()) follows[tie.point] = 1;
   for (std::size_t v = 0; nodes() + v < follows.size(); ++v)
-    if (const int body = bodies().free_of(v); body >= 0 && follows[nodes() + v] == 0)
+    if (const int body = bodies().state().free_of[v]; body >= 0 && follows[nodes() + v] == 0)
       out.stiffness.block<3, 3>(6 * body + 3, 6 * body + 3) -=
-          cross_matrix(state_.force[nodes() + v]) * cross_matrix(bodies().lever(v));
+          cross_matrix(state_.force[nodes() + v]) * cross_matrix(equations().lever(v));
   out.stiffness = ((out.stiffness + out.stiffness.transpose()) / 2).eval();
   for (Eigen::Index j = 0; j < m; ++j) {
-    const Bodies::Vector6 unit = Bodies::Vector6::Unit(j % 6);
+    const BodyEquations::Vector6 unit = BodyEquations::Vector6::Unit(j % 6);
     const auto way = gas_.way_of(static_cast<int>(j / 6), unit);
     std::vector<double> on_x(3 * nodes(), 0);
     for (const OnBody& part : on_bodies_)
@@ -207,9 +207,9 @@ BodyUnknowns::AtRest BodyUnknowns::at_rest() const {
 
 // Includes the part of the bodies' motion that the iterate has not made yet.
 Eigen::VectorXd BodyUnknowns::own_residual() const {
-  Eigen::VectorXd out = bodies().residual();
+  Eigen::VectorXd out = equations().residual();
   if (state_.share >= 1) return out;
-  const auto from = bodies().committed(), to = bodies().target();
+  const auto &from = bodies().state().committed, &to = bodies().state().target;
   for (const OnBody& part : on_bodies_) {
     const PairBlock& block = blocks_[part.block];
     contact::Vector12 x = contact::Vector12::Zero();
@@ -254,7 +254,7 @@ void ContactTangent::couple(const contact::Way& way, std::vector<NodePair>& pair
   if (!known) {
     const contact::Scene& scene = state_.surfaces.scene();
     for (const auto& candidate : contact::find_pairs(scene, state_.x, state_.surfaces.edge() / 3))
-      add(scene.with_nodes(candidate.point), [&](std::int64_t pair) { pairs_.push_back(pair); });
+      add(scene.spots().with_nodes(candidate.point), [&](std::int64_t pair) { pairs_.push_back(pair); });
     std::sort(pairs_.begin(), pairs_.end());
     pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
   }
@@ -263,7 +263,7 @@ void ContactTangent::couple(const contact::Way& way, std::vector<NodePair>& pair
 
 void ContactTangent::add(TangentSink& sink) const {
   const Bodies& bodies = state_.surfaces.bodies();
-  const auto from = bodies.committed(), to = bodies.target();
+  const auto &from = bodies.state().committed, &to = bodies.state().target;
   const auto nodes = static_cast<std::int32_t>(state_.surfaces.nodes());
   const double left = 1 - state_.share;
   const bool moves = state_.surfaces.moves();

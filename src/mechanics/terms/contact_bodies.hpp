@@ -23,14 +23,14 @@ class BodyUnknowns final : public OwnUnknowns {
   void begin_iterate() override;
   void move(double scale) override;
   bool at_target() const override { return state_.share >= 1 || !state_.surfaces.moves(); }
-  std::size_t own_unknowns() const override { return bodies().unknowns(); }
+  std::size_t own_unknowns() const override { return equations().unknowns(); }
   bool own_push(std::size_t j, std::span<double> on_x) const override;
   Eigen::VectorXd own_answer(std::span<const double> move) const override;
   Eigen::MatrixXd own_response() const override;
   Eigen::VectorXd own_residual() const override;
-  void direct(std::span<const double> way) override { bodies().direct(way); }
+  void direct(std::span<const double> way) override { equations().direct(way); }
   double largest_own_force() const override;  // where bodies meet each other; else 0
-  double largest_own_residual() const override { return bodies().largest_residual(); }
+  double largest_own_residual() const override { return equations().largest_residual(); }
   Eigen::MatrixXd own_stiffness() const override;
 
   // By the places (m) and turns (rad) of all free bodies, 6 numbers each: derivatives of the internal forces
@@ -62,9 +62,10 @@ class BodyUnknowns final : public OwnUnknowns {
     Eigen::Matrix<double, 6, 6> rubbed;   // on the body, by its own place and turn, through friction alone
   };
   Bodies& bodies() const { return state_.surfaces.bodies(); }
+  BodyEquations& equations() const { return bodies().equations(); }
   std::size_t nodes() const { return state_.surfaces.nodes(); }
   // Adds what a pair does to the nodes of the cloth when its body moves.
-  void add_to_nodes(const OnBody& part, const Bodies::Vector6& moved, double weight,
+  void add_to_nodes(const OnBody& part, const BodyEquations::Vector6& moved, double weight,
                     std::span<double> on_x) const;
   Eigen::MatrixXd answers(bool with_volumes) const;
   Eigen::MatrixXd responses() const;  // of free bodies to the changes of their unknowns

@@ -147,9 +147,9 @@ void BarrierInertia::allow() {
   for (std::size_t i = 0; i < surfaces.meetings().size(); ++i) {
     const int body = surfaces.body_of(surfaces.scene().interactions()[i].second);
     if (surfaces.meetings()[i].bodies ||
-        (body >= 0 && surfaces.bodies().inverse_mass_pressed(static_cast<std::size_t>(body)) > 0))
+        (body >= 0 && surfaces.bodies().readings().inverse_mass_pressed(static_cast<std::size_t>(body)) > 0))
       continue;
-    surfaces.scene().ease(i);
+    surfaces.scene().interaction(i).eased = true;
   }
 }
 

@@ -22,7 +22,7 @@ void GasOnBodies::place_points(const Trial& trial, std::vector<double>& x) const
   const auto nodes = trial.configuration.x();
   const double share = state_.share;
   x.assign(nodes.begin(), nodes.end());
-  const auto from = bodies().committed(), to = bodies().target();
+  const auto &from = bodies().state().committed, &to = bodies().state().target;
   for (std::size_t v = 0; v < from.size(); ++v) {
     const Vec3 p = share >= 1 ? to[v] : share <= 0 ? from[v] : Vec3(from[v] + share * (to[v] - from[v]));
     x.insert(x.end(), {p.x(), p.y(), p.z()});
@@ -46,17 +46,17 @@ double GasOnBodies::size_of(std::span<const double> on_x, std::size_t from) cons
 }
 
 // m, of all vertices when one free body moves and turns.
-std::vector<Vec3> GasOnBodies::way_of(int body, const Bodies::Vector6& moved) const {
+std::vector<Vec3> GasOnBodies::way_of(int body, const BodyEquations::Vector6& moved) const {
   std::vector<Vec3> way(state_.x.size() - nodes(), Vec3::Zero());
   for (std::size_t v = 0; v < way.size(); ++v)
-    if (bodies().free_of(v) == body)
-      way[v] = moved.head<3>() + Vec3(moved.tail<3>()).cross(bodies().lever(v));
+    if (bodies().state().free_of[v] == body)
+      way[v] = moved.head<3>() + Vec3(moved.tail<3>()).cross(bodies().equations().lever(v));
   return way;
 }
 
 // m, that the iterate has not made yet.
 std::vector<Vec3> GasOnBodies::way_left() const {
-  const auto from = bodies().committed(), to = bodies().target();
+  const auto &from = bodies().state().committed, &to = bodies().state().target;
   std::vector<Vec3> way(from.size());
   for (std::size_t v = 0; v < way.size(); ++v) way[v] = (1 - state_.share) * (to[v] - from[v]);
   return way;
@@ -86,13 +86,13 @@ std::vector<double> GasOnBodies::change(std::span<const double> on_nodes, std::s
 
 // The forces and torques on the free bodies of such a change, as far as they count in the step.
 Eigen::VectorXd GasOnBodies::on_bodies(std::span<const double> change) const {
-  Eigen::VectorXd out = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(bodies().unknowns()));
+  Eigen::VectorXd out = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(bodies().equations().unknowns()));
   for (std::size_t v = 0; nodes() + v < state_.x.size(); ++v) {
-    const int body = bodies().free_of(v);
+    const int body = bodies().state().free_of[v];
     if (body < 0) continue;
-    const Vec3 force = -bodies().share_of_gas() * at(change, static_cast<Index>(nodes() + v));
+    const Vec3 force = -bodies().state().share_of_gas() * at(change, static_cast<Index>(nodes() + v));
     out.segment<3>(6 * body) += force;
-    out.segment<3>(6 * body + 3) += bodies().lever(v).cross(force);
+    out.segment<3>(6 * body + 3) += bodies().equations().lever(v).cross(force);
   }
   return out;
 }
@@ -100,14 +100,15 @@ Eigen::VectorXd GasOnBodies::on_bodies(std::span<const double> change) const {
 // A body that turns takes along the places at which the gas pushes.
 void GasOnBodies::add_answers(bool with_volumes, Eigen::MatrixXd& answers) const {
   for (Eigen::Index j = 0; j < answers.cols(); ++j)
-    answers.col(j) +=
-        on_bodies(change({}, way_of(static_cast<int>(j / 6), Bodies::Vector6::Unit(j % 6)), with_volumes));
-  const auto pressed = bodies().pressed();
+    answers.col(j) += on_bodies(
+        change({}, way_of(static_cast<int>(j / 6), BodyEquations::Vector6::Unit(j % 6)), with_volumes));
+  const auto pressed = bodies().state().pressed();
   for (std::size_t v = 0; v < pressed.size(); ++v) {
-    const int body = bodies().free_of(v);
+    const int body = bodies().state().free_of[v];
     if (body < 0 || pressed[v].isZero(0)) continue;
-    answers.block<3, 3>(6 * body + 3, 6 * body + 3) +=
-        bodies().share_of_gas() * cross_matrix(pressed[v]) * cross_matrix(bodies().lever(v));
+    answers.block<3, 3>(6 * body + 3, 6 * body + 3) += bodies().state().share_of_gas() *
+                                                       cross_matrix(pressed[v]) *
+                                                       cross_matrix(bodies().equations().lever(v));
   }
 }
 

@@ -33,7 +33,7 @@ class GasOnBodies {
   // --- for the unknowns of bodies
   bool any() const { return !tangent_.ranks.on_x.empty(); }  // whether gas pushes on a body
   const std::vector<std::vector<double>>& of_volumes() const { return tangent_.ranks.on_x; }
-  std::vector<Vec3> way_of(int body, const Bodies::Vector6& moved) const;
+  std::vector<Vec3> way_of(int body, const BodyEquations::Vector6& moved) const;
   std::vector<Vec3> way_left() const;
   std::vector<double> change(std::span<const double> on_nodes, std::span<const Vec3> vertices,
                              bool with_volumes) const;

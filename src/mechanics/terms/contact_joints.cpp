@@ -47,8 +47,8 @@ void ContactJoints::find_masses() {
   for (std::size_t b = 0; b < state_.surfaces.bodies().count(); ++b) {
     const auto [first, last] = state_.surfaces.bodies().vertices(b);
     for (std::size_t v = first; v < last; ++v) {
-      inverse_mass_[nodes_ + v] = state_.surfaces.bodies().inverse_mass(b);
-      if (cut) planes_[nodes_ + v] = state_.surfaces.bodies().planes_through(b);
+      inverse_mass_[nodes_ + v] = state_.surfaces.bodies().readings().inverse_mass(b);
+      if (cut) planes_[nodes_ + v] = state_.surfaces.bodies().readings().planes_through(b);
     }
   }
 }
@@ -79,8 +79,8 @@ std::vector<double> ContactJoints::crack_faces() const {
   }
   for (Index n = 0; n < static_cast<Index>(nodes_); ++n) {
     if (open[mesh.place_of(n)] == 0 || !joints_.leads(n)) continue;
-    const bool known = changed[mesh.place_of(n)] == 0 && scene_.parts();
-    apart[n] = known ? scene_.apart()[n] : 0;
+    const bool known = changed[mesh.place_of(n)] == 0 && !scene_.neighbours().apart().empty();
+    apart[n] = known ? scene_.neighbours().apart()[n] : 0;
   }
   return apart;
 }
@@ -88,7 +88,9 @@ std::vector<double> ContactJoints::crack_faces() const {
 // As crack_faces(), of seams that have parted.
 std::vector<double> ContactJoints::parted_faces() const {
   std::vector<double> apart(state_.x.size(), -1);
-  const auto part = [&](Index n) { apart[n] = std::max(0.0, scene_.apart(static_cast<std::int32_t>(n))); };
+  const auto part = [&](Index n) {
+    apart[n] = std::max(0.0, scene_.neighbours().apart(static_cast<std::int32_t>(n)));
+  };
   for (std::size_t i = 0; i < dofs_.stitches().size(); ++i) {
     if (dofs_.sewn().parted[i] == 0) continue;
     part(dofs_.stitches()[i].node);
@@ -128,15 +130,15 @@ void ContactJoints::renumbered(Forces& forces) {
 }
 
 void ContactJoints::set_apart(std::vector<double> apart) {
-  scene_.set_apart(std::move(apart));
+  scene_.neighbours().set_apart(std::move(apart));
   state_.pairs.apart_changed();
 }
 
 bool ContactJoints::follow_faces() {
   const auto young = [](double apart) { return apart >= 0 && std::isfinite(apart); };
-  if (!scene_.parts() || std::none_of(scene_.apart().begin(), scene_.apart().end(), young)) return false;
+  std::vector<double> apart = scene_.neighbours().apart();
+  if (std::none_of(apart.begin(), apart.end(), young)) return false;
   state_.positions(state_.configuration.committed_kinematics(), 0, state_.x);
-  std::vector<double> apart = scene_.apart();
   if (!state_.pairs.widen(state_.x, apart)) return false;
   set_apart(std::move(apart));
   return true;
@@ -144,7 +146,7 @@ bool ContactJoints::follow_faces() {
 
 void ContactJoints::keep(Archive& archive) {
   if (!joints_.any() && dofs_.stitches().empty()) return;
-  std::vector<double> apart = scene_.apart();
+  std::vector<double> apart = scene_.neighbours().apart();
   archive(apart);
   if (archive.reading()) set_apart(std::move(apart));
 }

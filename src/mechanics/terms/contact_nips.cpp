@@ -123,7 +123,8 @@ std::vector<Nip> ContactReadings::nips() const {
   const contact::Scene& scene = surfaces.scene();
   const auto is_given = [&](std::int32_t surface) {
     const int body = surfaces.body_of(surface);
-    return body >= 0 && surfaces.bodies().inverse_mass_pressed(static_cast<std::size_t>(body)) <= 0;
+    return body >= 0 &&
+           surfaces.bodies().readings().inverse_mass_pressed(static_cast<std::size_t>(body)) <= 0;
   };
   std::vector<std::int32_t> given;
   double skin = 0;

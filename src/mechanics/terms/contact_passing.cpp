@@ -26,7 +26,8 @@ ContactPassing::ContactPassing(ContactState& state, const Freedoms& freedoms) : 
     moves = moves ||
             (driven_[n] != 0 && std::any_of(eq.begin(), eq.begin() + 3, [](Index e) { return e < held; }));
   }
-  for (std::size_t v = 0; nodes + v < driven_.size(); ++v) driven_[nodes + v] = bodies.free_of(v) < 0 ? 1 : 0;
+  for (std::size_t v = 0; nodes + v < driven_.size(); ++v)
+    driven_[nodes + v] = bodies.state().free_of[v] < 0 ? 1 : 0;
   if (!any || !moves) driven_.clear();
 }
 
@@ -94,9 +95,9 @@ double ContactPassing::latest_end(double to) const {
   for (std::size_t b = 0; b < bodies.count(); ++b) {
     double near = std::numeric_limits<double>::infinity();
     for (const auto& it : state_.surfaces.scene().interactions())
-      if (it.first == bodies.surface(b) || it.second == bodies.surface(b))
+      if (it.first == bodies.state().bodies[b].surface || it.second == bodies.state().bodies[b].surface)
         near = std::min(near, it.law.floor());
-    to = bodies.follows(b, from, to, near, box);
+    to = bodies.paths().latest_end(b, from, to, near, box);
   }
   return to;
 }

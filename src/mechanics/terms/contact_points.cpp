@@ -88,7 +88,7 @@ std::string dependence_words(const contact::Scene& scene, const contact::Interac
   constexpr double least = 1.1;
   const auto& body = scene.surfaces()[static_cast<std::size_t>(it.second)];
   if (!it.parts.empty() &&
-      std::find(it.parts.begin(), it.parts.end(), contact::Scene::most_parts) != it.parts.end())
+      std::find(it.parts.begin(), it.parts.end(), contact::Spots::most_parts) != it.parts.end())
     return "; more of them are not made, though " + number(wanted_apart(body, it.law), 2) +
            " m is wanted for its radius and range: its force on flat cloth depends on where they lie (finer "
            "elements)";
@@ -136,7 +136,7 @@ void ContactSurfaces::spread_points() {
       for (const std::int32_t e : row.edge_row)
         longest = std::max(longest, scene_.edges()[static_cast<std::size_t>(e)].length);
       const double wanted = std::ceil(longest / (std::numbers::sqrt2 * apart)),
-                   n = std::clamp(wanted, 1.0, static_cast<double>(contact::Scene::most_parts));
+                   n = std::clamp(wanted, 1.0, static_cast<double>(contact::Spots::most_parts));
       parts[t] = static_cast<std::int8_t>(n);
       meetings_[i].spacing = std::max(meetings_[i].spacing, longest / (std::numbers::sqrt2 * n));
     }

@@ -110,7 +110,7 @@ OnSkin ContactReadings::on_skin(std::size_t i) const {
   });
   const std::vector<Vec3>& reference = body.facets()->vertices;
   for (const auto& [node, best] : nearest) {
-    if (!(best.distance < touches_within(node, bodies.surface(i)))) continue;
+    if (!(best.distance < touches_within(node, bodies.state().bodies[i].surface))) continue;
     Vec3 place = Vec3::Zero();
     for (std::size_t c = 0; c < 3; ++c)
       place += best.weight[c] * reference[static_cast<std::size_t>(best.corner[c])];

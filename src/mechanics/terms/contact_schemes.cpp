@@ -88,7 +88,7 @@ bool ExplicitContact::may_have_passed() {
 }
 
 bool ExplicitContact::turns_too_far() const {
-  return state_.surfaces.bodies().turned_most() > (1 + 1e-6) * Bodies::largest_turn;
+  return state_.surfaces.bodies().paths().turned_most() > (1 + 1e-6) * BodyPaths::largest_turn;
 }
 
 // A film that an explicit step does not carry would have to be thinned, and would then not be what was given.

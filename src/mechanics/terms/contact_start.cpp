@@ -64,12 +64,12 @@ std::string Contacts::inside() const {
     const model::Facets* facets = given->facets();
     const auto number = static_cast<std::size_t>(surfaces_.find_body(*given));
     if (facets == nullptr || !(facets->closed || given->free())) continue;
-    const auto vertices =
-        bodies().committed().subspan(bodies().vertices(number).first, facets->vertices.size());
+    const auto vertices = std::span(bodies().state().committed)
+                              .subspan(bodies().vertices(number).first, facets->vertices.size());
     for (const auto& it : surfaces_.scene().interactions()) {
-      if (it.second != bodies().surface(number)) continue;
+      if (it.second != bodies().state().bodies[number].surface) continue;
       for (const std::int32_t p : surfaces_.scene().surfaces()[static_cast<std::size_t>(it.first)].points)
-        if ((it.rigid || surfaces_.scene().sheet(p) == p) &&
+        if ((it.rigid || surfaces_.scene().neighbours().sheet(p) == p) &&
             contact::encloses(vertices, facets->triangles, state_.x[static_cast<std::size_t>(p)]))
           return "contact: " + surfaces_.words({p, -1, -1, -1}) + " starts inside the " +
                  model_.interactions().name_of(*given) + ", which bounds a solid: expected " +

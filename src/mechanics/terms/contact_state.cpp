@@ -41,7 +41,7 @@ void ContactState::positions(std::span<const double> of_nodes, double share, std
   const std::size_t nodes = surfaces.nodes();
 #pragma omp parallel for schedule(static) if (nodes >= many_nodes)
   for (std::size_t n = 0; n < nodes; ++n) out[n] = at(of_nodes, static_cast<Index>(n));
-  const auto from = surfaces.bodies().committed(), to = surfaces.bodies().target();
+  const auto &from = surfaces.bodies().state().committed, &to = surfaces.bodies().state().target;
   for (std::size_t v = 0; v < from.size(); ++v)
     out[nodes + v] = share >= 1 ? to[v] : share <= 0 ? from[v] : Vec3(from[v] + share * (to[v] - from[v]));
 }
@@ -59,7 +59,7 @@ contact::Way ContactState::turn_bodies() {
     const auto [first, last] = bodies.vertices(b);
     std::fill(turning.begin() + static_cast<std::ptrdiff_t>(surfaces.nodes() + first),
               turning.begin() + static_cast<std::ptrdiff_t>(surfaces.nodes() + last),
-              part * bodies.turned(b));
+              part * bodies.state().bodies[b].turned);
   }
   return {start, turning};
 }

@@ -38,7 +38,7 @@ double ExplicitContact::carried_by_bodies(double share, bool guarded) const {
     double inverse = 0;
     for (const int side : {it.first, it.second})
       if (const int body = surfaces.body_of(side); body >= 0)
-        inverse += surfaces.bodies().inverse_mass_pressed(static_cast<std::size_t>(body));
+        inverse += surfaces.bodies().readings().inverse_mass_pressed(static_cast<std::size_t>(body));
     if (!(inverse > 0)) continue;
     const double range = it.law.gap() - it.law.floor(), radius = scene.surfaces()[it.second].radius;
     const double ease = surfaces.meetings()[i].given ? 1 : eased(scene, it);
@@ -66,9 +66,9 @@ double ExplicitContact::largest_step(bool scaled) const {
   const double of_cloth = contact_step_of_cloth * cloth_.stable_step(scaled);
   if (state_.ties.any())
     return std::min({kBesideTie * std::min(of_cloth, surfaces.step()), of_contact,
-                     surfaces.bodies().stable_step(), of_bodies});
+                     surfaces.bodies().loads().stable_step(), of_bodies});
   const double spare = std::clamp(of_cloth / surfaces.step(), 1.0, kSpare);
-  return std::min({of_cloth, spare * of_contact, surfaces.bodies().stable_step(), of_bodies});
+  return std::min({of_cloth, spare * of_contact, surfaces.bodies().loads().stable_step(), of_bodies});
 }
 
 // Of the square of the speed that is stopped flat: the area with which one pair presses over the area whose
@@ -194,7 +194,7 @@ double ExplicitContact::largest_contact_step() const {
       stiffest = std::max(stiffest, it.law(it.law.floor() + state_.trial.hard_gap).stiffness /
                                         (surfaces.meetings()[i].given ? 1 : eased(scene, it)));
   return std::min({std::sqrt(kInGuard * surfaces.least_areal() / stiffest), carried_by_bodies(kInGuard, true),
-                   surfaces.bodies().stable_step()});
+                   surfaces.bodies().loads().stable_step()});
 }
 
 }  // namespace fabricsh::mechanics

@@ -187,7 +187,8 @@ ContactSurfaces::ContactSurfaces(const model::Model& model, const Configuration&
     const double loss = 2 * damping_of(given.restitution) * std::sqrt(moving_mass(m));
     scene_.meet(m.first, m.second, contact::ContactLaw(meetings_.back().data), given.friction, loss,
                 given.sticking);
-    scene_.set_film(meetings_.size() - 1, {given.film_drag(), given.film_speed, given.film_exponent});
+    scene_.interaction(meetings_.size() - 1).film = {given.film_drag(), given.film_speed,
+                                                     given.film_exponent};
     friction_ = friction_ || given.friction > 0 || given.sticking.value_or(0) > 0 || given.viscosity;
     rubs_ = rubs_ || friction_ || loss > 0;
   }
@@ -221,7 +222,7 @@ double ContactSurfaces::moving_mass(const model::SurfacePair& m) const {
     if (side < static_cast<int>(sheets_.size()))
       inverse += 1 / sheets_[side].areal;
     else if (m.first >= static_cast<int>(sheets_.size()))
-      inverse += bodies_.inverse_mass_pressed(side - sheets_.size());
+      inverse += bodies_.readings().inverse_mass_pressed(side - sheets_.size());
   return 1 / inverse;
 }
 
@@ -232,7 +233,7 @@ ContactSurfaces::Meeting ContactSurfaces::meeting_of_bodies(const model::Surface
   out.bodies = true;
   double size = std::numeric_limits<double>::infinity();
   for (const int side : {m.first, m.second})
-    if (const double s = bodies_.size(side - sheets_.size()); s > 0) size = std::min(size, s);
+    if (const double s = bodies_.readings().size(side - sheets_.size()); s > 0) size = std::min(size, s);
   out.data.gap = kPressed * size;
   out.data.floor = kPressedLeast * out.data.gap;
   out.data.stiffness = out.carried = kOfBodies * moving_mass(m) / (step_ * step_);
@@ -328,7 +329,7 @@ void ContactSurfaces::soften(bool measured) {
     if (scene_.interactions()[i].law.stiffest() <= m.carried) continue;
     m.softened = true;
     m.data.stiffness = m.carried;
-    scene_.replace_law(i, contact::ContactLaw(m.data));
+    scene_.interaction(i).law = contact::ContactLaw(m.data);
   }
 }
 
@@ -339,7 +340,7 @@ void ContactSurfaces::open_overlaps() {
   for (std::size_t i = 0; i < meetings_.size(); ++i) {
     if (!meetings_[i].settle) continue;
     shares[i].assign(scene_.reference().size(), 1);
-    scene_.open(i, shares[i]);
+    scene_.interaction(i).opening = shares[i];
   }
   for (const contact::Candidate& c : contact::find_pairs(scene_, scene_.reference(), 0)) {
     auto& share = shares[static_cast<std::size_t>(c.interaction)];
@@ -347,7 +348,7 @@ void ContactSurfaces::open_overlaps() {
     const double whole = c.whole * scene_.interactions()[static_cast<std::size_t>(c.interaction)].law.gap(),
                  gap = contact::gap_of(c, contact::corners_of(c, scene_.reference()));
     const bool edges = c.pair.kind == contact::PairKind::edges || c.pair.kind == contact::PairKind::wrap;
-    const auto points = scene_.with_nodes(c.point);
+    const auto points = scene_.spots().with_nodes(c.point);
     for (std::size_t k = 0; k < (edges ? 4u : c.spot.any() ? 3u : 1u); ++k)
       if (double& s = share[static_cast<std::size_t>(points[k])]; points[k] >= 0)
         s = std::min(s, gap / whole);
@@ -360,7 +361,7 @@ void ContactSurfaces::open_overlaps() {
         std::count_if(shares[i].begin(), shares[i].end(), [](double s) { return s < 1; }));
     m.nearest = least * scene_.interactions()[i].law.gap();
     for (double& s : shares[i]) s = std::max(s, 0.0);
-    scene_.open(i, std::move(shares[i]));
+    scene_.interaction(i).opening = std::move(shares[i]);
   }
 }
 
@@ -448,7 +449,7 @@ void ContactSurfaces::follow_elements() {
     m.follows = true;
     m.data = {gap, m.data.floor,
               dense_pressure / (gap - m.data.floor)};  // the floor is below the gap that it had
-    scene_.replace_law(i, contact::ContactLaw(m.data));
+    scene_.interaction(i).law = contact::ContactLaw(m.data);
   }
 }
 
@@ -469,7 +470,10 @@ void ContactSurfaces::find_warps(const Configuration& configuration, const Cloth
     warp[t] = {by[0], by[1]};
   }
   for (std::size_t i = 0; i < meetings_.size(); ++i)
-    if (const auto& across = all[surfaces_.meetings[i].contact].across) scene_.set_across(i, *across, warp);
+    if (const auto& across = all[surfaces_.meetings[i].contact].across) {
+      scene_.interaction(i).across = *across;
+      scene_.interaction(i).warp = warp;
+    }
 }
 
 // The points that seams hold together. Where seams meet, as those of four panels under an arm, all nodes that
@@ -503,7 +507,7 @@ void ContactSurfaces::sew_scene(const Dofs& dofs) {
         }
   std::vector<std::vector<std::int32_t>> sorted;
   for (const auto& of_node : partners) sorted.emplace_back(of_node.begin(), of_node.end());
-  scene_.sew(std::move(sorted));
+  scene_.neighbours().sew(std::move(sorted));
 }
 
 }  // namespace fabricsh::mechanics
