@@ -57,27 +57,31 @@ class EquilibriumProblem final : public solver::PathProblem {
   // is so long: from the way that the steps so far lead.
   double error_of_step() const;
 
-  // --- interface of the solvers
+  // --- interface of the solvers, as far as runs use it themselves
   void set_time(double time) override;
   solver::Index size() const override { return assembly_.dofs().unknowns(); }
   Answer predict(linear::Matrix& K, std::span<double> r, std::span<double> lead) override;
   void apply_increment(std::span<const double> delta, double scale) override {
     assembly_.apply_increment(delta, scale, targets_);
   }
-  double limit(std::span<const double> delta) override { return assembly_.limit(delta, targets_); }
-  bool finish_direction(const Solve& solve, std::span<double> delta) override {
-    return assembly_.finish_direction(solve, weight(), delta);
-  }
   void accept() override { assembly_.begin_iterate(); }
   bool at_target() const override { return assembly_.terms().at_target(); }
   Answer residual(std::span<double> r) override;
   Answer tangent(linear::Matrix& K) override;
   double turn_of(std::span<const double> delta) const override;
+  void save_iterate() override;
+  void restore_iterate() override;
+  double force_scale() const override;
+
+ private:
+  // --- the rest of it
+  double limit(std::span<const double> delta) override { return assembly_.limit(delta, targets_); }
+  bool finish_direction(const Solve& solve, std::span<double> delta) override {
+    return assembly_.finish_direction(solve, weight(), delta);
+  }
   Answer extrapolated_tangent(linear::Matrix& K) override;
   bool has_branches() const override { return newmark_ != nullptr; }
   Answer tangent_on_branches(linear::Matrix& K, std::span<double> r) override;
-  void save_iterate() override;
-  void restore_iterate() override;
   Answer start(linear::Matrix& K, std::span<double> r, std::span<double> q) override;
   Answer tangent_and_rate(linear::Matrix& K, std::span<double> q) override;
   double product(std::span<const double> a, std::span<const double> b) const override;
@@ -85,10 +89,8 @@ class EquilibriumProblem final : public solver::PathProblem {
   std::pair<double, solver::Index> largest(std::span<const double> r) const override {
     return assembly_.largest_residual(r);
   }
-  double force_scale() const override;
   double rounding_floor(const linear::Matrix& K) const override { return assembly_.dofs().rounding_floor(K); }
 
- private:
   EquilibriumProblem(mechanics::Assembly& assembly, mechanics::Motion* motion, Newmark* newmark,
                      double small_time,
                      const Poll& poll);  // motion: null: none
