@@ -16,8 +16,9 @@ constexpr int kDue = 10;  // added to the side of an event, which is -1, 0 or 1,
 
 Window::Value value_of(const Window::Reaction& of) {
   return [of](const Run& run) -> Sampled {
-    const Vec3 force = of.body < 0 ? run.reaction(of.set)
-                                   : Vec3(-run.contact().bodies().readings().force(static_cast<std::size_t>(of.body)));
+    const Vec3 force =
+        of.body < 0 ? run.reaction(of.set)
+                    : Vec3(-run.contact().bodies().readings().force(static_cast<std::size_t>(of.body)));
     return {force[0], force[1], force[2]};
   };
 }
