@@ -1,4 +1,4 @@
-// What libraries are given before the program's work begins: environment variables that they read when they
+// Settings of libraries before the program's work begins: environment variables that they read when they
 // are loaded, and how memory is returned.
 #pragma once
 #include <string>

@@ -1,5 +1,5 @@
-// What the operating system forbids this process under --safe, in addition to the gate of the room system, in
-// case the gate has a gap. It cannot be revoked, and children inherit it.
+// Bans by the operating system on this process under --safe, in addition to the gate of the room system, in
+// case the gate has a gap. They cannot be revoked, and children inherit them.
 #pragma once
 #include <string>
 #include <vector>

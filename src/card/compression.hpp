@@ -6,7 +6,7 @@
 
 namespace fabricsh::card {
 
-// What is wrong with points in either order: "expected ..., got ..."; empty: nothing.
+// The fault of points in either order: "expected ..., got ..."; empty: none.
 std::string compression_fault(const std::vector<std::pair<double, double>>& points);
 
 }  // namespace fabricsh::card

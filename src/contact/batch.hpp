@@ -8,7 +8,7 @@ namespace fabricsh::contact {
 
 enum class BatchKind { facet, edges, plane };
 
-// What all pairs of a batch have in common.
+// Shared by all pairs of a batch.
 struct BatchLaw {
   BatchKind kind = BatchKind::facet;
   // Of the law: rows of gap, stiffness, pressure and energy; see ContactLaw.

@@ -27,7 +27,7 @@ double mean_edge(const Scene& scene) {
   return count > 0 ? sum / count : 1e-3;
 }
 
-// What crack faces come back with does not stop within a gap far below that of the law.
+// Crack faces that come back with some speed do not stop within a gap far below that of the law.
 double grown(double apart, const ContactLaw& law) {
   return apart < grown_from * law.gap() ? 0 : of_apart * apart;
 }
@@ -96,7 +96,7 @@ double farthest(std::span<const Vec3> x, const std::vector<Vec3>& since) {
 
 }  // namespace
 
-// The inner list holds all pairs that were within its skin of their reach in refine(). What is within reach
+// The inner list holds all pairs that were within its skin of their reach in refine(). A pair within reach
 // now is one of them, as long as near surfaces have moved against each other by less than the skin. The way
 // since at_check_ of whatever moved most bounds that cheaply; the patches find it out where it does not.
 void Contact::prepare(std::span<const Vec3> x) {
@@ -396,8 +396,8 @@ bool Contact::eases(std::size_t slot) const {
   return eases(it) && !(it.cloths && slots_[slot].barrier.struck);
 }
 
-// What would come in by a good part of the range within a planned step is an impact: inertia would err with
-// its energy.
+// An approach by a good part of the range within a planned step is an impact: inertia would err with its
+// energy.
 bool Contact::approaches_fast(const Candidate& c, const Force& force, const Corners& now,
                               const Way& way) const {
   if (way.start.empty()) return false;
@@ -595,7 +595,7 @@ std::vector<Contact::Overlap> Contact::overlaps(std::span<const Vec3> x) const {
     const EdgeRow& edge = scene_->edges()[e];
     const TriangleRow& triangle = scene_->triangles()[t];
     if (scene_->between(edge.surface, triangle.surface) == nullptr) continue;
-    // What a seam holds together has its place in common, as what shares a corner.
+    // Sides that a seam holds together have a place in common, as those that share a corner.
     const auto sewn = [&](std::int32_t end) {
       return std::any_of(triangle.nodes.begin(), triangle.nodes.end(),
                          [&](std::int32_t corner) { return scene_->neighbours().are_sewn(end, corner); });

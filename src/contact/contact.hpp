@@ -18,7 +18,7 @@
 
 namespace fabricsh::contact {
 
-// What friction needs to know of a step, for all points of the scene.
+// Data of a step that friction needs, for all points of the scene.
 struct Way {
   std::span<const Vec3> start;      // m, positions at its start; empty: friction is left out
   std::span<const Vec3> turn = {};  // rad, of the body that a rigid vertex is of; empty: none turns
@@ -86,7 +86,7 @@ class Contact {
   // the last commit.
   void commit();
   void rollback() { has_tried_ = false; }
-  // What friction does to the pairs that hold a slip in the committed state.
+  // Friction of the pairs that hold a slip in the committed state.
   struct Rubbing {
     std::size_t pairs = 0, sliding = 0;
     double force = 0, of_sliding = 0;                  // N, sum of the sizes of their forces
@@ -159,7 +159,7 @@ class Contact {
   class OfSlot;
   void find_slip(std::size_t slot, std::span<const Vec3> x, const Way& way, Slip& slip);
   const Held* held_by(std::size_t slot);
-  // What is kept of the slip in a slot: turned with the pair, and with what resists at its mirror images.
+  // Keeps the slip in a slot: turned with the pair, and with the resistance at its mirror images.
   void keep_slip(std::size_t slot, const Corners& x, const Way& way);
   void share_slips();
   bool passes_on(PairKind kind, std::int32_t first, std::int32_t interaction) const;
@@ -185,7 +185,7 @@ class Contact {
   // --- batches of pairs (press.cpp)
   class Batches;
   void find_plain();
-  // What the pairs of an interaction have in common; empty: none are taken by the batch in such a step.
+  // Shared by the pairs of an interaction; empty: none are taken by the batch in such a step.
   std::vector<BatchLaw> laws_of_batches(const Way& way) const;
   void gather(std::uint32_t from, std::uint32_t to, bool torques);
   void gather_slot(std::uint32_t slot, std::uint32_t from, std::uint32_t to, bool torques);
@@ -228,7 +228,7 @@ class Contact {
     const Candidate& c = inner_[slot];
     return c.spot.any() ? spot_row_[slot] : row_of_[std::size_t(c.point[0])];
   }
-  // What acts on a touched point. The energies of a pair are counted at its first corner.
+  // Forces and energies at a touched point. The energies of a pair are counted at its first corner.
   struct AtPoint {
     Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
     double contact = 0, guard = 0, stick = 0, work = 0, impact = 0;

@@ -94,8 +94,8 @@ bool gives_way(const Touch& touch, const Slip& slip) {
   return false;
 }
 
-// An implicit step has the stiffness at its beginning, so that the pressure is linear in the approach. What
-// an explicit step presses into a guard that inertia meets would swing there from step to step: the guard's
+// An implicit step has the stiffness at its beginning, so that the pressure is linear in the approach. A
+// pair that an explicit step presses into a guard that inertia meets would swing there: the guard's
 // stiffness acts on a quarter of the step's approach, too.
 void damp(const ContactLaw& law, const Pair& pair, const PressedPlace& at, const Slip& slip, Slid& out) {
   const double opened = at.place.touch.normal.dot(out.moved);

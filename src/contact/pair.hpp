@@ -41,15 +41,15 @@ struct Film {
 
 // Friction by Coulomb's law with a spring that remembers [simo1992]: the elastic slip of a pair is kept over
 // the steps. A step adds its sliding to it; where the spring would then pull harder than mu times the normal
-// force, it is shortened to that, and the rest of the sliding is lost. What sticks therefore stays, whatever
+// force, it is shortened to that, and the rest of the sliding is lost. A sticking pair stays, whatever
 // the number and the length of the steps.
 //
 // While a pair approaches, a pressure of loss * sqrt(stiffness of the law) times the speed of approach is
 // added: a share zeta of the critical damping, whatever the depth. A sheet that meets something flat then
 // leaves with exp(-zeta acos(zeta) / sqrt(1 - zeta^2)) of its speed.
 //
-// What sticks holds up to a static coefficient, which may be larger. Once it slides it goes on with mu, until
-// the sliding of a step is no longer against the pull.
+// A sticking pair holds up to a static coefficient, which may be larger. Once it slides, mu applies until the
+// sliding of a step is no longer against the pull.
 struct Slip {
   double friction = 0;                                                       // mu
   double stiffness = 0;                                                      // Pa/m, of the spring, per area

@@ -330,7 +330,7 @@ Scene Scene::with_corners(const std::function<Triangle(const TriangleRow&)>& cor
       element.push_back(row.element);
     }
     out.add_triangles(std::move(surface), triangles, element);
-    // What was a sheet counts as one: its parts are not nearer to each other than before.
+    // A former sheet still counts as one: its parts are not nearer to each other than before.
     for (std::size_t i = 0; i < triangles.size(); ++i)
       for (std::size_t k = 0; k < 3; ++k)
         out.neighbours_.sheet_[std::size_t(triangles[i][k])] =

@@ -192,7 +192,7 @@ class Search {
     are_faces = crack_faces(std::span(&p, 1), t, distance);
     return scale(distance, law, are_faces);
   }
-  // What a pair begins with where overlaps are opened: its point's share, or the smallest of its edges' ends.
+  // Share at which a pair begins where overlaps are opened: its point's, or the smallest of its edges' ends.
   static double start(const Candidate& row, const std::vector<double>& opening) {
     if (opening.empty()) return 1;
     double least = 1;

@@ -34,7 +34,7 @@ struct Triangle {
   Strains strains;
 };
 
-// What a unit of g_e adds at in-plane point g to the strains: curvatures 11, 22, 2 12 and shears 13, 23.
+// Strains that a unit of g_e adds at in-plane point g: curvatures 11, 22, 2 12 and shears 13, 23.
 struct OfEdge {
   Pack kappa[3], shear[2];
 };

@@ -221,7 +221,7 @@ void put_membrane(const Edges& e, const Mat3& C, int held, const std::function<v
     for (int k = 0; k < kSamples; ++k) put(Shell4Layout::modes + kSamples * i + k, modes(i, k));
 }
 
-// What is left of the deviation of a yarn's strain from its mean, less one. phi: the yarn's angle in (xi,
+// Share left of the deviation of a yarn's strain from its mean, less one. phi: the yarn's angle in (xi,
 // eta) to the element's sides, as the mean over the points of sin^2(2 phi); stiffness: of the yarn over
 // shear.
 double eased(double oblique, double stiffness) {

@@ -1,5 +1,5 @@
-// Abaqus' and CalculiX's .inp: *NODE, *ELEMENT, *NSET, *ELSET. What belongs to the problem and not to the
-// mesh (materials, steps, ...) is passed over; what would make nodes or elements in another way is refused.
+// Abaqus' and CalculiX's .inp: *NODE, *ELEMENT, *NSET, *ELSET. Statements of the problem, not of the mesh
+// (materials, steps, ...), are passed over; those that make nodes or elements in another way are refused.
 #include <algorithm>
 
 #include "format/deck_mesh.hpp"

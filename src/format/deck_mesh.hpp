@@ -1,4 +1,4 @@
-// What the readers of other solvers' decks share: nodes and elements by the deck's numbers, and sets of them,
+// Shared by the readers of other solvers' decks: nodes and elements by the deck's numbers, and sets of them,
 // which may be named before what is in them.
 #pragma once
 #include <array>

@@ -1,5 +1,5 @@
 // A mesh as other solvers write it: nodes, shells of 3 and 4 nodes, sets of nodes. Numbers count from 1 in
-// the mesh's order. What a whole deck needs besides (materials, supports, steps) surrounds these lines.
+// the mesh's order. The rest of a deck (materials, supports, steps) surrounds these lines.
 #pragma once
 #include <string>
 

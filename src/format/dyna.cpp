@@ -1,6 +1,6 @@
 // LS-DYNA's keyword files: *NODE, *ELEMENT_SHELL, *SET_NODE_..., *SET_SHELL_..., *PART, in fields of fixed
-// width, long ones, or between commas. What belongs to the problem and not to the mesh is passed over; other
-// elements, and what takes lines from elsewhere, are refused.
+// width, long ones, or between commas. Statements of the problem, not of the mesh, are passed over; other
+// elements, and statements that take lines from elsewhere, are refused.
 #include "format/deck_mesh.hpp"
 #include "format/mesh_file.hpp"
 

@@ -14,7 +14,7 @@ namespace fabricsh::format {
 // elements; parts, if there are several), .rad of OpenRadioss (groups; parts as well; lengths in the units
 // that it states, else in m), .stl (equal vertices are joined; solids, if there are several), .ply. Reads
 // triangles and quadrilaterals; lines and points are used for sets only. Nodes that no element uses are
-// dropped; the sets all and boundary are added if missing. What a file can legally lack, but one that was cut
+// dropped; the sets all and boundary are added if missing. An end that a file may lack, but one that was cut
 // short lacks as well, is said in the remarks: the *END of a .k, the /END of a .rad, *END STEP and the like
 // of an .inp, the end of the last line of an .inp or .obj. So is what was passed over or changed (statements
 // of an .obj, facets without area of an .stl, faces of many corners cut into triangles), and a size that no

@@ -38,7 +38,7 @@ class ObjReader {
     return continued_.append(words);
   }
 
-  // What was passed over and what was cut, a line each.
+  // Lines that were passed over and faces that were cut, a remark each.
   void add_remarks(Remarks* remarks) const {
     if (remarks == nullptr) return;
     if (!strange_.empty())

@@ -21,7 +21,7 @@ namespace fabricsh::format {
 
 namespace {
 
-// --- What a DXF file of a pattern draws, before it becomes panels.
+// --- The drawing in a DXF file of a pattern, before it becomes panels.
 
 struct DrawnVertex {
   mesh::Vec2 x;
@@ -280,7 +280,7 @@ class PieceMaker {
   }
 
  private:
-  // What the block's name has behind that of the piece: 38 of FRONT-38.
+  // The part of the block's name behind that of the piece: 38 of FRONT-38.
   std::string behind_name() const {
     if (drawing_.name.empty() || !drawing_.block.starts_with(drawing_.name)) return {};
     const auto at = drawing_.block.find_first_not_of(" _-.", drawing_.name.size());

@@ -1,4 +1,4 @@
-// What the readers of patterns share: the names of edges, and notches beside a boundary.
+// Shared by the readers of patterns: the names of edges, and notches beside a boundary.
 #pragma once
 #include <string>
 

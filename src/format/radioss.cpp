@@ -1,7 +1,7 @@
 // OpenRadioss' starter decks: /NODE, /SHELL, /SH3N, /PART, groups of nodes and shells, and the stress-free
 // shape of /XREF and /EREF, in fields of 10 and 20 characters. Lengths are in the units of /BEGIN, else in m.
-// What belongs to the problem and not to the mesh is passed over; other elements, and what takes lines from
-// elsewhere or moves nodes, are refused.
+// Statements of the problem, not of the mesh, are passed over; other elements, and statements that take lines
+// from elsewhere or move nodes, are refused.
 #include <algorithm>
 #include <set>
 
@@ -14,7 +14,7 @@ namespace {
 
 using Of = DeckMesh::Of;
 
-// What a unit of length is in m: a number, or m with a prefix. 0: it is none.
+// The length of a unit in m: a number, or m with a prefix. 0: it is none.
 double metres(std::string_view word) {
   double value = 0;
   if (parse_fortran(word, value)) return std::isfinite(value) && value > 0 ? value : 0;

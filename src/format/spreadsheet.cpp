@@ -11,8 +11,8 @@ namespace {
 
 // Run in isolation (-I), so that no module of the present folder takes part. Writes each sheet behind a line
 // that begins with the byte 1 and has its name. A formula counts by the value that was last computed;
-// columns without any content are left out, rows are kept as blank lines. What is unpacked, how many cells
-// have something in them, the ranges that are spread over single cells (merged ones, links), memory and time
+// columns without any content are left out, rows are kept as blank lines. The unpacked size, the number of
+// cells with content, the ranges that are spread over single cells (merged ones, links), memory and time
 // are bounded: a small file may name a cell far away, and an archive may unpack to anything.
 constexpr const char* script = R"PY(
 import datetime, io, re, resource, signal, sys, zipfile

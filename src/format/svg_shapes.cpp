@@ -177,7 +177,7 @@ std::optional<double> paper_length(const std::string& text) {
   return value * unit->second;
 }
 
-// What a user unit is, from width, height and viewBox; without the latter it is a pixel, 1/96 inch. None if
+// Size of a user unit, from width, height and viewBox; without the latter it is a pixel, 1/96 inch. None if
 // the page has no size on paper, or is stretched.
 std::optional<double> unit_of(xmlNode* root) {
   const auto width = paper_length(attribute(root, "width")), height = paper_length(attribute(root, "height"));

@@ -107,8 +107,8 @@ std::string_view next_data_line(Source& source, char separator) {
   return {};
 }
 
-// What follows the rows of a short table: the heading of the next one after two rows at least, words or
-// totals after three.
+// Whether this line ends a short table: the heading of the next one after two rows at least, words or totals
+// after three.
 bool ends_rows(const Cells& cells, const std::vector<char>& numeric, const TableForm& form, int rows) {
   if (numeric.size() < 2 || rows < 2) return false;
   double value = 0;

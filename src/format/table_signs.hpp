@@ -23,7 +23,7 @@ Measured measured(std::string_view cell);
 // Whether the cell is a number with a decimal point or a decimal comma, and perhaps its unit.
 bool is_number_in_either_sign(std::string_view cell);
 
-// What the numbers of a column show of its signs, counted while the rows are read.
+// Evidence of a column's signs in its numbers, counted while the rows are read.
 class ColumnSigns {
  public:
   void take(std::string_view cell, std::size_t row);

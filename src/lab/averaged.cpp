@@ -84,7 +84,7 @@ struct Record {
   double scale;   // largest strain as recorded
 };
 
-// What is known of a law before: its tangents at as many places as it has coefficients are of the size of the
+// Prior knowledge of a law: its tangents at as many places as it has coefficients are of the size of the
 // mean tangent there, give or take as much. It decides nothing that the points decide, but a law with as good
 // as no stiffness at contact is so less probable than contact that begins later.
 struct Known {

@@ -34,7 +34,7 @@ LeastSquares least_squares(std::vector<double> start, const std::vector<Paramete
                            const std::function<Points(const Points&)>& evaluate,
                            const LeastSquaresOptions& options = {});
 
-// What the data determine about each parameter, from the Jacobian of residuals divided by their deviation.
+// How well the data determine each parameter, from the Jacobian of residuals divided by their deviation.
 struct Identifiability {
   std::vector<double> deviation;    // standard deviation of each parameter
   std::vector<double> correlation;  // parameters x parameters

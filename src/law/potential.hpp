@@ -38,7 +38,7 @@ inline int loop_slot(const WovenData& law, int axis) {
          (axis == 1 && law.loop[0].on ? loop_state::count : 0);
 }
 
-// What a kernel is compiled for, beside straight unloading and hysteretic shear.
+// Features that a kernel is compiled for, beside straight unloading and hysteretic shear.
 enum class Yarns {
   straight,
   curved,

@@ -39,7 +39,7 @@ class Pattern {
   Pattern with(std::vector<std::vector<Index>>&& further) const;
 };
 
-// What few quantities that depend on all unknowns add to a sparse matrix: U C U^T with the columns U, one per
+// Part of a sparse matrix by few quantities that depend on all unknowns: U C U^T with the columns U, one per
 // quantity, and a small matrix C. Such a part of a few ranks would fill a pattern.
 struct FewRanks {
   std::vector<std::vector<double>> columns;

@@ -78,7 +78,7 @@ class Assembly {
   // A rollback restores the pairs of the last commit.
   const std::shared_ptr<const linear::Pattern>& pattern();
 
-  // What the terms read of the present.
+  // The present state, as the terms read it.
   Trial trial() const { return {configuration_, dofs_.reference(), trial_time_, motion_}; }
   // r = f_ext - f_int on the unknowns, in the nodes' frames, less what depends on the motion, if there is one
   // (OnMotion). on_d: additional forces on directors, N m.

@@ -13,7 +13,7 @@ using element::shell4_dofs;
 
 constexpr double kNudge = 1e-3;  // rad, and of an edge: central differences of strains, which are quadratic
 
-// What a batch is evaluated at, as the kernels read it.
+// State at which a batch is evaluated, as the kernels read it.
 struct Nudged {
   alignas(64) double x[12 * lanes], d[12 * lanes];
 };

@@ -1,4 +1,4 @@
-// What some terms have beyond forces, tangent and energies. A term has a facet by deriving from it beside
+// Abilities of some terms beyond forces, tangent and energies. A term has a facet by deriving from it beside
 // Term, or by a part that does; the assembly finds the facets when the term is added.
 #pragma once
 #include <Eigen/Core>
@@ -103,7 +103,7 @@ class OwnUnknowns : public Facet {
   virtual void move(double scale) = 0;             // by a fraction of the solver's step
   virtual bool at_target() const { return true; }  // whether prescribed ways are at their ends
   virtual std::size_t own_unknowns() const { return 0; }
-  // What a change of unknown j does to the internal forces on the nodes, N, 3 per node. False: nothing.
+  // Effect of a change of unknown j on the internal forces on the nodes, N, 3 per node. False: none.
   virtual bool own_push(std::size_t /*j*/, std::span<double> /*on_x*/) const { return false; }
   // The unknowns' equations: w = own_residual + own_answer(motion of the nodes, m, 3 per node) +
   // own_response w.

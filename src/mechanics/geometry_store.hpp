@@ -17,7 +17,7 @@ namespace fabricsh::mechanics {
 
 class GeometryStore {
  public:
-  // What is stored of a batch. The numbers keep their address as long as the store exists.
+  // Stored geometry of a batch. The numbers keep their address as long as the store exists.
   struct StoredBatch {
     const double* numbers;
     element::Sharing sharing;

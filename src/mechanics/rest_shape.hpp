@@ -51,7 +51,7 @@ class RestShape {
   // The warp of the model at a place of this shape.
   Vec3 warp(Index element, const Vec3& X, const Vec3& n) const;
 
-  // What a prestress does, a line for each region that has one.
+  // The effect of a prestress, a line for each region that has one.
   const std::vector<std::string>& told() const { return told_; }
 
  private:
@@ -70,7 +70,7 @@ class RestShape {
   const mesh::Mesh& mesh_;
   const std::vector<Vec3>& directors_;
   std::vector<Shape> shape_, unbent_;  // per element; empty: the mesh
-  // What a prestress did to an element: x = middle + F (X - middle).
+  // The change of an element by a prestress: x = middle + F (X - middle).
   struct Contraction {
     Vec3 middle;
     Mat3 F;

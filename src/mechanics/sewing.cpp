@@ -22,7 +22,7 @@ const char* const kNames[] = {"x", "y", "z", "rotation"};
   throw Error("seam: node " + std::to_string(node + 1) + " " + what);
 }
 
-// What follows what in one component: 0 to 2 a displacement, 3 the director.
+// Which node follows which in one component: 0 to 2 a displacement, 3 the director.
 class Component {
  public:
   Component(const std::vector<Stitch>& stitches, const Sewn& sewn, const Equations& free, int component)

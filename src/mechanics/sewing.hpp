@@ -24,7 +24,7 @@ struct Sewn {
   void keep(Archive& archive) { archive(closed, parted, turning); }
 };
 
-// What follows what where these stitches are closed; sorted by node, then component. `free` has the equations
+// Nodes that follow where these stitches are closed; sorted by node, then component. `free` has the equations
 // of all nodes without seams, 0 where a degree of freedom is unknown. Nodes that meet node to node are
 // one joint, led by one of them, for each component by one that a support holds, if any. A degree of freedom
 // that a support holds stays with the support. Errors: a node is held where what it is sewn to, between two

@@ -409,7 +409,7 @@ void Stiffness::add_diagonal(std::span<const double> c_x, std::span<const double
   }
 }
 
-// K already contains the director's own second variation, -(f.d) on its two rotations. What remains is the
+// K already contains the director's own second variation, -(f.d) on its two rotations. The rest is the
 // force along the sphere, and a moment about the director.
 void Stiffness::add_body_stiffness(const Configuration& s, std::span<const double> internal_x,
                                    std::span<const double> internal_d, std::span<const double> external,

@@ -1,7 +1,7 @@
 // A term makes force: cloth, gravity, loads, springs, damping, inertia and contact are terms. The assembly is
 // their sum, and nothing else adds force, energy or stiffness. A term provides its forces, tangent, energies
 // by name, the pairs of nodes that it couples, its part of a checkpoint, the largest stable step, and the
-// fields that it shows. What few terms have beside these are facets (mechanics/facets.hpp).
+// fields that it shows. Further abilities of few terms are facets (mechanics/facets.hpp).
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -95,7 +95,7 @@ struct TermField {
 // Two nodes whose degrees of freedom are coupled in a tangent.
 using NodePair = std::pair<Index, Index>;
 
-// What a term or a part of it has beyond forces, tangent and energies: see mechanics/facets.hpp.
+// An ability of a term or a part of it beyond forces, tangent and energies: see mechanics/facets.hpp.
 class Facet {
  public:
   virtual ~Facet() = default;

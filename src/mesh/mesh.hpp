@@ -27,7 +27,7 @@ struct Mesh {
   bool flat = false;  // generated in the x-y plane and not mapped since: the warp direction may default to +x
   bool in_use = false;  // by a compiled model: nodes, elements and named sets must not change any more
   std::string origin;   // "rectangle 3x9", "file disc.msh": used in messages and in the printed model
-  // What its file has beside a mesh, as materials, loads and steps: each statement once, by the first line.
+  // Content of its file beside a mesh, as materials, loads and steps: each statement once, by the first line.
   struct PassedOver {
     std::string statement;  // "*MATERIAL"
     Index line = 0, count = 0;

@@ -47,7 +47,7 @@ bool encloses(const std::vector<Vec2>& line, const Vec2& x) {
 
 namespace {
 
-// What is nearer than this share of the panel's extent is one place.
+// Points nearer to each other than this share of the panel's extent are one place.
 constexpr double near = 1e-6;
 
 // How far from the outline a point may be that is meant to lie on it, m: then its nearest place is taken.

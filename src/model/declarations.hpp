@@ -55,7 +55,7 @@ struct Party {
   RigidPointer body;  // null: a set of the cloth
 };
 
-// What a declaration may tell, in the order of m:list(). A visitor hides what it wants to hear by functions
+// Parts of a declaration, in the order of m:list(). A visitor hides what it wants to hear by functions
 // of the same names and passes over the rest. `words` are those of m:list(), where # stands for the value;
 // without words the value is not listed.
 struct DeclarationVisitor {
@@ -307,7 +307,7 @@ struct BodyMotion {
     v.vector("centre", turn->centre, "");
   }
 };
-// What loads a body at its centre: a force, or a moment about it, along global axes.
+// A load on a body at its centre: a force, or a moment about it, along global axes.
 struct BodyLoad {
   const char* call() const { return moment ? "moment" : "force"; }
   RigidPointer body;

@@ -257,7 +257,7 @@ void Interactions::validate(const mesh::Mesh& mesh) const {
       throw Error("model: the " + body->kind() + " that " + what +
                   " touches nothing: expected m:contact{between={it, ...}}");
   };
-  // What is not finite at time 0 says so by its call and body.
+  // A value that is not finite at time 0 is reported with its call and body.
   const auto want_values = [&](const auto& declaration, const Components& histories, const History* turn) {
     try {
       for (const auto& h : histories)

@@ -8,7 +8,7 @@
 
 namespace fabricsh::model {
 
-// What is declared of rigid bodies and contacts, as it concerns each body: a view of a model's declarations.
+// Declarations of rigid bodies and contacts, as they concern each body: a view of a model's declarations.
 class Interactions {
  public:
   explicit Interactions(const Declarations& declared) : declared_(declared) {}

@@ -1,4 +1,4 @@
-// What a mesh can show of cloth of given cards, before anything is computed: how yarns run across its
+// Details of cloth of given cards that a mesh resolves, before anything is computed: how yarns run across its
 // elements, and how large its folds are.
 #pragma once
 #include <array>
@@ -49,7 +49,7 @@ struct Outlook {
 std::vector<Outlook> outlook(const Model& model, std::optional<double> flesh = {});
 // Two lines: about the yarns and about the folds.
 std::array<std::string, 2> words(const Outlook& outlook);
-// What to warn of; empty: nothing.
+// The text of a warning; empty: none.
 std::string warning_of(const Outlook& outlook);
 
 // --- How thick cloth is that nothing presses, as contact has it.

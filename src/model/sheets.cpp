@@ -125,7 +125,7 @@ void Sheets::seal_meshes() {
 
 namespace {
 
-// What a ply is called by its number, from 0.
+// The name of a ply by its number, from 0.
 std::string ply_word(std::size_t number) { return "ply" + std::to_string(number + 1); }
 
 }  // namespace

@@ -18,8 +18,8 @@ class Spline {
   double at(double column, double row) const;
   // Brightness per pixel along columns and rows, in the middle of a pixel that is not at the rim.
   std::array<double, 2> slope(int column, int row) const;
-  // What becomes of the variance of independent noise in the pixels: in the value at a place, less between
-  // pixels than on them, and in either slope.
+  // The variance that independent noise of the pixels, with variance one, has in the value at a place, less
+  // between pixels than on them, and in either slope.
   static double kept(double column, double row);
   static double slope_noise();
 

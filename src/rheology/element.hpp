@@ -82,8 +82,8 @@ struct ParameterRow {
 // How an element acts on the stress.
 enum class Acts { in_parallel, on_springs };
 
-// What distinguishes a point from the others of its card: uniform over a sheet, or each element's own. A law
-// reads it once, when it makes the initial state of the point, which keeps what it needs of it.
+// Data by which points of one card differ: uniform over a sheet, or each element's own. A law reads them
+// once, when it makes the initial state of the point, which keeps the part that it needs.
 struct PointSite {
   std::array<double, 2> size{};  // m, extent along warp and weft of the cloth that the point stands for
   double thickness = 0;          // m, of its ply; 0: that of the card
@@ -105,7 +105,7 @@ struct YarnFactor {
   T limit, value, rate;
 };
 
-// What an element adds to the largest eigenvalue of the stiffest tangent, Pa.
+// Contribution of an element to the largest eigenvalue of the stiffest tangent, Pa.
 struct Stiffest {
   double axial = 0, shear = 0;
 };

@@ -19,7 +19,7 @@ namespace fabricsh::run {
 
 namespace {
 
-// What is left of an equilibrium that a run found, over the largest force; more of it has been let go.
+// Imbalance of an equilibrium that a run found, over the largest force; above it, something was let go.
 constexpr double kBalanced = 1e-6;
 
 // Whether the part says what the cloth is, and not what is done to it.
@@ -163,8 +163,8 @@ std::string Run::jump_of_motions() const {
   return "the motion of node " + std::to_string(node + 1) + " begins " + number(most) + " m from";
 }
 
-// What balanced the state of a run at rest and is not there any more: supports, loads, contact. Of one that
-// moves, in which forces need not balance, that of its supports alone.
+// Forces that balanced the state of a run at rest and are gone: of supports, loads, contact. Of a run that
+// moves, in which forces need not balance, those of its supports alone.
 void Run::release(const Run& from) {
   const auto internal = assembly_->internal();
   std::vector<double> on_x, on_d(internal.on_d.begin(), internal.on_d.end());

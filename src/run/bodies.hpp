@@ -23,7 +23,7 @@ struct BodyState {
 };
 // Error: the model has no contact, or the body is not part of it.
 BodyState body_state(const Readings& run, const model::Rigid& body);
-// What the cloth does to the facets of a body. Error: as above; its shape is no surface of facets.
+// The action of the cloth on the facets of a body. Error: as above; its shape is no surface of facets.
 mechanics::OnSkin on_skin(const Readings& run, const model::Rigid& body);
 struct Touching {
   double gap;         // m, above the floor, for the pair closest to its floor; at most the range of contact

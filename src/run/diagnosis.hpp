@@ -1,4 +1,4 @@
-// What is wrong with a run, in words. Before it: loads that begin with a jump or move nothing, unrealistic
+// The diagnosis of a run, in words. Before it: loads that begin with a jump or move nothing, unrealistic
 // bending, supports that leave a mechanism. During it: strain beyond the tested range. Where a step fails:
 // why, where, which yarn, the course of the iterations, and what to try.
 #pragma once
@@ -145,7 +145,7 @@ struct Diagnosis {
   // The message of the error: the reason, the last step tried with the largest one allowed, where the
   // residual sits, and the best advice.
   std::string message(double step, double largest, int cuts, double tolerance) const;
-  // What to try, the most promising first, each with its evidence: "stabilise=true (3 negative pivots)".
+  // Remedies, the most promising first, each with its evidence: "stabilise=true (3 negative pivots)".
   std::vector<std::string> advice() const;
   std::string report() const;  // the whole of it, in lines
 };

@@ -93,7 +93,7 @@ std::string switch_text(const Diagnosis& f) {
   return text;
 }
 
-// What a static run has not tried: each way leads to the next, and none back.
+// A remedy that a static run has not tried: each one leads to the next, and none back.
 std::string next_way(const Diagnosis& f) {
   if (!f.both && !f.arc) return "method=\"either\"";
   return f.stabilised || f.arc ? "fabric.dynamic with damping" : "stabilise=true";
@@ -180,7 +180,7 @@ void advise_on_iterations(const Diagnosis& f, std::vector<std::string>& all) {
 
 bool slides_in_statics(const Diagnosis& f) { return f.sliding > 0 && !f.dynamic; }
 
-// What friction alone holds has no equilibrium beyond its limit, whatever solver looks for one.
+// Cloth that friction alone holds has no equilibrium beyond its limit, whatever solver looks for one.
 void advise_on_sliding(const Diagnosis& f, std::vector<std::string>& all) {
   if (slides_in_statics(f))
     all.push_back("motion, fabric.dynamic with damping, a support that holds what slides, or more friction");
@@ -214,7 +214,7 @@ void advise_on_cloth(const Diagnosis& f, std::vector<std::string>& all) {
                   " elements are slack both ways)");
 }
 
-// What is at full value at time 0, if anything: "loads", "motion" or "loads and motions".
+// Inputs at full value at time 0, if there are any: "loads", "motion" or "loads and motions".
 std::string jumping(const Jumps& jump) {
   if (jump.motions.empty()) return "loads";
   return jump.loads.empty() ? "motion" : "loads and motions";
@@ -257,7 +257,7 @@ std::vector<std::string> Diagnosis::advice() const {
   const Diagnosis& f = *this;
   std::vector<std::string> all;
   if (f.broken()) return {"a new run after correcting what the message names: a smaller step does not help"};
-  // What moves freely moves under a small load too.
+  // A part that is free to move moves under a small load too.
   const bool free = f.mechanism.driven || ends_singular(f);
   advise_on_sliding(f, all);
   if (!f.loose.empty()) all.push_back(f.loose);

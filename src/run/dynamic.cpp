@@ -94,7 +94,7 @@ struct Driven : model::DeclarationVisitor {
   }
 };
 
-// What is moved or loaded slowly has next to no kinetic energy, and does not rest.
+// Cloth that is moved or loaded slowly has next to no kinetic energy, and does not rest.
 bool driven(const Run& run, double look) {
   const model::Model& model = run.model();
   const double from = run.time() - look, to = run.time();
@@ -140,7 +140,7 @@ bool Dynamic::is_calm(const EnergyAccount& e) const {
   return e.stored > 0 && e.kinetic <= options_.until_rest->calm * e.stored;
 }
 
-// What only turns around is not calm for as long as the window.
+// A motion that only turns around is not calm for as long as the window.
 void Dynamic::watch_rest() {
   if (now_.rested) return;
   if (!is_calm(energy()) || (seams_ != nullptr && seams_->draws()) ||
@@ -560,7 +560,7 @@ void Dynamic::weigh_inertia(double kinetic, double scaled) {
            number(time()) + " s" + advice(true_inertia));
 }
 
-// What is too little to be said at once, but shows in the answer.
+// A share of scaled inertia that is too small to be said at once, but shows in the answer.
 void Dynamic::watch_inertia() {
   constexpr double shows = 0.01;
   if (!now_.reported_scaled && now_.scaled > shows)

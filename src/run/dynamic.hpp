@@ -97,7 +97,7 @@ class Dynamic : public Run {
   std::vector<double> driven_rates() const;  // of the driven freedoms at the trial time, m/s or 1/s
   double driven_kinetic() const override;
   virtual const mechanics::Motion& motion() const = 0;
-  // What to do if the present step is longer than some frequency allows; empty: it is not.
+  // Advice if the present step is longer than some frequency allows; empty: it is not.
   virtual std::string against_long_step() const { return {}; }
   // Advice where something comes faster than contact of this mesh stops; empty, or with "; " at its end.
   virtual std::string finer_elements() const { return {}; }

@@ -71,8 +71,8 @@ void Explicit::resize() {
   rates_version_ = 0;
 }
 
-// As a run begins: with velocities and accelerations of the same time. What central differences conserve has
-// the accelerations in it, which jump.
+// As a run begins: with velocities and accelerations of the same time. The energy that central differences
+// conserve contains the accelerations, which jump.
 void Explicit::take(const mechanics::Transfer&, const std::vector<double>& rates) {
   if (!started()) return set_motion(initial_rates());
   const double weight = weight_of_acceleration_, dt = conserved_.dt;
@@ -436,8 +436,8 @@ void Explicit::give_up(const StepReport& report) {
 }
 
 // The stiffness that the mesh carries grows with the inverse square of its elements' size, and the speed that
-// is stopped with its inverse. What came has lost speed since: the speed that bodies and nodes still have is
-// the least that it was. Empty: the speed is stopped, or the stiffness was given.
+// is stopped with its inverse. Bodies and nodes have lost speed since they came: the speed that they have now
+// is a lower bound. Empty: the speed is stopped, or the stiffness was given.
 std::string Explicit::finer_elements() const {
   if (contact_ == nullptr) return {};
   const auto stopped = contact_->speed_stopped();

@@ -69,7 +69,7 @@ class Explicit final : public Dynamic {
   double block_step() const { return std::ldexp(now_.step, -block_.halved); }  // s
   mesh::Index fastest_node() const;                                            // -1: no node moves
   mesh::Index fastest_element() const;  // whose nodes part fastest for its size; -1: none
-  // What makes a step fail: the element, and what to do.
+  // The cause of a failing step: the element, and advice.
   struct Culprit {
     mesh::Index element = -1;
     std::string advice;

@@ -280,7 +280,7 @@ void Implicit::commit(StepReport& report) {
   ++now_.steps;
 }
 
-// What is missing after a step in which directors settle is what they had. Shorter steps than before resolve
+// Energy missing after a step in which directors settle was theirs. Shorter steps than before resolve
 // how they turn and leave them some of their speed: there have to be more of these.
 void Implicit::settle() {
   const double surplus = energy().surplus();

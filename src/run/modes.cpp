@@ -422,7 +422,7 @@ Modes<BucklingMode> factors(const Linearised& at, const linear::Matrix& lost, co
   return out;
 }
 
-// What the loads and motions of a model add to those of a state, linearly: the way of the cloth under them,
+// Effect of a model's loads and motions beyond those of a state, linearly: the way of the cloth under them,
 // and the stiffness that is lost by the stresses of that way and by loads that follow the cloth.
 class Perturbation {
  public:

@@ -34,7 +34,7 @@ struct BucklingMode {
   std::shared_ptr<const Shape> shape;
 };
 
-// What is said of a result beside its numbers, one line each.
+// Modes, and remarks on the result beside its numbers, one line each.
 template <class M>
 struct Modes {
   std::vector<M> modes;

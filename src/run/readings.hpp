@@ -1,4 +1,4 @@
-// What can be read from a run at its present state: nodes, elements, reactions, fields, energies.
+// Readings of a run at its present state: nodes, elements, reactions, fields, energies.
 #pragma once
 #include <cstdint>
 #include <map>

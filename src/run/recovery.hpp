@@ -1,5 +1,5 @@
 // Fields of elements at nodes, by superconvergent patch recovery [zienkiewicz1992], and the error that they
-// show. What an element has is taken at its centre of area in the reference, where the stresses of linear
+// show. An element's value is taken at its centre of area in the reference, where the stresses of linear
 // elements are most accurate. Around each node a polynomial is fitted to the elements that meet there, and
 // read at the node. Only elements of one region, hence of one card, are fitted together, since stresses jump
 // where cards change; nor are those on the two sides of an open joint of a tearable zone.

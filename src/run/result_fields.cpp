@@ -111,7 +111,7 @@ struct ResultFieldTable {
                     std::move(components), values, std::move(labels)});
     rows.back().by_ply = true;
   }
-  // What dissipated energy consists of, by the names that springs and elements of the law give.
+  // Parts of the dissipated energy, by the names that springs and elements of the law give.
   void dissipated(std::size_t i) {
     const std::string part(law::dissipation_names.name[i]);
     const auto values = [i](const Readings& run, mesh::Index e, const std::string& ply, double* out) {

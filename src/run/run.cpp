@@ -28,7 +28,7 @@ namespace {
 // elements are strained one or two per cent more, which is not reported.
 constexpr double kBeyondTested = 1.02;
 
-// What the further nodes of tearable zones take; empty: there are none.
+// The memory of the further nodes of tearable zones; empty: there are none.
 std::string zones_text(const model::Model& model) {
   constexpr double bytes = 1e3;  // of a node, measured; one in a run of 1e5 elements
   const mesh::Mesh& mesh = model.mesh();

@@ -1,5 +1,5 @@
-// A run in time over a compiled model, as driven by a deck: its steps and snapshots. What can be read from it
-// is in readings.hpp, what it calls on its way in schedule.hpp; static.hpp and dynamic.hpp define how a step
+// A run in time over a compiled model, as driven by a deck: its steps and snapshots. Its readings
+// are in readings.hpp, its calls on the way in schedule.hpp; static.hpp and dynamic.hpp define how a step
 // is made.
 #pragma once
 #include <algorithm>
@@ -26,8 +26,8 @@ struct Diagnosis;
 class Folds;
 
 // The state of another run of the same cloth, with which a run begins: where the cloth is, what its law
-// remembers, how it moves, and the time. What held it there and does not any more lets go over `release`
-// seconds, or at once. The other run is read while the new one is made.
+// remembers, how it moves, and the time. Forces that held it there and act no more fade over `release`
+// seconds, or vanish at once. The other run is read while the new one is made.
 struct Beginning {
   const Run* from = nullptr;
   double release = 0;  // s
@@ -114,7 +114,7 @@ class Run : public Readings, public Schedule {
   // "the motion of node 3 begins 0.1 m from"; empty: motions go on from where the nodes are.
   std::string jump_of_motions() const;
 
-  // What each contact was taken for; once the kind of run is known.
+  // Reports the kind that each contact was taken for, once the kind of run is known.
   void report_contacts();
 
   // True if no solver requires symmetric tangents: none is used, or one for unsymmetric matrices.

@@ -1,4 +1,4 @@
-// What is said of the state of a run; the content of its snapshots and checkpoints, and returning to them.
+// Messages on the state of a run; the content of its snapshots and checkpoints, and returning to them.
 #include "run/run_state.hpp"
 
 #include <algorithm>

@@ -87,7 +87,7 @@ class RunState {
   std::optional<Beyond> beyond() const {
     return beyond_.strain_ratio > 1 ? std::optional<Beyond>(beyond_) : std::nullopt;
   }
-  // What has been said about the results so far; part of the state. The list outlives the run for whoever
+  // Warnings about the results so far; part of the state. The list outlives the run for whoever
   // holds it.
   const std::vector<Warning>& warnings() const { return *warnings_; }
   std::shared_ptr<const std::vector<Warning>> shared_warnings() const { return warnings_; }

@@ -1,4 +1,4 @@
-// What a run calls on its way, and when: hooks, events, means over windows; and the times at which its steps
+// Calls of a run on its way and when: hooks, events, means over windows; and the times at which its steps
 // have to end for them.
 #pragma once
 #include <array>

@@ -62,7 +62,7 @@ std::string Run::seam_name(std::size_t stitch) const {
   return dofs.seams()[dofs.stitches()[stitch].seam].name();
 }
 
-// What holds a seam that should be closer by now; empty: none is behind.
+// Message on a seam that should be closer by now; empty: none is behind.
 std::string Run::caught_text() const {
   if (seams_ == nullptr) return {};
   const auto lagging = seams_->lagging();

@@ -202,7 +202,7 @@ void Static::begin() {
     warn("jump", "warning: static: " + words);
 }
 
-// What is not in balance any more acts as a load that is there from the beginning on.
+// Forces that are not in balance any more act as a load that is there from the beginning on.
 void Static::begin_loaded() {
   const std::string jump = jump_of_motions();
   now_.jumps = (is_let_go() && !(released_over() > 0)) || !jump.empty();
@@ -426,8 +426,8 @@ bool Static::settle_jump(double size, StepReport& report) {
 bool Static::rescue(double size, StepReport& report) {
   if (descent_ == nullptr && relaxation_ == nullptr) return false;  // along an arc
   if (options_.method != Method::either && options_.method != Method::automatic) return false;
-  // What loads move freely moves so in relaxation, too, without end, and a way that is free is a support that
-  // was forgotten. A turn about one axis, on which no load works, is that of a body as round as its loads.
+  // A part that loads move freely does so in relaxation, too, without end, and a free motion is a forgotten
+  // support. A turn about one axis, on which no load works, is that of a body as round as its loads.
   if (options_.method == Method::automatic && step_.last.status == solver::NewtonStatus::singular) {
     const Mechanism free = find_mechanism(*model_, *assembly_, {size, duration_});
     if (free.ways != 1 || !free.words.starts_with("turn ") || free.driven) return false;

@@ -46,7 +46,7 @@ solver::Stability Static::judge_bodies(const linear::Matrix& K) {
                                                                       : solver::Stability::stable;
 }
 
-// What bodies may do that nothing holds: where their stiffness, cloth following them, is nothing or negative.
+// Motions of bodies that nothing holds: where their stiffness, cloth following them, is nothing or negative.
 std::string Static::loose_bodies() {
   constexpr double kNothing = 1e-9;  // of the largest of its kind
   const auto* contact = assembly_->terms().find<mechanics::Contacts>();

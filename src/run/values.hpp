@@ -47,7 +47,7 @@ struct EnergyAccount {  // J
   double rigid = 0;                // part of kinetic: free rigid bodies
   std::optional<double> gas = {};  // part of stored: what gas gives until its pressure is that outside
   double created = 0;              // by a law that is not dissipative
-  // What dissipated consists of: of the cloth "warp", "weft", "shear" and those of the elements of its law
+  // Parts of `dissipated`: of the cloth "warp", "weft", "shear" and those of the elements of its law
   // (law::dissipation_names), and "bending"; "friction" and "impact" of contact, "joints", lost as they
   // closed or opened, "fracture" of broken yarns; and those of terms that a program has added. A name may be
   // there twice.

@@ -1,4 +1,4 @@
-// What a run says about how far its results can be trusted: a word for each kind, which a batch can look for.
+// Warnings of a run on how far its results can be trusted: a word for each kind, which a batch can look for.
 #pragma once
 #include <cstdint>
 #include <span>

@@ -63,9 +63,9 @@ bool shares_folds(const card::Card& card, int points) {
   return card.folds == card::Folds::within && points > 1;
 }
 
-// What folds release, W - w of law/folds.hpp, is counted at the middle of the sheet: a point with folds, of
-// the weight of the ply, less one without. Both have the same strain, so that all else cancels where nothing
-// folds, and a sheet that is not bent has W alone.
+// The energy that folds release, W - w of law/folds.hpp, is counted at the middle of the sheet: a point with
+// folds, of the weight of the ply, less one without. Both have the same strain, so that all else cancels
+// where nothing folds, and a sheet that is not bent has W alone.
 void add_shared_folds(Section& s, const card::Card& card, double weight, double angle, int ply) {
   for (const bool folds : {true, false}) {
     const auto law = law::compile(folds ? card : unfolded(card), false);

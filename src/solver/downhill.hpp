@@ -1,4 +1,4 @@
-// What the trust region (solver/trust_region.hpp) and the overdamped descent (solver/descent.hpp) have in
+// Base of the trust region (solver/trust_region.hpp) and of the overdamped descent (solver/descent.hpp), in
 // common: Newton steps regularised until they go downhill, (K + m D) delta = r with the residual r, the
 // tangent K and a diagonal D like that of the stiffness, and the loop about them. They differ in how far a
 // step may go and in what they do about m.
@@ -30,8 +30,8 @@ class Downhill {
   // K + m D. False: it is singular, or symmetric and not positive definite.
   bool factorise(double m);
   bool solve(std::span<const double> b, std::span<double> x);
-  // Sets delta_ from the factors, with what the problem adds, and work_. False: it does not go downhill. What
-  // is at rest while something else is on its way has nothing to reduce.
+  // Sets delta_ from the factors, with what the problem adds, and work_. False: it does not go downhill. A
+  // part at rest while another one is on its way has nothing to reduce.
   bool find_downhill();
   Answer tangent_at_iterate();  // the plain one, with its residual
 

@@ -23,7 +23,7 @@ struct Mode {
 using Solve = std::function<bool(std::span<const double> b, std::span<double> x)>;
 Mode lowest_mode(const linear::Matrix& K, std::span<const double> D, double shift, const Solve& solve);
 
-// What is known of the loads and the law of a problem, on which it depends what a tangent tells.
+// Properties of the loads and the law of a problem, on which it depends what a tangent tells.
 enum class Judge {
   never,   // loads without a potential whose tangent may be symmetric by chance, as of moments
   energy,  // whatever is not symmetric comes from loads without a potential, as friction

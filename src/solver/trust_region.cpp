@@ -108,8 +108,8 @@ double Walk::next_factor(const TrialStep& step) {
   return std::max(next, m_ == 0 ? next_m_ : 1.1 * m_);
 }
 
-// Whether the tangent at the start of the step is singular: a part is not held, and would go for ever. What
-// is on its way, as a plate that presses the part, may come to hold it.
+// Whether the tangent at the start of the step is singular: a part is not held, and would go for ever. A
+// body on its way, as a plate that presses the part, may come to hold it.
 bool Walk::is_free() {
   const bool free = m_ == 0 && result_.residuals.size() == 1 && linear_.report().singular;
   began_free_ = began_free_ || free;

@@ -68,7 +68,7 @@ int wait_for(pid_t child, int& status) {
   }
 }
 
-// What the new process needs, made before it starts: it shares this program's memory until it runs another.
+// Data of the new process, made before it starts: it shares this program's memory until it runs another.
 struct Prepared {
   char* const* arguments;
   int input, out, said;

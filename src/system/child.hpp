@@ -21,7 +21,7 @@ struct ChildResult {
 ChildResult run_child(const std::vector<std::string>& arguments, const std::string& input,
                       const std::string& who);
 
-// What spawn_bound() starts: a program with its streams, each -1 to keep that of this program.
+// The program that spawn_bound() starts, with its streams, each -1 to keep that of this program.
 struct Spawn {
   std::vector<std::string> arguments;
   int input = -1, out = -1, said = -1;

@@ -351,7 +351,7 @@ Response<T> rate_update(const WovenData& law, AtSwitch at, const T E[5], const T
   return out;
 }
 
-// What both laws have in common, by the names that the room expects of a law.
+// Common parts of both laws, by the names that the room expects of a law.
 namespace rate {
 
 // These laws record the work; the part that is not stored counts as dissipated.

@@ -160,7 +160,7 @@ BodyState::Free Bodies::free_body(const BodyState::Body& body, const contact::Sc
     const Vec3 normal = Vec3::Unit(plane.axis);
     moves -= moves.cwiseProduct(normal);
     turns = turns.cwiseProduct(normal);
-    // What the other part takes up: there is no spin but that about the normal.
+    // The other part takes up the rest: there is no spin but that about the normal.
     for (int i = 0; i < 3; ++i)
       if (i != plane.axis) mass.inertia(i, plane.axis) = mass.inertia(plane.axis, i) = 0;
     halves_.push_back("the " + name + " is cut by " + plane.words() + ": it moves in the plane, and its " +

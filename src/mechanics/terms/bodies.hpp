@@ -72,8 +72,8 @@ class Bodies {
   void go_implicit() { state_.implicit = true; }
   // The places at which the bodies are at rest are sought from here on. reach: m, how far one may go in an
   // iteration that nothing holds yet.
-  // What acts at time 0 already comes up over the first `rise` seconds, so that a body does not set out for
-  // where nothing holds it; 0: it acts from the beginning on.
+  // Loads that act at time 0 rise over the first `rise` seconds, so that a body does not set out for where
+  // nothing holds it; 0: they act from the beginning on.
   void go_static(double reach, double rise);
   void keep(Archive& archive);
 

@@ -1,4 +1,4 @@
-// What is read of rigid bodies, in the trial state if its forces are known, otherwise in the committed state.
+// Readings of rigid bodies, in the trial state if its forces are known, otherwise in the committed state.
 #pragma once
 #include "mechanics/terms/body_loads.hpp"
 

@@ -1,5 +1,5 @@
 // The rigid bodies of a model: where they are at the beginning and at the end of the step, and the forces on
-// them. What a step does with them is told by the classes that stand on this one.
+// them. Classes that have it as a member compute its change in a step.
 #pragma once
 #include <optional>
 #include <span>

@@ -1,4 +1,4 @@
-// What distinguishes the elements of one card: their extent along the yarns, and the compression at which the
+// Differences between elements of one card: their extent along the yarns, and the compression at which the
 // cloth within them folds (share/doc/folds.md).
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// What is read of the cloth in the trial configuration: strains, yarns, shapes of elements.
+// Readings of the cloth in the trial configuration: strains, yarns, shapes of elements.
 #pragma once
 #include <array>
 #include <functional>

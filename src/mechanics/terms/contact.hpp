@@ -17,7 +17,7 @@ namespace fabricsh::mechanics {
 
 class Contacts final : public Term {
  public:
-  // Error: sides that share nodes (see model::work_out_surfaces). What overlaps is told by check_start().
+  // Error: sides that share nodes (see model::work_out_surfaces). Overlaps are found by check_start().
   Contacts(const model::Model& model, const Configuration& configuration, const Cloth& cloth,
            const Dofs& dofs);
 

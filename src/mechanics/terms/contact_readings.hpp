@@ -1,4 +1,4 @@
-// What is read of contact in the present state of the configuration.
+// Readings of contact in the present state of the configuration.
 #pragma once
 #include <array>
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace fabricsh::mechanics {
 
-// What the cloth does to a body whose shape is a surface.
+// The action of the cloth on a body whose shape is a surface.
 struct OnSkin {
   std::vector<Vec3> at;          // m, where its vertices are
   std::vector<double> pressure;  // Pa, on each vertex, without friction; inwards is positive

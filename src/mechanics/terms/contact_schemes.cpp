@@ -34,7 +34,7 @@ void ImplicitContact::evaluated() {
   double work = s.trial.work;
   for (std::size_t i = 0; i < s.x.size(); ++i) work += s.force[i].dot(s.x[i] - s.start[i]);
   for (std::size_t i = s.surfaces.nodes(); i < s.x.size(); ++i) work += s.torque[i].dot(s.turning[i]);
-  // What friction takes has its own account; the damping of approach belongs to this one.
+  // The work of friction has its own account; the damping of approach belongs to this one.
   const double given = s.committed.contact + s.committed.guard + s.committed_tied - s.trial.contact -
                        s.trial.guard - s.trial_tied;
   taken_ = std::max(0.0, settling_.work().work + given - work);

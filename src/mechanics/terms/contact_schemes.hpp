@@ -1,4 +1,4 @@
-// What contact does in the steps of each scheme: in statics, in implicit and in explicit motion.
+// Contact in the steps of each scheme: in statics, in implicit and in explicit motion.
 #pragma once
 #include <functional>
 #include <optional>
@@ -66,7 +66,7 @@ class BarrierInertia {
   void keep(Archive& archive) { archive(before_, energy_); }
 
  private:
-  // What is held back of the forces on a node.
+  // The part of the forces on a node that is held back.
   struct HeldBack {
     Index node = 0;
     Vec3 force = Vec3::Zero();  // N
@@ -114,7 +114,7 @@ class ExplicitContact final : public ContactScheme {
 
   // --- the speeds that it stops
   // m/s: the least speed, over all contacts, that uses up the range of contact above the barrier when cloth
-  // of the least areal mass meets it. What comes faster is pressed into the barrier. `flat`: where all of it
+  // of the least areal mass meets it. Faster cloth is pressed into the barrier. `flat`: where all of it
   // is pressed at once; `anywhere`: where an element meets no more than one corner or edge of a body.
   struct Stopped {
     double flat, anywhere;
@@ -129,7 +129,7 @@ class ExplicitContact final : public ContactScheme {
     double stopped;  // m/s: as `anywhere` of what the cloth meets there
   };
   std::vector<DrawnThrough> drawn_through() const;
-  // What presses a pair of cloth and a body, and what its law carries before the barrier begins.
+  // The pressure on a pair of cloth and a body, and the one that its law carries before the barrier begins.
   struct Pressed {
     double pressure, carried;  // Pa
     // Pa/m, that would carry this pressure with a margin; s, the largest step with it.

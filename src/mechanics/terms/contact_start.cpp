@@ -1,4 +1,4 @@
-// What overlaps at the start: pairs below their smallest distance, and cloth that starts inside a solid.
+// Overlaps at the start: pairs below their smallest distance, and cloth that starts inside a solid.
 #include <algorithm>
 
 #include "base/error.hpp"

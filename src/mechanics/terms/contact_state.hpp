@@ -42,11 +42,11 @@ struct ContactState {
   void positions(std::span<const double> of_nodes, double share, std::vector<Vec3>& out) const;
   void place(const Trial& trial);  // sets the positions at the start of the step and in the trial state
   double dt() const { return time - configuration.time(); }  // s
-  // What friction needs to know of the step: from its beginning to the present share of the bodies' motion.
+  // Data of the step that friction needs: from its beginning to the present share of the bodies' motion.
   contact::Way turn_bodies();
   // Adds the forces of the pairs at the present positions to `force`, with a way also those of friction.
   contact::Totals add_forces(const contact::Way& way);
-  // What starts within the range of contact has its energy and its forces from the start.
+  // Pairs that start within the range of contact have their energy and forces from the start.
   void begin();
   const contact::Totals& totals() const { return evaluated ? trial : committed; }
   std::span<const Vec3> nodal_forces() const { return std::span(force).first(surfaces.nodes()); }  // N

@@ -1,4 +1,4 @@
-// What is given of the surfaces that may touch, and what follows from it before anything moves.
+// Data of the surfaces that may touch, and their consequences before anything moves.
 #include "mechanics/terms/contact_surfaces.hpp"
 
 #include <algorithm>

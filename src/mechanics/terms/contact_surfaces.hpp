@@ -26,7 +26,7 @@ class ContactSurfaces {
                   const Dofs& dofs);
   ContactSurfaces(const ContactSurfaces&) = delete;  // pairs refer to its scene
 
-  // What is known of an interaction of the scene beside its law.
+  // Data of an interaction of the scene beside its law.
   struct Meeting {
     contact::LawData data;
     std::string names;             // "the ball on the cloth"

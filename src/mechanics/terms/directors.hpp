@@ -19,8 +19,8 @@
 //
 //   Where a joint opens in a fold, its director, which stood upright on the mean of both sides, leans on
 //   each. That must make no energy: the cosine at which leaning begins to cost is that which the part has
-//   there, and goes back to that of 45 degrees as its director comes upright. What the whole joint had stored
-//   is lost.
+//   there, and goes back to that of 45 degrees as its director comes upright. The energy that the whole joint
+//   had stored is lost.
 #pragma once
 #include <array>
 #include <map>
@@ -65,7 +65,7 @@ class Directors final : public Term {
     std::array<double, 4> across;
     double bend, width, energy;  // see OfEdge
   };
-  // What an edge has from the reference.
+  // Data of an edge from the reference.
   struct OfEdge {
     double bend;    // (chord . delta)^2 from which the guard acts, m^2
     double width;   // length of the direction across in the reference, m

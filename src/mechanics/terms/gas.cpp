@@ -494,7 +494,7 @@ double GasFlow::passed(const Opening& o, double dt, const GasState& up, const Ga
     return down == nullptr ? outside : with(*down, mass, temperature, gas).pressure;
   };
   if (!(up.pressure > behind(0))) return 0;
-  // What would have to go before the pressures are equal.
+  // Pa, the pressure behind less that above once this mass has gone.
   const auto lacks = [&](double mass) { return behind(mass) - above(mass).pressure; };
   double most = from_outside ? down->mass : up.mass * (1 - 1e-9);
   while (from_outside && lacks(most) < 0) most *= 2;

@@ -1,4 +1,4 @@
-// What held cloth in the run from which another one begins: forces on its nodes that fade in time.
+// Forces that held cloth in the run from which another one begins: they act on its nodes and fade in time.
 #pragma once
 #include <algorithm>
 

@@ -328,7 +328,7 @@ Vec3 Seams::outward(std::size_t i, std::span<const double> x) const {
   return out.norm() > 0 ? Vec3(out.normalized()) : Vec3(Vec3::Zero());
 }
 
-// What presses the edges against each other does not break the seam.
+// A pressure of the edges against each other does not break the seam.
 double Seams::share_of(std::size_t i, std::span<const double> x) const {
   const Vec3 out = outward(i, x);
   const double along = traction_[i].dot(out);
@@ -342,7 +342,7 @@ void Seams::list_joined() {
     if (f.sewn && f.component < 3) joined_.push_back(f);
 }
 
-// What the seam does to a node is what gives it the acceleration of its joint: S = f + m a, with its internal
+// The force of the seam on a node gives it the acceleration of its joint: S = f + m a, with its internal
 // force f and a = -sum f / sum m over all nodes of the joint.
 void Seams::measure(std::span<const double> x, std::span<const double> on_x) {
   std::map<Index, std::array<std::pair<double, double>, 3>> sums;  // of each joint: force, mass
@@ -482,7 +482,7 @@ Vec3 Seams::on_place(std::size_t i, std::span<const Vec3> at_nodes) const {
 }
 
 // A hand that draws cloth over a body does not press it against it, which would hold it by friction: the part
-// of the pull against what presses turns along it. What presses there holds against friction, too.
+// of the pull against a pressing surface turns along it. The pull keeps its size, as far as kTurned allows.
 void Seams::deflect(std::size_t i, std::span<const double> x) {
   Thread& t = threads_[i];
   t.ends[0].x = at(x, dofs_.stitches()[i].node);

@@ -1,6 +1,6 @@
 // Yarns that break in tearable zones. Cloth tears along its yarns: at a place either family can break, and
-// the joint there then opens along a line of the other family. What the elements on both sides of such a
-// line hand to each other along the yarn is compared with the yarn's strength; when it is reached, springs
+// the joint there then opens along a line of the other family. The force along the yarn between elements on
+// both sides of such a line is compared with the yarn's strength; when it is reached, springs
 // between the crack faces carry the force on, and less as they part, until the energy of the yarns is spent.
 #pragma once
 #include <array>

@@ -56,7 +56,7 @@ struct Element {
 
 inline namespace FABRICSH_ISA {
 
-// What a yarn that breaks has left at its largest strain k. The divisors of a yarn that does not break are
+// The rest of a yarn that breaks, at its largest strain k. The divisors of a yarn that does not break are
 // tiny; its factors are not used.
 template <class T>
 struct Softened {

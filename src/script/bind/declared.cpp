@@ -91,7 +91,7 @@ std::string axis_words(const Values& v) {
   return words;
 }
 
-// The members of a declaration in words. What begins with a blank, a comma or a semicolon comes last.
+// The members of a declaration in words. Those that begin with a blank, a comma or a semicolon are last.
 class ListWords : public model::DeclarationVisitor {
  public:
   explicit ListWords(const Model& model) : given_(model.interactions()) {}

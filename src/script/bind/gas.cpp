@@ -35,7 +35,7 @@ std::vector<std::string> sets_of(const Call& call) {
   return names;
 }
 
-// What closes holes: names of the sets of their nodes, or rigid bodies.
+// Lids that close holes: names of the sets of their nodes, or rigid bodies.
 void read_lids(const Call& call, GasGiven& gas) {
   if (!call.has("lids")) return;
   lua_State* L = call.L();

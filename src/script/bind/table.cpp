@@ -82,7 +82,7 @@ void warn_left_out(Call& call, const format::Table& table) {
     }
 }
 
-// What else the numbers of a column may mean. A lenient caller looks at the columns that it takes itself.
+// Further meanings of the numbers of a column. A lenient caller looks at the columns that it takes itself.
 void warn_doubts(Call& call, const format::Table& table) {
   if (call.flag("lenient")) return;
   for (const format::TableColumn& column : table.columns)

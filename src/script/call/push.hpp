@@ -11,7 +11,7 @@ namespace fabricsh::script {
 
 class Session;
 
-// Arrays as Lua tables; ids count from 0 in C++ and from 1 in Lua. What pushes returns 1, as a function of
+// Arrays as Lua tables; ids count from 0 in C++ and from 1 in Lua. Each push returns 1, as a function of
 // Lua with this one result.
 int push_numbers(lua_State* L, const std::vector<double>& values);
 int push_text(lua_State* L, const std::string& text);

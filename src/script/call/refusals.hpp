@@ -1,4 +1,4 @@
-// What the machine has refused to the calls of a session.
+// Refusals by the machine in the calls of a session.
 #pragma once
 
 namespace fabricsh::script {

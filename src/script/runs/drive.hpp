@@ -28,7 +28,7 @@ class Interrupted : public Error {
 // "ended by SIGTERM": the signal that ends the program.
 std::string ended_by(const Session& session);
 
-// What reports the progress of a run several times a second, and ends the call after Ctrl-C.
+// A listener that reports the progress of a run several times a second, and ends the call after Ctrl-C.
 std::shared_ptr<run::Listener> make_watch(DeckRun& run);
 
 }  // namespace fabricsh::script

@@ -1,7 +1,7 @@
-// What a deck reads of a run between two of its calls. A restarted deck passes over the calls made before the
+// A deck's readings of a run between two of its calls. A restarted deck passes over the calls made before the
 // checkpoint; the run is then in the state of the checkpoint, but the deck has to read what it read at the
-// time. So readings are noted while a run has checkpoints, and repeated in the part that is passed over. What
-// was not noted is an error that ends the deck: it never reads something else.
+// time. So readings are noted while a run has checkpoints, and repeated in the part that is passed over. A
+// reading that was not noted is an error that ends the deck: it never reads something else.
 #pragma once
 #include <functional>
 
@@ -36,7 +36,7 @@ void keep_table(DeckRun& run, const Hook& table, std::string restored);
 void begin_tables(DeckRun& run);    // before a call that is executed
 void hold_tables(DeckRun& run);     // at the end of a step
 void release_tables(DeckRun& run);  // where a step was taken back: as they were then
-// What gives them the present content again.
+// A function that gives them the present content again.
 std::function<void()> untraced_tables(DeckRun& run);
 void note_tables(DeckRun& run);           // after it
 void repeat_tables(DeckRun& run);         // instead of a call that is passed over

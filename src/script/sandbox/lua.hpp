@@ -125,7 +125,7 @@ for i = #searchers, 2, -1 do searchers[i] = nil end
 searchers[2] = search
 G.debug, package.loaded.debug = nil, nil
 
--- What the library calls is not the deck's to change: it has tables of its own, and so have the methods of texts.
+-- A deck cannot change the library's functions: it has tables of its own, and so have the methods of texts.
 local strings, added = copy(string), {}
 for _, name in next, { "coroutine", "io", "math", "os", "string", "table", "utf8" } do own[name] = copy(G[name]) end
 own._G, own.debug, own.package = own, nil, package

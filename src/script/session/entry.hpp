@@ -120,7 +120,7 @@ enum class Style {
   property,    // object.name
 };
 
-// What a restarted deck has to repeat of a call (script/runs/replay.hpp).
+// Results that a call touches and a restarted deck has to repeat (script/runs/replay.hpp).
 enum class Touches {
   nothing,    // no results of a run, or a call that deals with restarts itself
   results,    // a method or property that returns results of its run

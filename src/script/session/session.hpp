@@ -35,7 +35,7 @@ struct RunProgress {
   std::function<double()> ledger_error;  // costs a pass over the elements
 };
 
-// What fabric.study does with its cases.
+// The action of fabric.study on its cases.
 struct StudyOptions {
   bool list = false;      // lists them
   std::int64_t only = 0;  // computes this one, from 1 on; 0: all

@@ -21,11 +21,11 @@ class WarningLog {
     return {lists_.size(), runs_};
   }
 
-  // What is said in a loop is added once behind each place that was asked for.
+  // A warning that is given in a loop is added once behind each place that was asked for.
   void add(run::Warning warning);
   // Of a run: the list as it will be when it is read.
   void add(std::shared_ptr<const Warnings> of_run);
-  // What was added from the place on, equal ones once; whether that includes a run.
+  // Warnings added from the place on, equal ones once; whether that includes a run.
   Warnings since(LogPosition place) const;
   bool ran_since(LogPosition place) const { return runs_ > place.runs; }
 
