@@ -1,4 +1,4 @@
-// What an action complains about, and a check on its words.
+// The message of an action that fails, and a check on its words.
 #pragma once
 #include <functional>
 #include <string>

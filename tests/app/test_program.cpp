@@ -165,7 +165,7 @@ TEST_CASE("a standard output that is full is told, and is no success") {
   CHECK(run("-e 'for i = 1, 3 do io.write(i) end'").out == "123");
 }
 
-TEST_CASE("what is printed goes into no file where the caller has closed a stream") {
+TEST_CASE("printed text goes into no file where the caller has closed a stream") {
   write("closed.lua",
         "local file = io.open(arg[1], 'w') file:write 'time,force\\n' file:flush()\n"
         "print 'a message' io.stdout:flush() io.stderr:write 'another' require 'fabric'.warn 'a third'\n"

@@ -1,4 +1,4 @@
-// What progress looks like, and when it is said.
+// The look of progress, and when it is said.
 #include <chrono>
 #include <cstdlib>
 

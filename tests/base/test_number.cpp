@@ -39,7 +39,7 @@ TEST_CASE("numbers for people read as C prints them, with a decimal point in any
   std::setlocale(LC_NUMERIC, "C");
 }
 
-TEST_CASE("what is no finite number has a word", "[base][number]") {
+TEST_CASE("a value that is no finite number has a word", "[base][number]") {
   for (const auto text : {+[](double x) { return number(x); }, exact_number, full_number}) {
     CHECK(text(std::numeric_limits<double>::infinity()) == "inf");
     CHECK(text(-std::numeric_limits<double>::infinity()) == "-inf");

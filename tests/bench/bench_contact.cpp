@@ -1,4 +1,4 @@
-// What contact costs: a pair of each kind that touches, a search, and a step of a sheet with nothing near.
+// The cost of contact: a pair of each kind that touches, a search, and a step of a sheet with nothing near.
 //   bench_contact [n]   a sheet of n x n quadrilaterals (100)
 #include <omp.h>
 

@@ -1,7 +1,7 @@
-// What a static step is made of, on square plates of n x n elements held along one edge and bent at the
+// The parts of a static step, on square plates of n x n elements held along one edge and bent at the
 // other: bench_solver [n ...]. CPU times in ms on one thread, and the ratios that matter: assembly over
-// numeric factorisation, and the whole step over the bare factorisation times the number of iterations. What
-// is compared takes turns, so that both see the same machine, and the median ratio is printed.
+// numeric factorisation, and the whole step over the bare factorisation times the number of iterations. Both
+// sides take turns, so that they see the same machine, and the median ratio is printed.
 #include <omp.h>
 
 #include <algorithm>

@@ -101,7 +101,7 @@ TEST_CASE("numbers far from cloth are doubted, the others are not", "[card]") {
   CHECK(doubted == std::set<std::string>{"density", "warp.loading"});
 }
 
-TEST_CASE("what a band is about: coefficients, unloading, poisson, in this order", "[card]") {
+TEST_CASE("subjects of a band: coefficients, unloading, poisson, in this order", "[card]") {
   Card card = test::full_card("woven");
   auto& woven = std::get<Woven>(card.law);
   woven.warp = {{{1, 2, 3}, {}}, 4, 5};

@@ -218,7 +218,7 @@ TEST_CASE("contact: friction turns a ball with its radius as the lever", "[conta
     // The first explicit step has half of the work, because it begins without friction.
     const double lost = (steps ? 2 : 1) * contact.add_forces(x, f, way, torque).work;
     REQUIRE(lost > 0);
-    // The ball of 30 mm is below the sheet, so that drag and torque are across. What is left of the moment is
+    // The ball of 30 mm is below the sheet, so that drag and torque are across. The rest of the moment is
     // the couple of friction over the distance of the cloth's middle from the ball's surface.
     Vec3 moment = torque.back();
     for (std::size_t i = 0; i < f.size(); ++i) moment += x[i].cross(f[i]);
@@ -227,7 +227,7 @@ TEST_CASE("contact: friction turns a ball with its radius as the lever", "[conta
     CHECK(moment.dot(couple) < 0);
     CHECK(moment.norm() > 0.2e-3 * drag.norm());
     CHECK(moment.norm() < blend_law().gap() * drag.norm());
-    // What friction takes is what the torque and the pull take from the body's turning.
+    // The work of friction is the one that the torque and the pull take from the body's turning.
     CHECK(lost == Approx(-torque.back().dot(turn.back())).epsilon(1e-12));
   }
 }

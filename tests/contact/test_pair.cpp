@@ -161,7 +161,7 @@ TEST_CASE("pair: the Jacobian of friction by slope, its unsymmetric part include
     Random random(11);
     double skew = 0;
     at_states(pair, 100, [&](const Corners& x, const Vector12& by, double h) {
-      // What sticks everywhere, and what slides everywhere.
+      // A pair that slides everywhere, and one that sticks everywhere.
       const Slip slips{0.4, 1e6}, sticks{1e6, 1};
       Slip slip = random(0, 1) < 0.5 ? slips : sticks;
       slip.held = random.vector(0.2);

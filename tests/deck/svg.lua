@@ -5,7 +5,7 @@ local entities = { amp = "&", lt = "<", gt = ">", quot = '"', apos = "'" }
 
 local function fail(at, words) error(("at byte %d: %s"):format(at, words), 0) end
 
--- What a text or the value of an attribute stands for.
+-- The characters that a text or the value of an attribute stands for.
 local function plain(text, at)
   if text:find("]]>", 1, true) then fail(at, "']]>' in a text") end
   if text:gsub("&[%w#]+;", ""):find("&", 1, true) then fail(at, "a bare '&'") end

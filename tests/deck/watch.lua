@@ -8,7 +8,7 @@ local function axis(label, unit)
   return (label or "") == "" and unit or label .. ", " .. unit
 end
 
--- What a panel does not say is taken from the call; a table of rows labels the axes with its fields' names.
+-- Fields that a panel does not give are taken from the call; a table of rows labels the axes with its fields' names.
 local function words_of(fields)
   local words = {}
   local function add(word)

@@ -42,7 +42,7 @@ TEST_CASE("numbers read back to the same double", "[files]") {
   }
 }
 
-TEST_CASE("what is not a number is said so", "[files]") {
+TEST_CASE("a value that is no number is written by its word", "[files]") {
   const ScratchFolder folder;
   CsvWriter table(folder / "x.csv", {"a", "b", "c"});
   const double infinity = std::numeric_limits<double>::infinity();

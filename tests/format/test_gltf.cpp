@@ -1,4 +1,4 @@
-// What a .glb may not be; what it is: tests/lua/export_gltf.lua.
+// Content that a .glb may not have; what it is: tests/lua/export_gltf.lua.
 #include "format/gltf.hpp"
 #include "message_of.hpp"
 

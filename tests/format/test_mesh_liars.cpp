@@ -289,7 +289,7 @@ TEST_CASE("a file that ends anywhere is an error or a mesh", "[files]") {
   }
 }
 
-// What is said of a file: why it is refused, or the one remark on it; empty: nothing.
+// The message on a file: why it is refused, or the one remark on it; empty: nothing.
 std::string said_of(const std::string& name, const std::string& bytes) {
   Remarks remarks;
   try {
@@ -325,7 +325,7 @@ TEST_CASE("a deck that was cut short is refused or remarked on", "[files]") {
   }
 }
 
-TEST_CASE("what is said of a deck that ends early, and of one that need not end later", "[files]") {
+TEST_CASE("messages on a deck that ends early, and on one that need not end later", "[files]") {
   const std::string part = "; if the file was cut short, part of the mesh is missing";
   const std::string nodes = "*NODE\n1,0,0,0\n2,1,0,0\n3,0,1,0\n",
                     inp = nodes + "*ELEMENT, TYPE=S3, ELSET=e\n1,1,2,3";

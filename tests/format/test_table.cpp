@@ -202,7 +202,7 @@ TEST_CASE("thousands are read where they cannot be decimals", "[files]") {
     CHECK(trouble("0.5;1\n0.5;1\n0.5;1\n0.5;1\n0.5;" + wrong + "\n").ends_with("got '" + wrong + "'"));
 }
 
-TEST_CASE("what stands in quotes is one cell, commas and doubled quotes in it") {
+TEST_CASE("a text in quotes is one cell, commas and doubled quotes in it") {
   const Table t = parse_table("a",
                               "\"Extension, total (mm)\",\"Load \"\"raw, set\"\" (N)\",Note\n0,0.5,\"a, b\"\n"
                               "1,2,\"a, \"\"b\"\", c\"\n2,3,d\n3,4,e\n4,5,f\n");

@@ -1,4 +1,4 @@
-// Cards as their files are read: any text is a card or an error. What is a card reads back from its own text,
+// Cards as their files are read: any text is a card or an error. A card reads back from its own text,
 // and its law answers or refuses. The text sees the constructors, polynomials and units; it can change
 // nothing that the next one would see.
 #include <cstdint>

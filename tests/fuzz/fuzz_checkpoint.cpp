@@ -1,4 +1,4 @@
-// What a checkpoint is read by, on any bytes. The first byte chooses: the file with its envelope; the lists
+// The readers of a checkpoint, on any bytes. The first byte chooses: the file with its envelope; the lists
 // of a state behind it, which only a checksum protects; a kept Lua table.
 #include <sys/mman.h>
 #include <unistd.h>

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Fuzzes one target on a copy of its corpus. Usage: run.sh <program> <tests/fuzz> <target> <seconds>
-# What it finds stays in the folder fuzz-<target> below the current one.
+# Its findings stay in the folder fuzz-<target> below the current one.
 set -eu
 program=$1 data=$2 target=$3 seconds=$4
 mkdir -p "fuzz-$target/corpus"

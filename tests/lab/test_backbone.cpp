@@ -11,7 +11,7 @@ using namespace fabricsh::lab;
 
 namespace {
 
-// What a pull of d with a stretch of contact shows against the nominal gauge.
+// The record of a pull of d with a stretch of contact, against the nominal gauge.
 Tension pulled(const std::vector<double>& d, double reach, double contact, int rows = 300) {
   Tension t;
   for (int i = 0; i < rows; ++i) {

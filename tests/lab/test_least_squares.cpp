@@ -53,7 +53,7 @@ TEST_CASE("the Jacobian is that of the parameters, within the bounds", "[lab]") 
   for (std::size_t i = 0; i < 6; ++i) CHECK(std::abs(found.jacobian[i] - want[i]) < 1e-9);
 }
 
-TEST_CASE("what data fix and what they cannot tell apart", "[lab]") {
+TEST_CASE("parameters that data fix, and parameters that they cannot tell apart", "[lab]") {
   const auto good = identifiability({2, 0, 0, 4}, {1, 1});
   CHECK(std::abs(good.deviation[0] - 0.5) < 1e-14);
   CHECK(std::abs(good.deviation[1] - 0.25) < 1e-14);
@@ -182,7 +182,7 @@ TEST_CASE("a process that is killed, one that throws no exception, and work that
   CHECK(stopped[2].error == "stopped");
 }
 
-TEST_CASE("what is attached comes along with values and with trouble, of copies alone", "[lab]") {
+TEST_CASE("an attachment is sent with values and with errors, of copies alone", "[lab]") {
   const auto work = [](std::size_t i) {
     if (i == 1) throw Error("no such cloth");
     return std::vector<double>(3 * i, 0.1);

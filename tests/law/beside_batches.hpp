@@ -8,7 +8,7 @@
 
 namespace fabricsh::test {
 
-// What a batch has for one of its points: stress, tangent, state and energies by number.
+// The values of a batch at one of its points: stress, tangent, state and energies by number.
 struct Lane {
   const std::vector<double>&stress, &tangent, &state, &energies;
   int lane;

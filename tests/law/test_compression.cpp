@@ -27,7 +27,7 @@ TEST_CASE("compression: thicknesses add up at every pressure that was measured")
   CHECK(both[1].first == Approx(0.65e-3).epsilon(1e-14));
   CHECK(both[1].second == 400);
   CHECK(both[2].first == Approx(1.1e-3).epsilon(1e-14));
-  // What nobody measured stays as thick as it is.
+  // A ply that nobody measured stays as thick as it is.
   CHECK(pressed_together({{a, 1, 0.5}, {{}, 0.4e-3, 0.5}})[1].first == Approx(0.5e-3).epsilon(1e-14));
   // Ranges that do not meet: monotone all the same.
   const Points apart = pressed_together({{a, 1, 1}, {{{1e-4, 9e5}, {2e-4, 8e5}}, 1, 1}});

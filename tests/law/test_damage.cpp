@@ -136,7 +136,7 @@ TEST_CASE("batches of breaking yarns agree with single points", "[law][damage]")
   CHECK(broken > 100);
 }
 
-TEST_CASE("what a breaking yarn refuses", "[law][damage]") {
+TEST_CASE("parts of a card that a breaking yarn refuses", "[law][damage]") {
   const auto refused = [](const auto& change, const std::string& words) {
     auto c = linear_card();
     change(woven(c));

@@ -14,7 +14,7 @@ TEST_CASE("closed loops of the potential law never make energy, whatever the opt
   for (int f = 0; f < 4; ++f) potential_loops(f, draws(100));
 }
 
-TEST_CASE("what the comparison laws make of closed loops", "[law][energy]") { comparison_loops(draws(500)); }
+TEST_CASE("closed loops of the comparison laws", "[law][energy]") { comparison_loops(draws(500)); }
 
 namespace {
 

@@ -8,6 +8,6 @@ TEST_CASE("100,000 closed loops per card never make energy", "[long][energy]") {
   for (int f = 0; f < 4; ++f) potential_loops(f, 100000);
 }
 
-TEST_CASE("what the comparison laws make of 100,000 closed loops per card", "[long][energy]") {
+TEST_CASE("100,000 closed loops of the comparison laws per card", "[long][energy]") {
   comparison_loops(100000);
 }

@@ -104,7 +104,7 @@ TEST_CASE("the tangent of shear that relaxes, against differences", "[law][visco
   CHECK(smooth > 3600);
 }
 
-TEST_CASE("what reads a stress reads the one that balanced the step", "[law][viscous]") {
+TEST_CASE("a reading of stress is the one that balanced the step", "[law][viscous]") {
   Random random(4);
   for (const auto kind : {card::LawKind::potential, card::LawKind::incremental, card::LawKind::thesis}) {
     LawPoint point(kind == card::LawKind::potential ? viscous_card() : thesis_card(0, kind));

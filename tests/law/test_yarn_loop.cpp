@@ -157,7 +157,7 @@ TEST_CASE("the tangent at a turn is that of loading on or of the way back, as as
   CHECK(slope(law::AtSwitch::unloading) == Approx(way.Du * (tail + first)).epsilon(1e-10));
 }
 
-TEST_CASE("what reads a stress of a curved loop reads the one that balanced the step", "[law][loop]") {
+TEST_CASE("a reading of stress of a curved loop is the one that balanced the step", "[law][loop]") {
   Random random(4);
   LawPoint point(with_loops(with_viscous(thesis_card(2))));
   for (int k = 0; k < 500; ++k) {

@@ -1,5 +1,5 @@
 #!/bin/sh
-# What luacheck finds in the Lua of the tree: names that nobody defined, values that nobody reads. Usage: lua.sh <root of the tree>
+# Faults that luacheck finds in the Lua of the tree: names that nobody defined, values that nobody reads. Usage: lua.sh <root of the tree>
 set -eu
 if ! command -v luacheck >/dev/null; then
   echo "SKIPPED: no luacheck (Debian's lua-check)"

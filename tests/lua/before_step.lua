@@ -1,4 +1,4 @@
--- What can be read of a run before its first step, and under --check, where there is never one.
+-- Readings of a run before its first step, and under --check, where there is never one.
 local fabric = require "fabric"
 
 local function strip(kind, fields)

@@ -1,5 +1,5 @@
 -- Bands of bending and of the biaxial spring: cards carry them, from cantilevers (fabric.lab.twist, fabric.lab.card) and from fits (found:card), write and read them, draw from
--- them, and fabric.budget varies them. What no band can hold is said with its interval.
+-- them, and fabric.budget varies them. A value that no band can hold is reported with its interval.
 local fabric = require "fabric"
 local lab = fabric.lab
 local warned = {}

@@ -49,7 +49,7 @@ assert(fy(same, "top") == fy(one, "top"), "a region of the same card changes a b
 assert(fy(other, "top") > 1.3 * fy(one, "top"))
 assert(other.model:list()[2].kind == "region" and other.model:list()[2].set == "pocket")
 
--- What a restart needs: the same bodies.
+-- A restart needs the same bodies.
 local function motion(step)
   local mm = fabric.model { bodies = {
     { name = "a", mesh = strip(), card = blend, warp = 90 },

@@ -141,7 +141,7 @@ do
   assert(select(3, a:body(body)) == z and a.energy.damping == damping and damping > 0)
 end
 
--- What is listed, taken back, and refused.
+-- Loads that are listed, taken back, and refused.
 do
   local body = disc(1)
   local m = far_from(body):force(body, { z = -4 }):moment(body, { x = 1 }):spring(body, { z = 5 }, { to = { 0, 0, 1 } }):damper(body, { x = 6 }):fix(body, "x rx ry rz")

@@ -62,7 +62,7 @@ for i, point in pairs(measured.warp.loading) do
 end
 assert(seen == 2000 and blend.bending == nil and blend.shear.measure == "tensor" and blend.kind == "woven")
 
--- What was read is the same table until it is written to; then it is the deck's own, and the card is what it was.
+-- A field that was read is the same table until it is written to; then it is the deck's own, and the card is as before.
 warp, loading = blend.warp, blend.warp.loading
 assert(blend.warp == warp and blend.warp.loading == loading)
 warp.poisson, loading[1], warp.new = 0.4, 0, true

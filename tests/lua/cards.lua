@@ -8,7 +8,7 @@ local function text_of(path)
   return file:read "a"
 end
 
--- What check() warns of, which the card's comment or, for the thesis' four, the page explains.
+-- Warnings of check(), which the card's comment or, for the thesis' four, the page explains.
 local warned = {
   aramid = "guard.shear", blend = "bending.weft", cloth049 = "bending.weft", cloth440 = "bending.warp", denim = "bending.warp bending.weft",
   duck = "bending.warp bending.weft", glass = "guard.warp guard.weft", tarpaulin = "guard.shear bending.warp bending.weft",

@@ -83,7 +83,7 @@ for _, case in ipairs { { 10, 0.3 }, { 30, 0.3 }, { 30, 0 } } do
   assert(a.energy.error < 1e-3, a.energy.error)
 end
 
--- What is refused.
+-- Calls that are refused.
 local ball = fabric.rigid.sphere { radius = 0.005, centre = { 0.01, 0.01, 0.02 } }
 local heavy = fabric.rigid.sphere { radius = 0.005, centre = { 0.01, 0.01, 0.02 }, mass = 0.01, name = "shot" }
 local function sheet() return fabric.model { mesh = fabric.mesh.rectangle { width = 0.02, height = 0.02, nx = 4, ny = 4 }, card = card } end

@@ -1,5 +1,5 @@
 -- Closed forms of contact through the program's own runs: what share/doc/contact.md has in its table, in the forms that take seconds.
--- What refines further is in scripts/contact and scripts/long/contact.
+-- Finer meshes are in scripts/contact and scripts/long/contact.
 local fabric = require "fabric"
 local brute = dofile((arg[0]:gsub("[^/]*$", "../../scripts/contact/brute.lua")))
 local thickness, density, g = 0.4e-3, 600, 9.81

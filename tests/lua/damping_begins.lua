@@ -114,7 +114,7 @@ cycles:move("top", { y = fabric.history { { 0, 0 }, { 0.1, way }, { 0.16, 0.2 * 
 local driven = fabric.dynamic { model = cycles, duration = 0.4, scheme = "implicit", step = 5e-3, damping = { mass = 60 } }:solve()
 assert(driven.time == 0.4 and driven.energy.error < 0.02, driven.energy.error)
 
--- Two sheets fall on a floor, a soft one below a stiff one. What alpha loses of the energy of the stiff one is not in its own sum: where a hundredth is
+-- Two sheets fall on a floor, a soft one below a stiff one. The energy that alpha loses of the stiff one is not in its own sum: where a hundredth is
 -- missing, the loss is all that is missing.
 local function sheet(nx, ny, turn, tilt, z0)
   local cell, c, s, up, along = 9e-3, math.cos(turn), math.sin(turn), math.sin(tilt), math.cos(tilt)

@@ -99,7 +99,7 @@ do
   assert(a.energy.contact > 0 and a.energy.contact < 0.01 * a.energy.stored and not said(a, "pressed"))
 end
 
--- What turns freely, and nothing turns, is no obstacle: the rim of a blown disc is free in its plane, and the disc about its axis.
+-- A part that turns freely, and that nothing turns, is no obstacle: the rim of a blown disc is free in its plane, and the disc about its axis.
 local disc = fabric.mesh.disk { radius = 90 * mm, cells = 6 }
 local film = fabric.svk { young = 60e6, poisson = 0.3, density = 900, thickness = 0.1 * mm, bending = { warp = 2e-6, weft = 2e-6, twist = 1e-6 } }
 local m = fabric.model { mesh = disc, card = film, warp = 0 }

@@ -52,7 +52,7 @@ assert(one == check.child("--threads 2 --restart dress.ckpt", "whole"), "bits af
 -- Edges that meet are sewn from the start; the cloth on either side of them may touch itself.
 assert(sleeve { closed = true, duration = 1e-3 }:solve().joints.closed == 7)
 
--- What starts through the arm, inside it, or too near to it.
+-- A sleeve that starts through the arm, inside it, or too near to it.
 fails("overlap at the start", sleeve, { radius = 30 * mm, up = 8 * mm })
 fails("starts inside the arm, which bounds a solid", sleeve, { radius = 24 * mm })
 fails("dress: the model has no contact", function() fabric.lab.dress { analysis = sleeve { apart = true }, at = 0.1 } end)

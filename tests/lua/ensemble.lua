@@ -70,7 +70,7 @@ end
 near(e.correlation[2], found.of_noise.correlation[2], 0.03, "line: correlation")
 assert(problem.parameters[1].start == 1) -- the deck's own table is left as it was
 
--- What fails counts as impossible and is told; a chain that is too short says so first.
+-- A failed evaluation counts as impossible and is reported; a chain that is too short says so first.
 local function half(p)
   if p.x < 0 then error("no such cloth", 0) end
   return -p.x ^ 2 / 2

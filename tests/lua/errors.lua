@@ -105,7 +105,7 @@ end
 
 local function ranged(argument) return argument.low > -math.huge or argument.high < math.huge end
 
--- What a row's messages cover: signatures of arguments, and the words range, missing, unknown.
+-- The coverage of a row by its messages: signatures of arguments, and the words range, missing, unknown.
 local function covered(row)
   local seen = {}
   for _, message in ipairs(messages[row.name] or {}) do
@@ -147,7 +147,7 @@ for name in pairs(messages) do
   if not known then miss("a case for '%s', which is not there", name) end
 end
 
--- What a message names is in one order from one start of the program to the next, which Lua's own order of a table is not.
+-- The names in a message are in one order from one start of the program to the next, which Lua's own order of a table is not.
 do
   local ok, message = pcall(fabric.mesh.rectangle, { width = 1, zebra = 1, apple = 1, mango = 1 })
   if ok or not tostring(message):find("'apple'", 1, true) then miss("of several unknown fields not the first in the alphabet: %s", message) end

@@ -52,7 +52,7 @@ local function json(text)
   return out
 end
 
--- The file as a table, with gltf.read(accessor) -> a list of numbers or triples. What the format asks for is checked on the way.
+-- The file as a table, with gltf.read(accessor) -> a list of numbers or triples. The demands of the format are checked on the way.
 local function open(path)
   local file <close> = assert(io.open(path, "rb"))
   local bytes = file:read "a"

@@ -72,7 +72,7 @@ for _, file in ipairs { "looped.rad", "looped.inp" } do
     and l.notes[1]:find "a stress%-strain loop is lost: card:with{ warp={ loop={...} } gives one" and l.report:find("- warp: the file unloads along a curve", 1, true), l.report)
 end
 
--- What else has no place in another solver's law is said.
+-- Other parts that have no place in another solver's law are reported.
 local rich = fabric.card("blend"):with { viscous = { shear = { modulus = 5 * MPa, time = 10 } }, compression = { { 0.3e-3, 1e3 }, { 0.2e-3, 1e5 } } }
 local said = fabric.export.card({ card = rich, to = "abaqus" }).report:gsub("\n *[*]* *", " ")
 assert(said:find("viscous: stress that relaxes with time, is lost (shear modulus 5e+06 Pa, shear time 10 s); what is written is the answer to a pull too quick for time to matter", 1, true), said)
@@ -103,7 +103,7 @@ do
   assert(#r.notes == 1 and r.notes[1]:find "^shear: line %d+ of the file says that it was not tested", r.report)
 end
 
--- What is said of curved loops and of friction is what the material takes: secants at the tested strains, the way up alone, or the ways up and down.
+-- The report on curved loops and on friction gives what the material takes: secants at the tested strains, the way up alone, or the ways up and down.
 do
   local rubbing = looped:with { shear = { friction = { stress = 1e4, growth = 1e4 } } }
   local secant = { "the warp loads and unloads along one straight line there", "only the secant at the tested shear is written" }

@@ -57,7 +57,7 @@ for _, how in ipairs { { "explicit", false }, { "explicit", true }, { "implicit"
   end
 end
 
--- A film that thins above 0.02 m/s: the sheet against the integral of its one equation, m dv/dt = -drag v (1 + (v/v0)^2)^((n-1)/2). What it takes only grows,
+-- A film that thins above 0.02 m/s: the sheet against the integral of its one equation, m dv/dt = -drag v (1 + (v/v0)^2)^((n-1)/2). Its loss only grows,
 -- also where a force draws the sheet to and fro.
 local function thinned(drag, v0, n, v, time)
   local steps = 20000
@@ -106,7 +106,7 @@ do
   assert(x == again and y == too and friction == a.energy.friction)
 end
 
--- What they are is listed, and told apart.
+-- Films are listed, and told apart.
 do
   local _, m = slides { friction = { warp = 0.2, weft = 0.3 }, film = { viscosity = 0.02, thickness = 0.5e-3 }, velocity = { 0.2, 0.1 }, duration = 2e-3 }
   assert(tostring(m:list()):find "friction 0.2 along the warp, 0.3 across, film of 0.02 Pa s, 0.0005 m", tostring(m:list()))

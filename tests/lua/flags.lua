@@ -1,4 +1,4 @@
--- What is odd in single records stands in the result of a folder and in its report: slip, a zero that drifts, an extensometer that was taken off, two tests in one file.
+-- Oddities of single records stand in the result of a folder and in its report: slip, a zero that drifts, an extensometer that was taken off, two tests in one file.
 local fabric = require "fabric"
 local folder, report = require "fabric.lab.folder", require "fabric.lab.report"
 local draw = require "fabric.lab.random"(41)

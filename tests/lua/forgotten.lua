@@ -1,4 +1,4 @@
--- What is forgotten is named: a run in which nothing loads or moves, a model that is free in some ways. A flat membrane under pressure is no such model.
+-- Forgotten inputs are named: a run in which nothing loads or moves, a model that is free in some ways. A flat membrane under pressure is no such model.
 -- warns: nothing loads or moves
 local fabric = require "fabric"
 local mm = fabric.units.mm

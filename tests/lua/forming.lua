@@ -57,7 +57,7 @@ assert(stack.angles[#stack.angles].ply == 2 and not stack.trouble and stack.curv
 local gap = form { holder = { gap = 0.3 * mm }, quarter = true, cells = 5, stroke = 1.5 * mm }
 assert(gap.curve[#gap.curve].holder > 0 and not gap.trouble)
 
--- What a die does not tell follows from the punch; the deck's own tables stay as they are.
+-- Fields that a die does not give follow from the punch; the deck's own tables stay as they are.
 do
   local punch, die = { radius = 12 * mm }, {}
   local least = form { punch = punch, die = die, quarter = true, cells = 8, stroke = 1 * mm }

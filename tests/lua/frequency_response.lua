@@ -123,7 +123,7 @@ for _, tri in ipairs { false, true } do
     check(("cantilever pushed at %.2f"):format(part) .. of, other.amplitude, 2e-4 * size(over({ d[1] - a[1], d[2] - a[2] }, stiff)), 0.01)
   end
 
-  -- What a force at one place does at another one, it does there from here.
+  -- Reciprocity: a force here moves the other place as a force there moves this one.
   local here, there = mesh:set "right"[1], mesh:set "top"[6]
   local go = fabric.lab.frequency_response { model = m, force = { set = here, z = 1e-3 }, damping = eta, node = there, lowest = 1, highest = 60, count = 24 }
   local back = fabric.lab.frequency_response { model = m, force = { set = there, z = 1e-3 }, damping = eta, node = here, lowest = 1, highest = 60, count = 24 }

@@ -1,4 +1,4 @@
--- What closes a volume besides cloth: seams, planes of symmetry, lids on free rims. And bags in motion.
+-- Closures of a volume besides cloth: seams, planes of symmetry, lids on free rims. And bags in motion.
 local fabric = require "fabric"
 local near = dofile((arg[0]:gsub("[^/]*$", "common/check.lua"))).near
 local card = fabric.svk { young = 30e6, poisson = 0.25, density = 700, thickness = 0.3e-3 }

@@ -19,7 +19,7 @@ for _, make in ipairs { function(m) return fabric.static { model = m, duration =
   says("symmetry: set 'bottom': expected nodes in a plane normal to x, got x from 0 to 0.04 m", function() make(sheet(0, "bottom")) end)
 end
 
--- What the program says, run as a user does.
+-- The messages of the program, run as a user does.
 local function talk(name, deck)
   local file = assert(io.open(name .. ".lua", "w"))
   file:write("local fabric = require 'fabric'\nlocal mm = fabric.units.mm\nlocal card = fabric.card('blend', { bending='estimated' })\n", deck)

@@ -1,4 +1,4 @@
--- Half models with bodies: a half model with half a body goes as the whole; what is not symmetric is refused.
+-- Half models with bodies: a half model with half a body moves like the whole one; what is not symmetric is refused.
 local fabric = require "fabric"
 local card = fabric.card("blend", { bending = "estimated" })
 
@@ -78,7 +78,7 @@ says("velocity: the sphere is cut by the plane of symmetry x = 0 m of set 'left'
 says("expected a velocity in the plane", function() half_with(ball(0), { spin = { 0, 0, 90 } }) end)
 half_with(ball(0.02), { x = 0.1 }):solve() -- one that the plane does not cut is free
 
--- What pushes is symmetric, too: gravity across the plane would pull the part that is left out the other way.
+-- Loads are symmetric, too: gravity across the plane would pull the part that is left out the other way.
 local function hung(gravity, planes)
   local mesh = fabric.mesh.rectangle { width = 0.03, height = 0.06, nx = 3, ny = 6 }
   local m = fabric.model { mesh = mesh, card = card, warp = 0 }
@@ -114,7 +114,7 @@ says("model: the sphere is cut by the plane of symmetry x = 0 m of set 'left' of
 says("model: the cylinder is cut by the plane of symmetry x = 0 m of set 'left' off its middle", function() beside(along(-0.001, 0)) end)
 for _, body in ipairs { still(0), still(0.006), along(0, 0), along(0.005, 0), along(0, 0.01) } do beside(body) end
 
--- A quarter of a sheet that falls on a ball goes as the whole one: its squares are cut for contact along mirrored diagonals.
+-- A quarter of a sheet that falls on a ball moves like the whole one: its squares are cut for contact along mirrored diagonals.
 for _, case in ipairs { { 5, 0, 1e-12 }, { 6, 0, 1e-12 }, { 6, 0.2, 1e-12 } } do
   local n, friction, near = table.unpack(case)
   local function fallen(quarter)

@@ -1,4 +1,4 @@
--- What a signal, a full disk or an error ends leaves no trace in kept tables: rows that are made again are counted once, hooks that had not run are run, and
+-- A step ended by a signal, a full disk or an error leaves no trace in kept tables: rows that are made again are counted once, hooks that had not run are run, and
 -- values that events were asked for in a step that was taken back do not count.
 local fabric = require "fabric"
 local program = ("'%s' --quiet"):format(arg[-1])

@@ -116,7 +116,7 @@ assert(flat == 0 and hard < -1 and rise > 20 * mm and math.abs(push) < 0.1 and m
        ("rise %g m, push %g N, held flat %g N, ledger %g"):format(rise, push, hard, made))
 fabric.expect(rows)
 
--- What can't be is refused with its field.
+-- An impossible value is refused with its field.
 for _, case in ipairs {
   { "grips.lateral", { card = blend, grips = { lateral = -1 } } },
   { "grips", { card = blend, grips = "loose" } },

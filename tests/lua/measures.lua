@@ -1,4 +1,4 @@
--- What a textile laboratory reads: nominal strain and stress, true stress, tensions, the share of what was tested; a run that
+-- Readings of a textile laboratory: nominal strain and stress, true stress, tensions, the share of what was tested; a run that
 -- stops beyond it, and one that stops where a force is reached.
 local fabric = require "fabric"
 

@@ -55,7 +55,7 @@ refused("bad.msh: the file is empty", fabric.mesh.read, write("bad.msh", ""))
 refused("bad.vtu:1: expected <VTKFile>, got <html>", fabric.mesh.read, write("bad.vtu", "<html></html>"))
 refused("bad.vtk:1: expected a .vtk file", fabric.mesh.read, write("bad.vtk", ("\0\255"):rep(1000)))
 
--- What is written as .msh is read by meshio, with the sets: the elements' group, and each set's nodes.
+-- A mesh written as .msh is read by meshio, with the sets: the elements' group, and each set's nodes.
 local meshio = [[%s -c "
 import meshio
 mesh = meshio.read('out/disk.msh')
@@ -76,7 +76,7 @@ else
   print "SKIPPED: meshio is not installed (apt install python3-meshio), so that it does not read our .msh"
 end
 
--- What a deck holds beside its mesh is data of the mesh, by statement, with the first line and how often.
+-- The content of a deck beside its mesh is data of the mesh, by statement, with the first line and how often.
 do
   local stem = os.tmpname()
   local function read(ending, text)

@@ -1,4 +1,4 @@
--- What is often done wrong with patterns, seams and bodies, and what is said of it: each is refused before anything is computed, with the place and what was expected.
+-- Frequent mistakes with patterns, seams and bodies, and their messages: each is refused before anything is computed, with the place and what was expected.
 local fabric = require "fabric"
 local mm = fabric.units.mm
 local card = fabric.card("blend", { bending = "estimated" })

@@ -24,7 +24,7 @@ for _, name in ipairs(bad) do
   fails("expected a name in UTF-8", fabric.rigid.sphere, { radius = 0.1, centre = { 0, 0, 0 }, name = name })
 end
 
--- What a name may have comes back from every file that keeps sets, and the file is XML.
+-- Every character that a name may have comes back from every file that keeps sets, and the file is XML.
 local good = { "left & <right>", "\"quoted\" 'twice'", "gr\195\182\195\159e", "\229\184\131", "\240\159\167\181 thread" }
 for i, name in ipairs(good) do mesh:set(name, { i, i + 1 }) end
 mesh:write(folder .. "/sets.vtu")

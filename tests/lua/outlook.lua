@@ -1,4 +1,4 @@
--- What a mesh can show, before a run: folds by weight and on flesh beside the elements, and what it means for a sheet that is held flat, pulled,
+-- Details that a mesh can show, before a run: folds by weight and on flesh beside the elements, and what it means for a sheet that is held flat, pulled,
 -- hung, or pressed by a body.
 local fabric = require "fabric"
 local mm, MPa = fabric.units.mm, fabric.units.MPa

@@ -73,7 +73,7 @@ for _, word in ipairs(words) do
   local missing = svg.missing(svg.read(content(file)), { word, word .. "t", word .. "x", word .. "k" })
   assert(not missing, missing)
 end
--- What no text may hold is replaced.
+-- Characters that no text may hold are replaced.
 assert(fabric.plot { file = file, title = "a\tb\1c\255d\xed\xa0\x80e", curves = { { x = { 0, 1 }, y = { 0, 1 } } } })
 assert(not svg.missing(svg.read(content(file)), { "a b c\u{fffd}d\u{fffd}\u{fffd}\u{fffd}e" }))
 os.remove(file)

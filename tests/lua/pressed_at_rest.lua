@@ -1,4 +1,4 @@
--- What is pressed at rest has no velocity in any implicit scheme beside contact, and its kinetic energy is gone: for schemes that damp,
+-- Cloth that is pressed at rest has no velocity in any implicit scheme beside contact, and its kinetic energy is gone: for schemes that damp,
 -- by gamma or hht, in quadrilaterals and triangles, by pressure, by weight and between two plates.
 local fabric = require "fabric"
 local mm = fabric.units.mm

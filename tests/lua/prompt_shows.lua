@@ -1,4 +1,4 @@
--- What the prompt shows: objects as physics, long lists by their range, help with values. Each case is what is typed and the
+-- Values at the prompt: objects as physics, long lists by their range, help with values. Each case is what is typed and the
 -- whole of what comes; they are typed into one session.
 local cases = {
   -- meshes
@@ -196,7 +196,7 @@ for i, case in ipairs(cases) do
 end
 assert(missed == 0, missed .. " cases missed")
 
--- What help says of every row and of every word in a name: it must not fail, and a row's page names every argument.
+-- Help on every row and on every word in a name: it must not fail, and a row's page names every argument.
 local fabric = require "fabric"
 local registry = require "fabric.define".registry
 local said = {}

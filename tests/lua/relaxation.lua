@@ -49,7 +49,7 @@ do
   assert(#a.steps == 4, #a.steps)
 end
 
--- What does nothing is told, in one line a reason; values that are the usual ones are not.
+-- Options without effect are reported, in one line a reason; values that are the usual ones are not.
 do
   local function talk_of(deck)
     local file = assert(io.open("idle.lua", "w"))

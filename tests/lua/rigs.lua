@@ -106,7 +106,7 @@ do
   near(volume(straight), math.pi * 0.1 * 0.05 * 0.4 + 4 / 3 * math.pi * 0.1 * 0.05 * 0.05, 5e-3, "volume of a trunk")
 end
 
--- What is refused.
+-- Calls that are refused.
 fails("limb: field 'radii': expected three radii", limb, { radii = { 0.04, 0.03 } })
 fails("limb: field 'joint': the inner side of a joint of 0.05 m folds over when it is bent by 90 degrees at a radius of 0.04 m: expected at least 0.0661 m", limb,
   { bend = 90, joint = 0.05 })

@@ -37,7 +37,7 @@ for _, size in ipairs { 30 * mm, 45 * mm } do
 end
 assert(range(45 * mm, card.thickness) < card.thickness / 2)
 
--- What is drawn through the trunk too fast is said before the first step, with the time that would do. The time asked for is in proportion to what contact stops.
+-- A seam drawn through the trunk too fast is reported before the first step, with the time that would do. The time asked for is in proportion to what contact stops.
 local slow, fast, thin = said(vest(45 * mm, 0.4, 0.5)), said(vest(45 * mm, 0.03, 0.5)), said(vest(45 * mm, 0.4, 0.5, card.thickness))
 print(fast, thin)
 assert(not slow, slow)

@@ -1,4 +1,4 @@
--- What must not be taken in silence, and what must not be told in the system's own words.
+-- Mistakes that must not be taken in silence, or reported in the system's own words.
 local fabric = require "fabric"
 
 local function fails(f, ...)

@@ -1,4 +1,4 @@
--- What makes nodes, facets, shapes, rows or cells from a number or a file is refused before it fills the memory, with what was expected.
+-- A call that makes nodes, facets, shapes, rows or cells from a number or a file is refused before it fills the memory, with what was expected.
 local fabric = require "fabric"
 local fails = dofile((arg[0]:gsub("[^/]*$", "common/check.lua"))).fails
 local rigid, panel = fabric.rigid, fabric.mesh.panel

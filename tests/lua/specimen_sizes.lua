@@ -44,7 +44,7 @@ local seam = fabric.lab.seam_strength { card = svk(40e3), yarn = "weft", strengt
   ledger_limit = 0.02 }
 near("strength of a seam", seam.strength, 4e3, 0.02)
 
--- What is assumed where an instrument measures nothing.
+-- Assumptions where an instrument measures nothing.
 local function fast(ratio)
   return fabric.lab.fast_card { name = "suit", thickness = 5e-4, density = 400, warp = { E20 = 0.9, E100 = 2.5, B = 8 }, weft = { E20 = 1.2, E100 = 4, B = 6 }, EB5 = 4,
     poisson = { warp = 0.2, weft = 0.2 }, unloading_ratio = ratio }

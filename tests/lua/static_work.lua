@@ -34,7 +34,7 @@ for _, step in ipairs { 0.5, 0.02 } do
   fabric.expect { { ("around a centre, steps of %g: work, J"):format(step), a.energy.external, a.energy.stored, relative = 2e-3 } }
 end
 
--- What turns as a whole does no work, unloaded or blown up: the pressure's work is that of the sheet that stands.
+-- A sheet that turns as a whole does no work, unloaded or blown up: the pressure's work is that of the sheet that stands.
 local function turned(step, degrees, pressure)
   local mesh = fabric.mesh.rectangle { width = L, height = 0.06, nx = 8, ny = 4 }
   local m = fabric.model { mesh = mesh, card = sheet, warp = 0 }

@@ -26,7 +26,7 @@ for _, case in ipairs { { "warp", E, strength }, { "weft", 0.6 * E, 0.7 * streng
   assert(test.kinetic < 0.01 and test.analysis.energy.error < 1e-3)
 end
 
--- Legs that do not stretch: the grips move 2 a apart while a tear grows by a, so that F = G / 2. On two meshes, the finer in the long form; G is 20 J/m. What motion takes
+-- Legs that do not stretch: the grips move 2 a apart while a tear grows by a, so that F = G / 2. On two meshes, the finer in the long form; G is 20 J/m. The energy of motion
 -- beside that is 1 to 2 %, and less the slower: half of it is the swinging of the legs.
 local function trouser(more)
   local t = { card = plain:with { rupture = { weft = { strength = 15e3, energy = 20 } } }, width = 24 * mm, leg = 20 * mm, tear = 32 * mm, speed = 0.8 }

@@ -1,4 +1,4 @@
--- What a run says of itself reaches a batch: in Lua, run.json, the results of virtual tests, the table of a study; and as an exit code.
+-- Warnings of a run reach a batch: in Lua, run.json, the results of virtual tests, the table of a study; and as an exit code.
 local fabric = require "fabric"
 local define = require "fabric.define"
 

@@ -68,7 +68,7 @@ print(("sewn at %.4g s"):format(dressed.time))
 assert(dressed.at_rest and dressed.open == 0 and dressed.time == b.time and dressed.stopped == "at rest")
 assert(b.time >= 0.035 * (1 - 1e-9) and b.time < 0.1)
 
--- What is pulled or turned slowly has next to no kinetic energy, and does not rest before it stands; a load that comes later is not waited for.
+-- Cloth that is pulled or turned slowly has next to no kinetic energy, and does not rest before it stands; a load that comes later is not waited for.
 for _, scheme in ipairs { "implicit", "explicit" } do
   local soft = fabric.svk { young = 20e6, poisson = 0, density = 600, thickness = 0.4 * mm, bending = { warp = 2e-5, weft = 2e-5, twist = 1e-5 } }
   local function pulled(history)

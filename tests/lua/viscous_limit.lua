@@ -1,4 +1,4 @@
--- What relaxes is concluded only where no choice of the largest angle turns it round: a fast record that is stiffer at first and softer later tells nothing, and the
+-- Relaxation is concluded only where no choice of the largest angle turns it round: a fast record that is stiffer at first and softer later tells nothing, and the
 -- ratio of the records against the angle shows why.
 local fabric = require "fabric"
 local lab = fabric.lab

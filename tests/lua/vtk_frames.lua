@@ -1,4 +1,4 @@
--- What a frame of a:vtk holds, read back by VTK itself and by meshio: points, tensors, units, sets, reactions, averages.
+-- The content of a frame of a:vtk, read back by VTK itself and by meshio: points, tensors, units, sets, reactions, averages.
 local fabric = require "fabric"
 local mesh = fabric.mesh.rectangle { width = 0.02, height = 0.03, nx = 2, ny = 3 }
 mesh:set("E", { 1, 2 }) -- named as a field is

@@ -1,4 +1,4 @@
--- What a run says of itself, once each: strain beyond what was tested, loads that jump, bending that no cloth has,
+-- Warnings of a run, once each: strain beyond what was tested, loads that jump, bending that no cloth has,
 -- velocities that are dropped, motions in a wrong unit, supports that leave a mechanism.
 local fabric = require "fabric"
 
@@ -23,7 +23,7 @@ end
 local function near(got, wanted, tolerance)
   assert(math.abs(got - wanted) <= (tolerance or 1e-12) * math.abs(wanted), ("%.17g, wanted %.17g"):format(got, wanted))
 end
--- What the program says of a deck; its exit code.
+-- Messages of the program on a deck; its exit code.
 local head = [[
 local fabric = require "fabric"
 local mesh = fabric.mesh.rectangle { width = 0.0254, height = 0.0762, nx = 1, ny = 3 }

@@ -60,7 +60,7 @@ local whole = gathered(true)
 local again = gathered "again"
 assert(whole.text == again.text and #again.rows == #whole.rows)
 
--- What is no surface, and no surface of that mesh.
+-- Sets that are no surface, or no surface of that mesh.
 local _, slab, face = lying(false)
 do
   local ball = fabric.rigid.sphere { radius = 10 * mm, centre = { 0, 0, -11 * mm } }

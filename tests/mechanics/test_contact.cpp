@@ -184,7 +184,7 @@ TEST_CASE("contact: a rollback takes back the couplings of the states that were 
   REQUIRE(tried != clean);
   a.rollback();
   CHECK(pattern_at(a, still) == clean);
-  // What was committed stays.
+  // The committed pattern stays.
   a.rollback();
   pattern_at(a, slide);
   a.commit(1);

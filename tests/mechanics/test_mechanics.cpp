@@ -132,7 +132,7 @@ TEST_CASE(
         const auto errors = tangent_errors(a);
         INFO("height " << height << ", " << points << " points, errors " << errors[0] << " " << errors[1]);
         // In these directions no point passes a switch of the law within the smaller step.
-        // What is left falls with the square of the step.
+        // The rest of the error falls with the square of the step.
         CHECK(errors[1] < std::max(1e-8, errors[0] / 100));
       }
 }

@@ -52,7 +52,7 @@ TEST_CASE("the law's state is the last evaluated one, and the committed one afte
   CHECK(law(s) == 7);
 }
 
-TEST_CASE("what is kept brings back configuration and law, whatever was tried since") {
+TEST_CASE("a kept state brings back configuration and law, whatever was tried since") {
   Configuration c(2);
   LawStates s(3);
   c.x()[4] = 5;

@@ -1,4 +1,4 @@
-// What a term may ask of the assembly: couplings that come and go, limits, outcomes.
+// Requests of a term to the assembly: couplings that come and go, limits, outcomes.
 #include <random>
 
 #include "catch.hpp"

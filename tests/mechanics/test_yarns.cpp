@@ -110,7 +110,7 @@ TEST_CASE("on a curved sheet the yarns follow the layer at which they are read")
     CHECK(std::abs(std::acos(a.cloth().readings().yarns(e).first.y()) - angle) < 0.1 * degree);
 }
 
-TEST_CASE("what is wrong with an element is told from what a warp function says") {
+TEST_CASE("a fault of an element is told apart from an error of a warp function") {
   auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(0.02, 0.01, 2, 1));
   const auto fails = [&](const model::Options& options) {
     return message_of([&] {

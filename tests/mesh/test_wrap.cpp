@@ -162,7 +162,7 @@ TEST_CASE("the warp of a panel goes with a map and with joined meshes", "[mesh][
   CHECK(join({{"b", b}, {"c", c}}).warp.empty());
 }
 
-TEST_CASE("what cannot be wrapped is refused, and no node moves", "[mesh][wrap]") {
+TEST_CASE("a mesh that cannot be wrapped is refused, and no node moves", "[mesh][wrap]") {
   const auto refused = [](const Wrap& shape, Index cells = 20) {
     Mesh mesh = rectangle(0.4, 0.2, cells, 4);
     const auto before = mesh.nodes;

@@ -1,4 +1,4 @@
-// What a model is told: one list, whose numbers are checked by rows of fields.
+// Declarations of a model: one list, whose numbers are checked by rows of fields.
 #include "catch.hpp"
 #include "message_of.hpp"
 #include "model/declaration_rows.hpp"

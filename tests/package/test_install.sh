@@ -1,5 +1,5 @@
 #!/bin/sh
-# What `cmake --install` puts down works where it stands: the program finds its Lua modules and cards, a C++ project
+# The tree that `cmake --install` writes works where it stands: the program finds its Lua modules and cards, a C++ project
 # finds the core and gets the closed form. Usage: test_install.sh <cmake> <build folder> <source folder>
 set -eu
 prefix=$(mktemp -d)

@@ -82,7 +82,7 @@ TEST_CASE("the spline meets every pixel, and a smooth picture between them", "[l
     }
 }
 
-TEST_CASE("what the spline makes of noise", "[lab]") {
+TEST_CASE("variance of noise in the spline", "[lab]") {
   Image image{400, 300, {}};
   std::mt19937_64 random(3);
   std::normal_distribution<double> normal(0, 1);
@@ -121,7 +121,7 @@ TEST_CASE("shifts of parts of a pixel come back within 0.006 pixels without nois
   }
 }
 
-TEST_CASE("what noise does to a displacement is told", "[lab]") {
+TEST_CASE("the effect of noise on a displacement is told", "[lab]") {
   for (const double noise : {0.01, 0.02, 0.04}) {
     double squares = 0, told = 0, n = 0;
     for (int k = 0; k < 6; ++k) {
@@ -176,7 +176,7 @@ TEST_CASE("strains, turns and large ways", "[lab]") {
   }
 }
 
-TEST_CASE("what leaves the picture is lost and found again, and a blank patch is told", "[lab]") {
+TEST_CASE("a patch that leaves the picture is lost and found again, and a blank patch is told", "[lab]") {
   Speckles s = speckles();
   Image first = draw(s);
   for (int row = 90; row < 150; ++row)

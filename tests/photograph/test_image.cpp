@@ -71,7 +71,7 @@ TEST_CASE("a picture is the same the right way up in every format", "[files]") {
   check_ramp(folder / "screen.bmp", 1e-6);
 }
 
-TEST_CASE("what is no picture is said so", "[files]") {
+TEST_CASE("a file that is no picture is said so", "[files]") {
   says(message_of([&] { parse_image("text.png", "not a picture"); }), "expected a png file");
   says(message_of([&] { check_ending("film.gif"); }), "expected a name ending in .png");
 }
@@ -125,7 +125,7 @@ TEST_CASE("a damaged picture is refused or read, and the program lives on", "[fi
     }
 }
 
-TEST_CASE("what a picture says of its size is not believed", "[files]") {
+TEST_CASE("the size that a picture gives is not believed", "[files]") {
   const auto all = pictures();
   std::string png = all[0].second;
   const auto claim = [&](char high) {

@@ -90,7 +90,7 @@ TEST_CASE("a figure that cannot be says why and leaves the old one", "[files]") 
   CHECK(folder.listing() == Names{"a.svg"});
 }
 
-TEST_CASE("what a logarithmic axis cannot show is counted", "[files]") {
+TEST_CASE("points that a logarithmic axis cannot show are counted", "[files]") {
   const ScratchFolder folder;
   const double gap = std::numeric_limits<double>::quiet_NaN();
   Figure f{"", {""}, {"", {}, {}, true}, {{"k", {0, 1, 2, 3}, {-1, 0, gap, 5}}, {"", {1, 2}, {1, 2}}}};

@@ -136,7 +136,7 @@ TEST_CASE("ticks stand at steps of 1, 2 or 5, with a common number of decimals",
   const Scale tight = scale_of({}, -2e-5, 3e-5, 150, 8, true);
   CHECK(tight.low <= -2e-5);
   CHECK(tight.high >= 3e-5);
-  // What is left of a rounding below zero moves no axis.
+  // The rest of a rounding below zero moves no axis.
   CHECK(scale_of({}, -1e-6, 20, 150, 8, true).low == -1e-6);
   CHECK(message_of([&] { scale_of({}, -1.7e308, 1.7e308, 150, 8, false); }).find("on one axis") !=
         std::string::npos);

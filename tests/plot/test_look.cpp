@@ -15,7 +15,7 @@ namespace {
 using Colour = std::array<double, 3>;
 using Matrix = std::array<Colour, 3>;
 
-// What is seen of linear red, green and blue without one kind of cones (G. Machado, M. Oliveira, L.
+// Linear red, green and blue as seen without one kind of cones (G. Machado, M. Oliveira, L.
 // Fernandes, IEEE Transactions on Visualization and Computer Graphics 15, 2009; severity 1).
 const std::array<Matrix, 4> eyes = {
     {{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},

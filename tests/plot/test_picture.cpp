@@ -52,7 +52,7 @@ TEST_CASE("a line end in a title stays inside it") {
   CHECK(q.title == "one png /etc/two");
 }
 
-TEST_CASE("what is not a picture is refused with its line") {
+TEST_CASE("a file that is not a picture is refused with its line") {
   for (const std::string bad : {"colour blue", "width wide", "label before its panel"}) {
     std::istringstream text(bad + "\n");
     CHECK(message_of([&] { read_picture(text); }).find(bad) != std::string::npos);

@@ -20,7 +20,7 @@ import subprocess
 subprocess.run([sys.executable, str(kernel), "install"], check=True, stdout=subprocess.DEVNULL)
 assert json.loads((data / "kernels/fabricsh/kernel.json").read_text())["display_name"] == "fabricsh"
 
-# What a shell starts in the background has Ctrl-C ignored, which programs inherit.
+# A program that a shell starts in the background has Ctrl-C ignored, which programs inherit.
 signal.signal(signal.SIGINT, signal.default_int_handler)
 
 from jupyter_client.manager import KernelManager

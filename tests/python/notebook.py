@@ -24,7 +24,7 @@ cells = [cell for cell in notebook["cells"] if cell["cell_type"] == "code"]
 
 
 def shown_by(code, names):
-    """What the cell prints, and its last expression's value as text, None without."""
+    """The output of the cell, and its last expression's value as text, None without."""
     body = ast.parse(code).body
     value = body.pop() if body and isinstance(body[-1], ast.Expr) else None
     said = io.StringIO()

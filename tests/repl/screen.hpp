@@ -1,4 +1,4 @@
-// What a terminal would show: the few escape sequences that an editor of lines needs, on a page without
+// The page of a terminal: the few escape sequences that an editor of lines needs, on a page without
 // bottom.
 #pragma once
 #include <algorithm>

@@ -92,8 +92,8 @@ class Terminal {
   bool ended_ = false, bytes_end_ = false;
 };
 
-// Becomes the program, with these variables set (empty: unset). What a shell starts in the background has
-// Ctrl-C ignored, which programs inherit.
+// Becomes the program, with these variables set (empty: unset). A program that a shell starts in the
+// background has Ctrl-C ignored, which programs inherit.
 inline int become(const std::string& program, const std::map<std::string, std::string>& variables) {
   signal(SIGINT, SIG_DFL);
   for (const auto& [name, value] : variables)

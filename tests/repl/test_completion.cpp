@@ -96,7 +96,7 @@ TEST_CASE("methods behind a colon, properties behind a dot") {
   CHECK(words("name:gsu") == Words{"gsub"});
 }
 
-TEST_CASE("what a call returns is completed, without calling it") {
+TEST_CASE("the result of a call is completed, without calling it") {
   Bench words;
   CHECK(words("m:fix('top', 'z'):fi") == Words{"fix"});
   CHECK(words("m:fix('top', 'z'):move('to") == Words{"top"});

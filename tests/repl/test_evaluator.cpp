@@ -52,7 +52,7 @@ TEST_CASE("unfinished input goes on with the next line") {
   CHECK(talk("x = {\n").err.find("near <eof>") != std::string::npos);  // the lines end before the input does
 }
 
-TEST_CASE("what a terminal would obey is shown as Lua writes it") {
+TEST_CASE("characters that a terminal would obey are shown as Lua writes them") {
   CHECK(talk("'a\\0b\\27[31m'\n").out == "a\\0b\\27[31m\n");
 }
 

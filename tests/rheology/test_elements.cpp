@@ -1,4 +1,4 @@
-// What every rheological element keeps to, whichever folders there are: tangent, energies, steps, and the
+// Rules that every rheological element keeps, whichever folders there are: tangent, energies, steps, and the
 // description of which cards are made.
 #include <array>
 #include <cmath>
@@ -162,8 +162,7 @@ double imbalance(OneElement alone, const std::vector<std::pair<Strain, double>>&
 
 }  // namespace
 
-TEST_CASE("what is done on an element is stored or dissipated, and its dissipation never falls",
-          "[rheology]") {
+TEST_CASE("work on an element is stored or dissipated, and its dissipation never falls", "[rheology]") {
   for_all_elements<rheology::Acts::in_parallel>([](auto& alone, const rheology::Stiffest&, Random& random) {
     std::vector<std::pair<Strain, double>> legs;
     for (int leg = 0; leg < 6; ++leg)

@@ -190,7 +190,7 @@ TEST_CASE("contact: a punch that is moved presses a held sheet in statics; work,
   const auto state = run::body_state(*run, *punch);
   CHECK(state.place.z() == Approx(r + 0.55 * t - 0.002).epsilon(1e-12));
   CHECK(state.force.z() < 0);
-  // What the punch gives the sheet, its supports take.
+  // The supports of the sheet take the force that the punch gives it.
   CHECK(run->reaction("boundary").z() == Approx(-state.force.z()).epsilon(1e-6));
   CHECK(run->energy().error < 0.02);
   CHECK(run->energy().external > 0);

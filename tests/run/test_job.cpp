@@ -51,7 +51,7 @@ TEST_CASE("a job writes its table, its series, a run.json and a checkpoint") {
 
 namespace {
 
-// What it is told, in one word each; a table's rows at that moment.
+// The calls that it gets, in one word each; a table's rows at that moment.
 struct Heard final : run::Listener {
   Heard(ListenerOrder t, std::string f, std::vector<std::string>& w) : at(t), table(std::move(f)), words(w) {}
   ListenerOrder at;
@@ -176,7 +176,7 @@ TEST_CASE(
   CHECK(content_of(scratch / "run.json").find("\"status\": \"done\"") != std::string::npos);
 }
 
-TEST_CASE("what would prevent an output is told when it is declared") {
+TEST_CASE("an obstacle to an output is told when it is declared") {
   const ScratchFolder scratch;
   run::Job job(falling());
   CHECK(message_of([&] {

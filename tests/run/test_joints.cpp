@@ -124,7 +124,7 @@ TEST_CASE("cutting in statics takes the force out of the strip") {
   a->advance(0.011);
   CHECK(std::abs(a->reaction("bottom").y()) < 1e-9);
   CHECK(a->energy().stored < 1e-12 * before.stored);
-  // What the strip had stored has been taken away, nothing has been made.
+  // The energy that the strip had stored has been taken away, nothing has been made.
   CHECK(a->energy().relaxed - before.relaxed == Approx(before.stored).epsilon(1e-9));
 }
 
@@ -173,7 +173,7 @@ TEST_CASE("joints that close lose the kinetic energy of the halves against each 
   CHECK((momentum(*a) - p).norm() <= 1e-12 * p.norm());
   CHECK(after.lost_in("joints") > 0);
   CHECK(after.lost_in("joints") == Approx(before.kinetic - after.kinetic).epsilon(1e-12));
-  // What pulling the crack faces together has stored is work from outside.
+  // The energy stored by pulling the crack faces together is work from outside.
   const double work = after.external - before.external, stored = after.stored - before.stored;
   CHECK(std::abs(work - stored) <= 1e-12 * (before.kinetic + after.stored));
   a->advance(0.005);

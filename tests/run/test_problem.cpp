@@ -148,7 +148,7 @@ TEST_CASE("the terms that hang on the motion give their energies by name, and th
   }
 }
 
-TEST_CASE("what damping has taken is kept with the terms, and goes on from there") {
+TEST_CASE("the energy that damping has taken is kept with the terms, and goes on from there") {
   for (const auto scheme : {run::Scheme::implicit_steps, run::Scheme::explicit_steps}) {
     const auto make = [&] {
       run::DynamicOptions options;

@@ -1,4 +1,4 @@
-// What a run says of shapes that no cloth has: a director that is turned over, an element that is inside out.
+// Messages of a run on shapes that no cloth has: a director turned over, an element inside out.
 #include "catch.hpp"
 #include "message_of.hpp"
 #include "run/dynamic.hpp"
@@ -23,7 +23,7 @@ std::shared_ptr<model::Model> make_sheet(const std::function<void(model::Model&)
   return m;
 }
 
-// What a run says as it refuses to go on.
+// The message of a run that refuses to go on.
 std::string refused(const std::shared_ptr<model::Model>& m) {
   run::Static a(m, {.duration = 1, .step = 0.1, .method = run::Method::newton}, std::make_shared<Notices>());
   try {

@@ -1,5 +1,5 @@
-// What a run makes of its terms: of couplings that come on the way, of the step that a term is told, and of
-// its answers.
+// A run and its terms: couplings that come on the way, the step that a term is given, and a term's
+// answers.
 #include <algorithm>
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// What a run warns of: by code, as part of its state, as an error where that is asked for.
+// Warnings of a run: by code, as part of its state, as an error where that is asked for.
 #include "catch.hpp"
 #include "run/dynamic.hpp"
 #include "run/problems.hpp"

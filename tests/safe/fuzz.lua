@@ -76,7 +76,7 @@ local function fitting(row)
   return value(1)
 end
 
--- What takes long or ends the program by its purpose, and what is made of other functions in Lua.
+-- Functions that take long or end the program by their purpose, and those made of other functions in Lua.
 local function left_out(entry)
   return entry.name:find "^fabric%.lab%.%l" and not (entry.name:find "least" or entry.name:find "ident" or entry.name:find "reduce" or entry.name:find "branches"
     or entry.name:find "marks" or entry.name:find "backbone" or entry.name:find "monotone" or entry.name:find "unloading" or entry.name:find "band"

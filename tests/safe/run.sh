@@ -32,7 +32,7 @@ expect() {
 
 expect 0 'all refused' "$root/deck/attempts.lua"
 
-# What cannot be caught, in whatever coroutine, handler or closing variable.
+# Endings by a limit that cannot be caught, in whatever coroutine, handler or closing variable.
 limit='limit of 1000000 instructions'
 few='--limit-instructions 1e6'
 for chunk in 'while true do end' 'while true do pcall(function() while true do end end) end' \

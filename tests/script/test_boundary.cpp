@@ -53,7 +53,7 @@ struct DeckRunner {
     install(session, {lua, deck, fail, other, back});
     destroyed = 0;
   }
-  // What the chunk returns, as text.
+  // The value that the chunk returns, as text.
   std::string operator()(const std::string& chunk) {
     lua_State* L = session.lua();
     const std::string whole = "local fabric = require 'fabric' " + chunk;

@@ -56,7 +56,7 @@ TEST_CASE("the largest eigenvalues are found as often as they are there") {
     }
 }
 
-TEST_CASE("what has no mass, and more than there is, do no harm") {
+TEST_CASE("unknowns without mass, and more modes than there are, do no harm") {
   linear::Matrix K = chains(9, 1, 0, 1), M = chains(9, 1, 1, 0);
   for (Index i = 0; i < 9; i += 2) M.value[static_cast<std::size_t>(M.pattern->slot(i, i))] = 0;
   const auto solver = linear::make_symmetric_solver();

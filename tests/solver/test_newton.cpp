@@ -102,7 +102,7 @@ TEST_CASE("the first step of a predicted solve is taken whole, the later ones ar
   CHECK(std::abs(problem.shares[2] - 0.4) < 1e-15);
 }
 
-// A path t = f(u) from u = 0.9 that lands at t = 1.05; its predictor goes to u = 1.05. What lies beyond u = 1
+// A path t = f(u) from u = 0.9 that lands at t = 1.05; its predictor goes to u = 1.05. The path beyond u = 1
 // decides where the corrector ends.
 TEST_CASE("a step along an arc that ends off its path is refused, however well it balances") {
   const auto land = [](const std::function<double(double)>& f, double beyond) {

@@ -92,7 +92,7 @@ TEST_CASE("a path goes on after a restart with the direction that it had; forgot
   // The first step of all goes forwards in time, on the falling branch towards smaller u.
   CHECK(step(arc) < past);
   arc.committed();
-  // What it remembers now is that way; kept and read, another goes on the same.
+  // It remembers that way now; kept and read, another goes on the same.
   CHECK(step(arc) < past);
   Archive kept;
   arc.keep(kept);

@@ -66,7 +66,7 @@ TEST_CASE("of several negative eigenvalues the lowest one is taken") {
   CHECK(std::abs(value - (eigenvalue(n, 1) - shift)) < 1e-6 * shift);
 }
 
-TEST_CASE("what is zero but for rounding is not unstable") {
+TEST_CASE("an eigenvalue that is zero but for rounding is not unstable") {
   double value = 0;
   int factorisations = 0;
   for (const int n : {5, 60, 500})

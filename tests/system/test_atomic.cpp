@@ -52,7 +52,7 @@ TEST_CASE("a link is followed, not replaced", "[files]") {
   CHECK(content_of(folder / "real/y") == "made");
 }
 
-TEST_CASE("what cannot be written says the path and the reason", "[files]") {
+TEST_CASE("a file that cannot be written says the path and the reason", "[files]") {
   const ScratchFolder folder;
   write_file(folder / "plain", "x");
   says(message_of([&] { write_file(folder / "plain/y.txt", ""); }), "plain");

@@ -41,7 +41,7 @@ def photograph(name):
 
 
 def seen(image, inverse, noise=0.0, seed=0):
-    """What a camera of half the pixels sees of a scene moved by a map; `inverse` leads from places of the picture to the scene's."""
+    """The picture by a camera of half the pixels of a scene moved by a map; `inverse` leads from places of the picture to the scene's."""
     high, wide = image.shape[0] // 2, image.shape[1] // 2
     spline = ndimage.spline_filter(image, 5, mode="mirror")
     total = np.zeros((high, wide))

@@ -1,4 +1,4 @@
--- What the tests in the folder above share.
+-- Shared by the tests in the folder above.
 local check = {}
 
 -- f(...) ends with an error that contains the words.
@@ -101,7 +101,7 @@ function check.restarted(deck, kill_at, checkpoint, more)
   return check.contents "work"
 end
 
--- What the deck that runs prints as a child with these options, whose argument is `what`.
+-- The output of the running deck as a child with these options, whose argument is `what`.
 function check.child(options, what)
   local pipe = assert(io.popen(("'%s' --quiet %s '%s' %s 2>/dev/null"):format(arg[-1], options, arg[0], what)))
   local text = pipe:read "a"

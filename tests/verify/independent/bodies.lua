@@ -276,7 +276,7 @@ for _, case in ipairs { { 0.3e-3, false }, { 0.02e-3, true } } do
   end
 end
 
--- What slides, and bodies that meet, go on with the same bits from a snapshot.
+-- Sliding cloth, and bodies that meet, go on with the same bits from a snapshot.
 for _, how in ipairs { { "explicit" }, { "implicit", 2e-6 } } do
   local t = 0.5e-3
   local mesh = fabric.mesh.rectangle { width = 0.02, height = 0.015, nx = 4, ny = 3, triangles = how[1] == "explicit", origin = { 0, 0, t / 2 - 1e-6 } }

@@ -1,4 +1,4 @@
--- What the decks of this folder share: an integrator, a root finder, cards, single nodes as sets, the list of checks. Nothing here uses a formula
+-- Shared by the decks of this folder: an integrator, a root finder, cards, single nodes as sets, the list of checks. Nothing here uses a formula
 -- of the program; a deck says local common = dofile(...) "common.lua".
 local fabric = require "fabric"
 local common = {}

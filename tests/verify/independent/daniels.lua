@@ -36,7 +36,7 @@ local function bundle(strengths)
   for i, f in ipairs(strengths) do
     local name = "yarn " .. i
     mesh:set(name, function(px) return px > (2 * i - 2.5) * wide and px < (2 * i - 0.5) * wide end)
-    -- What a break costs is far less than what the yarn stores: it goes at once.
+    -- A break costs far less energy than the yarn stores: it breaks at once.
     regions[name] = { card = sheet:with { rupture = { warp = { strength = f, energy = 0.11 } } } }
   end
   local m = fabric.model { mesh = mesh, card = sheet, regions = regions, warp = 90, membrane = true }

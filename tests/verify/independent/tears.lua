@@ -1,4 +1,4 @@
--- What a break does to the yarns beside it, and a yarn that is struck: against equations of this deck's own.
+-- The effect of a break on the yarns beside it, and a yarn that is struck: against equations of this deck's own.
 local fabric = require "fabric"
 local common = dofile((arg[0]:gsub("[^/]*$", "common.lua")))
 local checks = common.checks()

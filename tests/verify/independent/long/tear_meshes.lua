@@ -1,4 +1,4 @@
--- The mean force of tongue and trouser tears on h, h / 2 and h / 4: half of the energy of breaking, and within 5 % alike on all. What it has beyond
+-- The mean force of tongue and trouser tears on h, h / 2 and h / 4: half of the energy of breaking, and within 5 % alike on all. The work beyond
 -- that goes into swinging legs, which differs from mesh to mesh. Long: the finest takes ten seconds.
 local fabric = require "fabric"
 local common = dofile((arg[0]:gsub("long/[^/]*$", "common.lua")))
