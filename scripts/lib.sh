@@ -74,7 +74,7 @@ vtk_needs() {
   [ ${#needs[@]} -eq 0 ] || printf '%s\n' "${needs[@]}"
 }
 
-# unpack_vtk <package...>: libvtk9-dev and these. What its CMake files name and a package has installed is linked to.
+# unpack_vtk <package...>: libvtk9-dev and these. Files that its CMake files name and a package has installed are linked to.
 unpack_vtk() (
   say "unpacking libvtk9-dev $* in $vtk: as packages they would remove ParaView"
   rm -rf "$vtk"

@@ -14,7 +14,7 @@ local registry = require "fabric.define".registry
 local rows = registry.rows()
 local root = arg[0]:gsub("[^/]*$", "") .. "../"
 
--- What comes back, where it is an object or plain; anything else is `any`.
+-- Returned types, where they are objects or plain; anything else is `any`.
 local returns = {
   ["fabric.card"] = "card", ["fabric.woven"] = "card", ["fabric.svk"] = "card", ["fabric.linear"] = "card", ["fabric.cards"] = "string[]",
   ["card:with"] = "card", ["card:sample"] = "card[]", ["card:write"] = "nil", ["fabric.lab.card"] = "card", ["fabric.lab.kes_card"] = "card", ["fabric.lab.tension_field"] = "card",
@@ -60,7 +60,7 @@ local about_class = {
 
 -- --- what the examples show ---
 
--- What a value looks like at the prompt, at most twelve lines of it.
+-- A value as the prompt shows it, at most twelve lines of it.
 local function looks(value)
   local lines = {}
   for line in (registry.show(value) .. "\n"):gmatch "(.-)\n" do
@@ -97,7 +97,7 @@ local function holder_of(row)
   return holder, name:match "[%w_]+$"
 end
 
--- What the function or method gave last in its example, or what that printed; nil where neither says anything, or not the same each time.
+-- The last value of the function or method in its example, or the text that it printed; nil where neither says anything, or not the same each time.
 local function shown_once(row)
   local printed, value, given = {}, nil, false
   local function told(...)
@@ -137,7 +137,7 @@ local function shown(row)
   if silent[row.name] or returns[row.name] == "nil" then return end
   local text = shown_once(row)
   if not text or text == "" or text:find "0x%x%x%x" or text:find("/tmp/", 1, true) then return end
-  -- What the page shows already was the same twice.
+  -- A text that the page shows already was the same twice.
   return (page_now:find(text, 1, true) or text == shown_once(row)) and text or nil
 end
 
@@ -311,7 +311,7 @@ end
 local function stubs()
   local out = { "---@meta fabric", "-- Stubs for the Lua language server, made by fabricsh scripts/reference.lua write.\n" }
   for _, class in ipairs(classes) do declare_class(class, out) end
-  out[#out + 1] = comment "What a virtual test returns; some have more." .. "\n---@class test\n---@field curve table[] its rows\n---@field analysis analysis\n"
+  out[#out + 1] = comment "The result of a virtual test; some have more." .. "\n---@class test\n---@field curve table[] its rows\n---@field analysis analysis\n"
     .. "---@field model model\n---@field mesh mesh\n---@field peak table the row of the largest displacement\n"
     .. "---@field mesh_error fun(self: test, options?: table): table what the numbers owe to the mesh\n"
   out[#out + 1] = "---@class fabric\n---@field version string\n---@field units table<string, number> multipliers to SI"
@@ -328,7 +328,7 @@ end
 local files = { ["share/doc/reference.md"] = page(), ["share/lua-ls/fabric.lua"] = stubs() }
 assert(load(files["share/lua-ls/fabric.lua"], "=stubs"))()
 
--- What examples show is compared by its words, and by its numbers to 2 %: processors round differently, and what is chaotic counts other steps.
+-- Outputs of examples are compared by their words, and by their numbers to 2 %: processors round differently, and chaotic runs count other steps.
 local function same_words(a, b)
   local function parts(text)
     local numbers = {}

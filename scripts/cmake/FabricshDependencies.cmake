@@ -22,7 +22,7 @@ pkg_check_modules(EDIT REQUIRED IMPORTED_TARGET libedit)
 
 include(FabricshLibraries)
 
-# What the room format reads and writes with, which C++ users of the core link too; and what draws.
+# Libraries by which the room format reads and writes, which C++ users of the core link too; and those that draw.
 set(FABRICSH_VTK_FILES CommonCore CommonDataModel IOCore IOLegacy IOXML)
 foreach(folder ${CMAKE_BINARY_DIR} ${CMAKE_SOURCE_DIR}/build)  # unpacked there beside ParaView: scripts/lib.sh
   if(EXISTS ${folder}/vtk/version)

@@ -1,4 +1,4 @@
--- What is pressed, in statics by the default method and from flat or round, against closed forms without friction:
+-- Pressed cloth, in statics by the default method and from flat or round, against closed forms without friction:
 --
 --   fabricsh scripts/contact/press.lua             a fold and a tube between two plates, a ball on a flat disc
 --   fabricsh scripts/contact/press.lua explicit    the same in slow explicit motion, and what time that takes; likewise implicit, relaxation

@@ -42,7 +42,7 @@ local function coefficient_of(card, disc, support, elements, seed)
   return 100 * r.coefficient
 end
 
--- What each assumption does alone, at the ends of its range; those that change the coefficient by two points and more, the largest first.
+-- The effect of each assumption alone, at the ends of its range; those that change the coefficient by two points and more, the largest first.
 local function alone(name, disc, support, elements)
   local card, list = card_of(name), {}
   for _, input in ipairs(assumed.of(card)) do

@@ -1,4 +1,4 @@
--- What no formula gives, through simulation: a bending rigidity from cantilevers, the biaxial spring from a cruciform, and which
+-- Properties that no formula gives, through simulation: a bending rigidity from cantilevers, the biaxial spring from a cruciform, and which
 -- further test would tell what a test leaves open. The measurements are simulated with known parameters and rounded as read.
 --
 --   fabricsh scripts/lab/identify.lua

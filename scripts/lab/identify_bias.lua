@@ -86,7 +86,7 @@ for i in ipairs(parts) do parameters[i] = { name = "G" .. i, start = 4.5 + 1.5 *
 local start = {}
 for _, parameter in ipairs(parameters) do start[parameter.name] = parameter.start end
 card_of(start):write(out .. "/start.lua")
--- What a picture frame would add: the shear stress itself at eight angles, to 5 % of the largest.
+-- The record that a picture frame would add: the shear stress itself at eight angles, to 5 % of the largest.
 local function in_frame(p)
   local strains = {}
   for i = 1, 8 do strains[i] = reach * i / 8 end

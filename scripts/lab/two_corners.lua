@@ -69,7 +69,7 @@ local function hang(n, how, seed)
   return a, mesh
 end
 
--- What is compared, mm: how far the upper edge's and the lower edge's middle hang below the corners, and how far they stand out of the corners' plane.
+-- The numbers compared, mm: how far the upper edge's and the lower edge's middle hang below the corners, and how far they stand out of the corners' plane.
 local function numbers(a, mesh)
   local function place(x, z)
     for i, p in ipairs(mesh.nodes) do

@@ -74,7 +74,7 @@ for i, at in ipairs { fine, coarse } do
   rows[#rows + 1] = { name .. "S12 at -0.2", at[2].S12, -Pg(back), relative = 1e-12 }
   rows[#rows + 1] = { name .. "S12 at 0.25", at[3].S12, Pg(0.5 - gamma1), relative = 1e-12 }
 end
--- What each memory keeps where the turn comes just after zero stress: the printed rule starts a virgin branch there.
+-- The branch that each memory keeps where the turn comes just after zero stress: the printed rule starts a virgin branch there.
 local before, printed, _, faded = table.unpack(reached)
 local turn = 2 * (rest - 0.002)
 local reverse = 2 * 0.002

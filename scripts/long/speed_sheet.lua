@@ -1,4 +1,4 @@
--- What a flat sheet of n x n elements costs an explicit run: time to be ready, time of a step, memory.
+-- The cost of a flat sheet of n x n elements in an explicit run: time to be ready, time of a step, memory.
 --
 --   fabricsh scripts/long/speed_sheet.lua [n]      usually 316, which is 1e5 elements
 -- warns: nine measured cloths in ten have 1 to 70 uN.m

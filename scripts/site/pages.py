@@ -1,4 +1,4 @@
-"""What the pages of share/doc need of Sphinx: sessions at the prompt, KaTeX, pictures in their size on paper, the sign
+"""Extensions of Sphinx for the pages of share/doc: sessions at the prompt, KaTeX, pictures in their size on paper, the sign
 of plus and minus, and links that show the title of a page in the place of its file's name."""
 import os
 import pathlib

@@ -1,4 +1,4 @@
--- What the decks of chapter 7 share: cards and rules, closed forms, rows of the table, figures and pictures. A deck begins with
+-- Shared by the decks of chapter 7: cards and rules, closed forms, rows of the table, figures and pictures. A deck begins with
 --   local chapter = dofile((arg[0]:gsub("[^/]*$", "")) .. "chapter.lua")
 -- and ends with chapter.expect{...}. Run by itself this file does nothing.
 local known = package.loaded["thesis.chapter"]

@@ -1,8 +1,8 @@
 -- Figs. 7-10 to 7-13 of [williams2010]: one fabric pulled and let go along warp, weft and at 45 degrees, on 27 elements.
 -- A deck calls cyclic(figure, fabric); run by itself this file does nothing.
 --
--- What the thesis did: clamped ends for warp and weft, ends free to contract for the bias; with its own rules duck and muslin
--- ran only with both ratios cut to 0.40 (table 7.4). What it states is quoted beside; its measured curves are not public, so
+-- The tests of the thesis: clamped ends for warp and weft, ends free to contract for the bias; with its own rules duck and muslin
+-- ran only with both ratios cut to 0.40 (table 7.4). Its statements are quoted beside; its measured curves are not public, so
 -- the error here is that against the curve P(E) that the card is made of.
 local fabric = require "fabric"
 local chapter = package.loaded["thesis.chapter"]

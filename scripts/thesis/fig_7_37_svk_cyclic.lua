@@ -52,7 +52,7 @@ for _, direction in ipairs { "warp", "weft" } do
   -- The release is found to 1e-6 of the peak force; the slack strip behind it is 100 times softer than the yarn.
   checks[#checks + 1] = { direction .. ": woven keeps m - P(m) / Du", last.E, m - chapter.P(yarn, m) / yarn.unloading, absolute = 1e-3 }
 end
--- What the text says can't be: no choice of signs lets one measurement stand behind both numbers.
+-- The statements of the text contradict each other: no choice of signs lets one measurement stand behind both numbers.
 for i, gap in ipairs(gaps) do checks[#checks + 1] = { ("statement %d: apart by 5 %% at least (1: yes)"):format(i), gap > 0.05 and 1 or 0, 1, relative = 1e-12 } end
 chapter.plot("curves", "The woven law stiffens and keeps a residual strain; SVK is straight and comes back along itself.",
              { title = "blend: SVK and the woven law, pulled and let go", curves = curves, xlabel = "Green-Lagrange strain E", ylabel = "S, MPa" })

@@ -41,8 +41,8 @@ figcaption { font-size: 90%; color: #333 } .failed { color: #a00; font-weight: b
 <p>R. W. Williams, <i>Measuring and modeling the anisotropic, nonlinear and hysteretic behavior of woven fabrics</i>, University of Iowa, 2010.</p>
 <p><b>Which comparison is which.</b> The column <i>thesis</i> holds what its text states. Its measured curves are not public, so those
 numbers are quoted and never scored. <i>Ours</i> is the default law with the measured ratios unless the line says otherwise. <i>Its rules</i> is this
-program with the thesis' endpoint integration, and for duck and muslin with both ratios cut to 0.40 where the line doesn't name them. What is
-checked, and fails the run when missed, are closed forms of the cards (P(E), the unloading line, the energy lost, simple shear, equal biaxial strain,
+program with the thesis' endpoint integration, and for duck and muslin with both ratios cut to 0.40 where the line doesn't name them. The checks,
+which fail the run when missed, are closed forms of the cards (P(E), the unloading line, the energy lost, simple shear, equal biaxial strain,
 the elastica) and facts that follow from them (mirror images, energy balances, no checkerboard). Errors are against P(E), the curve that the
 card is made of, not against a measurement. Three numbers and an arrow are three meshes and their limit after Richardson, with the error of the first.</p>
 <p>Where the text gives several percentages of one measurement, the lines show what each of them implies; some can't hold together.</p>

@@ -4,7 +4,7 @@
 --
 -- Kilby: 1 / G = 4 / E45 - 1 / E1 - 1 / E2 + (nu12 / E1 + nu21 / E2) with the definition of the ratios in section 3.3.3; printed
 -- (3.4, 7.3) the two ratios stand exchanged. E45, the initial modulus at 45 degrees, is not printed: it can only be solved for.
--- What the table calls "present" is G12 at zero strain; half the first number of table 7.3 is the same to rounding for three of
+-- The column "present" of the table is G12 at zero strain; half the first number of table 7.3 is the same to rounding for three of
 -- the four cloths, which is how one sees that table 7.3 is dS12 / dE12 in the tensor strain and the engineering modulus half of it.
 local here = arg[0]:gsub("[^/]*$", "")
 local chapter = dofile(here .. "chapter.lua")

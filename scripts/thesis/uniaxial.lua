@@ -88,7 +88,7 @@ local drawn = fabric.plot {
 print(("\ncurve   %s/curve.csv\nfigure  %s\nseries  %s/strip.pvd (ParaView)\n"):format(
   folder, drawn and folder .. "/curve.svg" or "none: gnuplot is not installed", folder))
 
--- What must come out. Every wanted value is a closed form of the card.
+-- Checks. Every wanted value is a closed form of the card.
 local peak, last = nil, curve[#curve]
 local off_curve, off_ratio, off_slope = 0, 0, 0
 for i, row in ipairs(curve) do

@@ -72,7 +72,7 @@ for around, across in meshes:gmatch "(%d+)x(%d+)" do
       local energy, coefficient, folds = reading(a, mesh)
       local pivots = way[2] == "static" and a.steps[#a.steps].negative_pivots or 0
       print(("%-6s  %-35s  %9.5f   %9.2f   %9d   %s"):format(around .. "x" .. across, way[1], 1e3 * energy, 100 * coefficient, folds, pivots > 0 and "no" or "yes"))
-      -- What is compared is the shape that cloth stays in: Newton's, if its tangent is positive, or else that of relaxation.
+      -- The shape compared is the one that cloth stays in: Newton's, if its tangent is positive, or else that of relaxation.
       local own = not base and pivots == 0
       if own then base = { energy, coefficient } end
       if not way.told then

@@ -1,4 +1,4 @@
--- What the decks of this folder share: following a table of published values, counting the solver's work, comparing
+-- Shared by the decks of this folder: following a table of published values, counting the solver's work, comparing
 -- meshes. A deck says local problem = dofile(...) "problem.lua"; run by itself this file does nothing.
 --
 -- Tables of [sze2004]: K.Y. Sze, X.H. Liu, S.H. Lo, Popular benchmark problems for geometric nonlinear analysis of

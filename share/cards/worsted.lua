@@ -3,7 +3,7 @@ local fabric = require "fabric"
 local u = fabric.units
 
 -- Extension in per cent under 5, 20, 100 gf/cm (E5: warp 0.67, weft 0.40), bending length 15.0 and 14.5 mm, bias extension 4.7 %.
--- The curve with one bend goes through E20 and E100; of E5 it shows 0.76 and 0.57. What follows there
+-- The curve with one bend goes through E20 and E100; of E5 it shows 0.76 and 0.57. Results there
 -- from the measured ones: B 5.56 and 5.02 uN.m, G 26.17 N/m, formability 0.45 and 0.50 mm2, as FAST's formulas give.
 local thickness = 0.42 * u.mm
 local card = fabric.lab.fast_card {

@@ -82,7 +82,7 @@ local point = {}
 ---@class body
 local body = {}
 
----What a virtual test returns; some have more.
+---The result of a virtual test; some have more.
 ---@class test
 ---@field curve table[] its rows
 ---@field analysis analysis

@@ -63,7 +63,7 @@ class Interrupted(Error):
 
 
 class Result:
-    """What a run said: stdout (the deck's prints), stderr, and of that the warnings, one text each."""
+    """The output of a run: stdout (the deck's prints), stderr, and of that the warnings, one text each."""
 
     def __init__(self, stdout, stderr):
         self.stdout, self.stderr = stdout, stderr
@@ -128,7 +128,7 @@ def _end(child, number, grace):
 def _call(options, *, text=None, program=None, cwd=None, timeout=None):
     """Runs the program with these options, `text` as its standard input, and raises what its exit code says.
 
-    What it says goes to files, not to pipes: a program that it started and that goes on would hold a pipe open.
+    The output goes to files, not to pipes: a program that it started and that goes on would hold a pipe open.
     """
     with tempfile.TemporaryFile() as given, tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as said:
         given.write((text or "").encode("utf-8", "surrogateescape"))
@@ -162,7 +162,7 @@ def _call(options, *, text=None, program=None, cwd=None, timeout=None):
 
 
 def _ended_with(code):
-    """What an exit code says that is none of the program's own: os.exit(7) in a deck, or a signal."""
+    """The meaning of an exit code that is none of the program's own: os.exit(7) in a deck, or a signal."""
     if code >= 0:
         return f"ended with exit code {code}"
     try:
@@ -490,7 +490,7 @@ def read_test(path, *, program=None, cwd=None, **options):
 
 
 def _helper(text, arguments, program, cwd):
-    """What a deck of this module prints; it sees the path of a file that it may write, then these arguments."""
+    """The output of a deck of this module; it sees the path of a file that it may write, then these arguments."""
     with tempfile.TemporaryDirectory() as folder:
         deck = os.path.join(folder, "deck.lua")
         with open(deck, "w", encoding="utf-8") as file:

@@ -59,7 +59,7 @@ class FabricshKernel(Kernel):
         return b""
 
     def _hear(self, pipe, name, heard, end):
-        """Passes on what the program says, up to the mark. What stands on the stream of errors right before the mark is
+        """Passes on what the program says, up to the mark. Text on the stream of errors right before the mark is
         kept: where the cell fails it is the message, which Jupyter shows by itself."""
         kept = b""
         while True:

@@ -49,7 +49,7 @@ local function cloths(path)
   return list
 end
 
--- What 45 degrees shows over the geometric mean of warp and weft; its 2.5, 50 and 97.5 % quantiles over the cloths (places (n + 1) p of the ordered list).
+-- The rigidity at 45 degrees over the geometric mean of warp and weft; its 2.5, 50 and 97.5 % quantiles over the cloths (places (n + 1) p of the ordered list).
 local function ratio(cloth) return cloth.bias / math.sqrt(cloth.warp * cloth.weft) end
 local function quantiles(list)
   local ratios, found = {}, {}

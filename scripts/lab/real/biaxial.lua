@@ -58,7 +58,7 @@ local parameters = {
   { name = "b", start = 1.3, low = 0.1, high = 10 }, { name = "k", start = 35, low = 0.5, high = 400 }, { name = "c", start = 3e-3, low = 0, high = 0.1 },
 }
 
--- Two lists for each ratio. What the model misses grows from nothing at the first row as strains do, about with the root of the load.
+-- Two lists for each ratio. The error of the model grows from nothing at the first row as strains do, about with the root of the load.
 local function scale_of(load)
   local scale = {}
   for k, n in ipairs(load) do scale[k] = math.sqrt(math.max(n - load[1], 0.01) / 30) end

@@ -26,7 +26,7 @@ end
 file:close()
 if fabric.checking() then return end
 
--- What the table does not have, the same for every cloth:
+-- Properties that the table does not have, the same for every cloth:
 -- - B and 2HB are one number each, taken for warp and weft; friction builds up over 10 1/m.
 -- - Twist a quarter of B. Yarns that turn freely at their crossings resist twist as G/E of their fibres times B, and drawn fibres have less than the half of an
 --   isotropic plate. (Of 309 measured cloths a quarter lies below a quarter, half below a half [feng2022].)

@@ -3,8 +3,8 @@
 --
 --   fabricsh scripts/lab/real/nylon.lua [out] [folder] [scatter]        scatter: deviation of specimens, relative; default 0.05
 --
--- The folder holds strip-ANGLE.csv (strip-00.csv ...): displacement and force, mm and N where a heading does not say otherwise. What is there at 0, 45 and
--- 90 degrees makes the card, one of 0 and 90 at least; every other angle is predicted and laid beside its record, 15, 30, 60 and 75 degrees in any case. The
+-- The folder holds strip-ANGLE.csv (strip-00.csv ...): displacement and force, mm and N where a heading does not say otherwise. The records at 0, 45 and
+-- 90 degrees make the card, one of 0 and 90 at least; every other angle is predicted and laid beside its record, 15, 30, 60 and 75 degrees in any case. The
 -- records are not part of the program: the default is ../shared/data/nylon-strips beside this checkout, or the deck says SKIPPED.
 local fabric = require "fabric"
 local lab, u = fabric.lab, fabric.units

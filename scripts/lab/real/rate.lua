@@ -1,4 +1,4 @@
--- What the speed of a bias pull tells of a viscous part: plain-weave glass/PP, 18 to 23 % less force at 500 than at 10 mm/min [cao2008, fig. 40].
+-- Evidence of a viscous part in the speed of a bias pull: plain-weave glass/PP, 18 to 23 % less force at 500 than at 10 mm/min [cao2008, fig. 40].
 --
 --   fabricsh scripts/lab/real/rate.lua [file mm/min file mm/min ...]
 --
@@ -68,6 +68,6 @@ else
   end
 end
 -- The other way round, the fast one stiffer by as much, one factor over the whole curve is no relaxing solid either: it would have to be the
--- stiffer one most of all at the start. What is found there is told with what it leaves over.
+-- stiffer one most of all at the start. The part found there is reported with the rest that it leaves.
 say({ pull(place .. ".csv", speeds[1], 0.205), pull(place .. ".csv", speeds[2]) }, "the other way round, 26 % more at 500 mm/min")
 fabric.expect(rows)

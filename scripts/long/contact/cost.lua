@@ -1,4 +1,4 @@
--- What contact costs, each as a ratio within one run of the program: processor time of explicit steps with contact over that without, on the
+-- The cost of contact, each as a ratio within one run of the program: processor time of explicit steps with contact over that without, on the
 -- same sheet. Threads are compared by the clock on the wall, which says something on an idle machine alone, and by the processor time of the busiest
 -- thread, which on a busy machine tells what the clock would on an idle one (start it with OMP_WAIT_POLICY=passive, so that waiting costs none).
 --
