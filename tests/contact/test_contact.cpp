@@ -232,7 +232,7 @@ TEST_CASE("contact: friction turns a ball with its radius as the lever", "[conta
   }
 }
 
-TEST_CASE("contact: what begins too near is opened smoothly, and its work is what it stores", "[contact]") {
+TEST_CASE("contact: a pair that begins too near is opened smoothly, and stores the work of it", "[contact]") {
   const ContactLaw law = blend_law();
   Sheets sheets;
   sheets.add(0.02, 4, Vec3::Zero());

@@ -134,7 +134,7 @@ TEST_CASE("law: scaled lengths keep the stiffness", "[contact]") {
   CHECK(law.scaled(scale * law.gap(), scale).pressure == 0);
 }
 
-TEST_CASE("law: what cannot be is refused with what was expected", "[contact]") {
+TEST_CASE("law: impossible data are refused with what was expected", "[contact]") {
   const auto refusal = [](LawData data) { return message_of([&] { ContactLaw law(data); }); };
   CHECK(refusal({0.1e-3, 0.15e-3, 1, {}}) ==
         "contact: gap: expected more than the floor of 0.00015 m, got 0.0001 m");

@@ -257,7 +257,7 @@ TEST_CASE("pair: explicit friction resists slow sliding and is mu times the norm
   CHECK(friction_of(law(), pair, flat, slip).on[0].y() == Approx(-0.2 * mass * 1e-5 / dt).epsilon(1e-12));
 }
 
-TEST_CASE("pair: what resists slow sliding counts as often as its place", "[contact]") {
+TEST_CASE("pair: resistance to slow sliding counts as often as its place", "[contact]") {
   Pair pair = pair_of(PairKind::facet);
   const double mass = 0.5, dt = 1e-3;
   Slip slip{0.3, 0};

@@ -35,7 +35,7 @@ std::size_t compare(const Scene& scene, int steps, Move move) {
 
 }  // namespace
 
-TEST_CASE("patches: what folds up fast is searched seldom, and nothing is left out", "[contact]") {
+TEST_CASE("patches: cloth that folds up fast is searched seldom, and nothing is left out", "[contact]") {
   Sheets sheets;
   sheets.add(0.1, 20, Vec3::Zero());
   Scene scene = sheets.scene();

@@ -277,8 +277,7 @@ TEST_CASE("PLY: text and both orders of bytes, faces of many corners as triangle
   says(message_of([&] { read_ply("x.ply", cut.substr(0, cut.size() - 9)); }), "x.ply: byte ");
 }
 
-TEST_CASE("OBJ: what is not known is passed over and told, names have blanks, faces many corners",
-          "[files]") {
+TEST_CASE("OBJ: unknown lines are passed over and told, names have blanks, faces many corners", "[files]") {
   Remarks remarks;
   const auto m =
       read_obj("x.obj",

@@ -97,7 +97,7 @@ TEST_CASE("columns of text and rows without a number", "[files]") {
   const Table often = parse_table("c", "t,u,P\n0,0,\n1,1,2\n2,2,\n3,3,4\n4,4,\n", {0, 0, true});
   CHECK(often.columns[2].values[3] == 4);
   CHECK(often.columns[1].values[4] == 4);
-  // what describes a specimen is no row
+  // lines that describe a specimen are no rows
   CHECK(parse_table("d", "Length;100\nWidth;25\nSpeed;5\nArea;3\nu;P\n0;0\n1;2\n").columns[0].values.size() ==
         2);
 }

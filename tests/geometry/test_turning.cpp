@@ -15,7 +15,7 @@ const Vec3 kAxis = Vec3(1, 2, 0).normalized();  // normal to the director
 
 }  // namespace
 
-TEST_CASE("turning: a director and its first axis go as a rotation takes them, by any angle") {
+TEST_CASE("turning: a director and its first axis turn as by the rotation, by any angle") {
   CHECK(std::abs(kDirector.dot(kAxis)) < 1e-15);
   for (const double angle : {1e-9, 1e-3, 0.05, 0.0999, 0.1001, 0.7, 2.0, 3.0})
     for (const double turned : {0.3, 1.9}) {
@@ -31,7 +31,7 @@ TEST_CASE("turning: a director and its first axis go as a rotation takes them, b
     }
 }
 
-TEST_CASE("turning: what the series give at their end is what the functions give") {
+TEST_CASE("turning: the series agree with the functions at their end") {
   const double x = 0.01;
   const TurnFunctions below = turn_by(std::nextafter(x, 0)), above = turn_by(x);
   CHECK(below.cosine == Approx(above.cosine).epsilon(1e-15));

@@ -128,7 +128,7 @@ assert(b.contributions.q[1].source == "card.biaxial" and b.contributions.q[1].de
 close(b.band.q.high - b.band.q.low, 2 * half_of(2), 0.2)
 assert(#warned == 0, warned[1])
 
--- what no band holds, the friction of shear, is said by a warning, and density in the provenance, which the budget repeats
+-- parameters that no band holds: the friction of shear gives a warning, density is in the provenance, which the budget repeats
 card = found:card(function(p) return duck:with { density = 100 * p.B, warp = { loading = { p.D * 1e6, 5e8 }, unloading = 900e6 } } end)
 assert(card.bands.warp and #warned == 1 and warned[1]:find("identify: card: no band of a card holds density from ", 1, true), warned[1])
 b = fabric.budget { card = card, samples = 8, shares = false, print = false, processes = 1, run = function(p) return { d = p.card.warp.loading[1] } end }

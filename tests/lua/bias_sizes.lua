@@ -70,7 +70,7 @@ assert(not b.edges and b.edge_on_bound and b.text:find "at the bound, a fifth of
 -- and sizes that are alike in shape cannot
 b = lab.bias_sizes { specimens = { sizes[1], sizes[1] }, thickness = 1e-3 }
 assert(not b.edges and not b.edge_deviation and b.text:find "edges: specimens of such similar shape cannot separate them from the curve; taken as none", b.text)
--- what goes beyond the limit is left out
+-- rows beyond the limit are left out
 assert(#lab.bias_sizes({ specimens = { pull(0.1, 0.3, 0, 0, 1, 45) }, thickness = 1e-3 }).specimens[1].predicted.force < 30)
 
 fails("predict: expected displacements up to 0.02", b.predict, b, { displacement = { 0.5 }, width = 0.05, length = 0.15 })

@@ -73,7 +73,7 @@ for _, name in ipairs(fabric.cards()) do
 end
 assert(count >= 12, "cards of cloths besides the thesis' four: " .. count)
 
--- what the sources say besides the numbers that the cards were made of
+-- statements of the sources besides the numbers that the cards were made of
 local worsted = fabric.card "worsted"
 rows[#rows + 1] = { "worsted: bending length along the warp, mm", 1e3 * bending_length(worsted, "warp"), 15.0, absolute = 0.05 }
 rows[#rows + 1] = { "worsted: bending length along the weft, mm", 1e3 * bending_length(worsted, "weft"), 14.5, absolute = 0.05 }
@@ -140,7 +140,7 @@ do
   end
 end
 
--- what only the default law takes is refused at once beside another law; what another law does not use is said by check()
+-- fields that only the default law takes are refused at once beside another law; fields that another law does not use are named by check()
 do
   local blend = fabric.card "blend"
   for field, part in pairs { ["warp.loop"] = { warp = { loop = { friction = 0.3 } } }, ["weft.loop"] = { weft = { loop = { friction = 0.3 } } },

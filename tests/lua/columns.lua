@@ -125,7 +125,7 @@ assert(table.concat(lines, "\n") == [[
   E         list
   1  <list of 2>]], table.concat(lines, "\n"))
 
--- what cannot be
+-- impossible operations
 local function refused(words, call)
   local ok, message = pcall(call)
   assert(not ok and tostring(message):find(words, 1, true), tostring(message))

@@ -330,7 +330,7 @@ do
   -- in shear alone the compression along one diagonal is reduced to a thousandth, which leaves (1 + RE) / 2 of the shear stress
   check("LAW19: shear", fabric.point(bag.card):strain({ E12 = 0.1 }).S12, (1 + 1e-3) / 2 * 5e6 * math.asin(0.2) * math.cos(math.asin(0.2)), 1e-4)
   assert(bag.lost.warp.worst < 1 and bag.lost.weft.worst < 1, bag.report)
-  -- what fabric.export wrote is read up to the strains that it states, beyond 0.1
+  -- a file of fabric.export is read up to the strains that it states, beyond 0.1
   fabric.export.card { card = fabric.card "blend", to = "openradioss", material = "LAW19", file = "own19.rad" }
   local own = fabric.import.card { file = "own19.rad", thickness = 3.8e-4 }
   check("own LAW19: tested", own.card.tested.warp, 0.2641, 1e-3)

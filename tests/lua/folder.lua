@@ -143,7 +143,7 @@ write("bias-2-frames.csv", "Extension (mm),Load (N)\n-0.001,0\n0,0\n2,1\n4,1.5\n
 part = folder.reduce(place)
 assert(part.shear.without_markers and #part.shear.tests == 2 and #part.shear.tests[2].E == #part.shear.tests[1].E)
 remove "bias-2-frames.csv"
--- what is asked for and no file can give
+-- parts that are asked for and no file can give
 with("return {", "return { loops = true, viscous = true,")
 remove "bias-1.csv"
 local warned, warn = {}, fabric.warn
@@ -168,7 +168,7 @@ do
   local stiff = (1e5 * 0.4 + 9e7 * 0.4 ^ 3 / 3) / 0.01
   assert(math.abs(card.warp.loading[1] / stiff - 1) < 1e-12 and card.provenance["weft.loading"]:find("assumed: straight, 196 MPa, with which the yarns stretch by 1 %", 1, true),
     card.provenance["weft.loading"])
-  -- what is assumed is told where it is written for others
+  -- an assumption is told where it is written for others
   local before = #warned
   fabric.warn = function(words) warned[#warned + 1] = words end
   local out = fabric.export.card { card = card, to = "abaqus" }

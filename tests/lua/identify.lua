@@ -74,7 +74,7 @@ assert(math.abs(resumed_so.parameters.rate - fresh.parameters.rate) < 1e-5 and m
 os.remove(path .. ".fresh")
 os.remove(path)
 
--- what predict depends on changes without being said: one stored point tells; said by key: refused at once
+-- an input of predict changes without being said: one stored point tells; said by key: refused at once
 search()
 local function twice(p)
   local out = decay(p)

@@ -39,7 +39,7 @@ for _, triangles in ipairs { false, true } do
     end
   end
 end
--- what is pulled is stable, and stays as quiet as it is
+-- a pulled sheet is stable, and stays as quiet as it is
 assert(not said((move("pulled", { scheme = "implicit" }))))
 
 -- The pattern depends on nothing but the places: the same for quadrilaterals and triangles, and each time; it is as large as asked for, and

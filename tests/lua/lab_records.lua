@@ -131,7 +131,7 @@ fails("column 'Load' is a force per width: expected field 'width' of the specime
 r = read "Extension (%),Extension (mm),Load (N)\n0,0,0\n2,4,100\n4,8,210\n"
 assert(r.displacement[3] == 8e-3 and math.abs(r.strain[3] - 0.04) < 1e-17)
 
--- what an elongation or a strain is, its unit says
+-- the unit decides whether a column is an elongation or a strain
 r = read("Dehnung in %;Kraft in N\n0;0\n2;100\n4;210\n", { gauge_length = 0.1 })
 assert(r.displacement[3] == 4e-3 and r.strain[3] == 0.04)
 -- units where the headings say none, and none in their place where they do

@@ -68,7 +68,7 @@ assert(columns(twice) == ": columns 'Load' and 'Load' (2, 3) may each be the for
 assert(columns(twice, { columns = { force = "Load" } }):find "two columns are called 'Load'; give the place of the force: columns={ force=2 } or 3")
 assert(columns(twice, { columns = { force = 3 } }).force[3] == 9)
 
--- what nobody needs does not stop the read
+-- columns that nobody needs do not stop the read
 r = columns "Time;Label;Extension (mm);Load (N);Temperature (F)\n12:00:01;1-Load;0;0;70\n12:00:02;1-Load;1;0,5;\n12:00:03;2-Load;2;1;x\n"
 assert(type(r) == "table" and r.force[2] == 0.5 and r.time[1] == 43201, tostring(r))
 assert(columns("Time;Extension (mm);Load (N)\n12.00 h;0;0\n12.01 h;1;2\n", { columns = { time = 1 }, units = { time = "s" } }):find

@@ -30,7 +30,7 @@ assert(#fabric.mesh.read(path, true).nodes == 24)
 assert(#fabric.mesh.read { file = path }.nodes == 60)
 fails("unknown field 'jion', did you mean 'join'?", fabric.mesh.read, { file = path, jion = true })
 os.remove(path)
--- what single precision leaves is one place, more is not
+-- nodes apart by the rounding of single precision are one place, by more they are not
 path = file(4, 2, 2e-8)
 assert(#fabric.mesh.read { file = path, join = true }.nodes == 15)
 os.remove(path)

@@ -146,7 +146,7 @@ for k = 1, 5 do
   close(t.y[(k - 1) * 4 + 3], 1 + 0.1 * (k - 1), 1e-12)
 end
 assert(t.x[9] ~= t.x[9])
--- what a tracker writes for a lost marker reads as one
+-- the sign of a tracker for a lost marker reads as one
 file "frame,marker,x,y\n1,1,0,0\n1,2,1,0\n1,3,0,1\n1,4,1,1\n2,1,0,0\n2,2,nan,nan\n2,3,0,1\n2,4,,\n"
 t = lab.tracks { file = path, rows = 2, columns = 2 }
 assert(t.frames == 2 and t.x[6] ~= t.x[6] and t.x[8] ~= t.x[8] and t.y[7] == 1)

@@ -62,7 +62,7 @@ says(half, "warp.loading", "fitted to 3 specimens")
 says(half, "warp.unloading", "typed")
 assert(half.bands.warp.low[1] < half.warp.loading[1] and half.bands.warp.low[3] == 9e8)
 
--- what is missing is an error, or assumed and told everywhere
+-- a missing part is an error, or assumed and told everywhere
 local ok, message = pcall(card, { warp = fit(false) })
 assert(not ok and tostring(message):find("field 'warp': expected a fit with an unloading modulus (a cyclic test), got one of loading alone", 1, true))
 local bare = card { warp = fit(false), weft = "none", shear = "none", poisson = "none", assume = true }

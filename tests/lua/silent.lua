@@ -49,7 +49,7 @@ local heading = io.open(folder .. "/wide.csv"):read "l"
 assert(heading:find("^time %(s%),c1,c10,c100,c1000,") and select(2, heading:gsub(",", "")) == 1600)
 os.execute("rm -r " .. folder)
 
--- what the system says of a folder or a name is told of that folder or name
+-- an error of the system on a folder or a name is reported with that folder or name
 local function said(words)
   local pipe = assert(io.popen(words .. " 2>&1"))
   local talk = pipe:read "a"

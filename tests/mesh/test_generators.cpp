@@ -190,7 +190,7 @@ TEST_CASE("meshes as one: coinciding nodes of different meshes are joined, a sli
   CHECK(message_of([&] { merge({part(0, 0), part(0.1, 0)}, 0.6); }).find("twice") != std::string::npos);
 }
 
-TEST_CASE("a mesh from lists: what no sheet can be is refused by its place", "[mesh]") {
+TEST_CASE("a mesh from lists: an element that no sheet can have is refused by its place", "[mesh]") {
   const std::vector<Vec3> square = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   const Mesh mesh = from_lists(square, {{0, 1, 2, -1}, {0, 2, 3, -1}});
   CHECK(mesh.set("boundary").size() == 4);

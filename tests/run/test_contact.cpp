@@ -83,7 +83,7 @@ std::string bits(run::Run& run) { return run.kept(); }
 
 }  // namespace
 
-TEST_CASE("contact: what is thrown together does not pass, at any step") {
+TEST_CASE("contact: sheets thrown together do not pass, at any step") {
   for (unsigned seed = 1; seed <= static_cast<unsigned>(test::draws(8)); ++seed) {
     INFO("seed " << seed);
     const Thrown what = thrown(seed);
@@ -220,7 +220,7 @@ std::shared_ptr<run::Dynamic> moving_run(std::shared_ptr<model::Model> m, double
 
 }  // namespace
 
-TEST_CASE("contact: what begins too near is opened, and the ledger holds the work of it") {
+TEST_CASE("contact: pairs that begin too near are opened, and the ledger holds the work of it") {
   const double t = test::svk().thickness, side = 0.04;
   for (const int kind : {0, 1, 2}) {
     INFO("kind " << kind);
@@ -307,7 +307,7 @@ TEST_CASE("contact: an overlap is refused, and what settle opens is told") {
   says(told, "; 9 points are nearer than that at the start, the nearest by 0.000152 m: opened over 0.5 s");
 }
 
-TEST_CASE("contact: what touches is told by the names of the bodies") {
+TEST_CASE("contact: touching pairs are told by the names of the bodies") {
   auto m = std::make_shared<model::Model>(std::vector<model::BodyGiven>{
       sheet("front", 0.04, 2, Vec3::Zero()), sheet("back", 0.04, 2, Vec3(0, 0, 0.01))});
   const auto plane = std::make_shared<const model::Rigid>(model::Plane{Vec3(0, 0, -0.01), Vec3(0, 0, 1)},

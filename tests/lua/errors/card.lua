@@ -89,7 +89,7 @@ wrong("fabric.woven", "fabric.woven{ density=500, thickness=0.01, warp={ loading
 wrong("fabric.woven", "fabric.woven{ density=500, thickness=0.01, warp={ loading={}, unloading=1000000, poisson=0.01 }, weft={ loading={}, unloading=1000000, poisson=0.01 }, shear={ loading={}, unloading=1000000 }, bands={ warp={ low={1, 'two'} } } }",
   "deck.lua:1: woven: field 'bands.warp.low': expected a table of numbers, got 'two' at place 2")
 
--- what a card cannot be
+-- impossible cards
 wrong("fabric.card", "fabric.card('blend', 5)",
   "deck.lua:1: card: argument 'options': expected a table {bending}, got 5")
 wrong("fabric.card", "fabric.card('blend', { bendign='estimated' })",

@@ -221,7 +221,7 @@ wrong("model:move", "model:move('top', { turn=5 })",
 wrong("model:velocity", "model:velocity(fabric.rigid.sphere{ radius=1, centre={0,0,0} }, { z=1 })",
   "deck.lua:1: velocity: the sphere has no mass: expected a free body (m:move drives one that is not)")
 
--- what a run refuses
+-- refusals of a run
 wrong("fabric.dynamic", "fabric.dynamic{ model=model:contact{ between={fabric.rigid.sphere{ radius=0.005, centre={0.0127, 0.0381, 0.001} }, 'all'} }, duration=1e-3 }",
   "deck.lua:1: dynamic: contact: 2 pairs overlap at the start: nodes 3, 4, 5 and the sphere, one through the other; nodes 4, 6, 5 and the sphere, one through the other; expected all of it apart")
 wrong("fabric.dynamic", "fabric.dynamic{ model=model:contact{ between={fabric.rigid.plane{ point={0, 0, -0.01}, normal={0, 0, 1} }, 'all'}, stiffness=1e14 }, duration=1e-3, step=1e-6 }",

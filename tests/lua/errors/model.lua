@@ -141,7 +141,7 @@ wrong("model:velocity", "model:velocity('top', { x='1' })",
 wrong("model:velocity", "model:velocity('top', { spin={1, 'two'} })",
   "deck.lua:1: velocity: field 'velocity.spin': expected a table of numbers, got 'two' at place 2")
 
--- what a model cannot be
+-- impossible models
 wrong("fabric.model", "fabric.model{ mesh=mesh, card='blend' }",
   "deck.lua:1: model: field 'card': expected a card, got 'blend'")
 wrong("fabric.model", "fabric.model{ mesh=mesh }",
