@@ -8,6 +8,7 @@
 #include "mesh_samples.hpp"
 #include "message_of.hpp"
 #include "scratch.hpp"
+#include "system/atomic.hpp"
 
 using namespace fabricsh;
 using namespace fabricsh::format;
