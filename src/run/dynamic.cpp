@@ -461,8 +461,12 @@ bool Dynamic::is_young() const {
   return has_few_steps();
 }
 
-// The fewer the steps, the less work has been done after those.
-bool Dynamic::has_few_steps() const { return now_.steps < std::max<std::int64_t>(0, now_.touched) + kYoung; }
+// The fewer the steps, the less work has been done after those. Implicit steps that were halved are no more
+// work.
+bool Dynamic::has_few_steps() const {
+  return now_.steps < std::max<std::int64_t>(0, now_.touched) + kYoung ||
+         (options_.scheme == Scheme::implicit_steps && time() - began() < kYoung * largest_step());
+}
 
 void Dynamic::check() {
   // The cost of a check is small compared with an implicit step, and the energy balance of implicit steps is

@@ -129,6 +129,7 @@ class Static final : public Run {
   solver::Stability judge_bodies(const linear::Matrix& K);
   Eigen::MatrixXd stiffness_of_bodies(const linear::Matrix& K);
   std::string loose_bodies();  // in words; empty: none, or they cannot be told
+  bool flies_away() const;
   bool finish(solver::NewtonResult result, double end, StepReport& report);
   void report_notices(const StepReport& report);  // gives notices
   void check_balance();                           // stops the run if energy was made from nothing

@@ -143,7 +143,7 @@ properties
   mesh.sets                    Names of the node sets
       = {"all", "bottom", "boundary", "corners", "left", "right", "top"}
 methods
-  mesh:check                   Errors of the mesh and remarks on it: a table {ok, text, items, area, shortest, longest, aspect, wa...
+  mesh:check                   Errors of the mesh and remarks on it: a table {ok, text, items, area, shortest, longest, aspect, warping, l...
   mesh:elements                Numbers of the elements all of whose nodes are in the set
   mesh:hole                    Cuts a hole along the grid: leaves out the elements inside and the nodes that no element has any more
   mesh:map                     Moves every node; on an error none is moved
