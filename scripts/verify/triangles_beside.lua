@@ -61,6 +61,7 @@ local function torsion(k, cut)
     local s = z[corner[1]]
     if mode.frequency > 1 and s * z[corner[2]] < 0 and s * z[corner[3]] < 0 and s * z[corner[4]] > 0 then return mode.frequency / 41.93 end
   end
+  return 0 -- nothing is computed in a check
 end
 
 -- Name, sizes, f(size, cut): value over the right one; the largest share of the quadrilaterals' error, beside 0.3 %.
