@@ -44,8 +44,10 @@ bool Contact::press(std::size_t i, std::span<const Vec3> x, const Way& way) {
   const Corners corners = corners_of(c, x);
   if (!find_force(it.law, c.pair, corners, rubs ? &slips : nullptr, slots_[i])) return false;
   active_[i] = rubs ? rubbing : pressing;
-  if (rubs) keep_slip(i, corners, way);
-  if (rubs) hold(i);
+  if (rubs) {
+    keep_slip(i, corners, way);
+    hold(i);
+  }
   Force& force = slots_[i];
   force.barrier.struck = force.guard != 0 && it.eased && approaches_fast(c, force, corners, way);
   return true;

@@ -20,6 +20,7 @@
 namespace fabricsh::run {
 
 namespace {
+
 void check_options(const StaticOptions& o) {
   field::require("static", static_options(), o);
   if (o.step) check_step("static", *o.step, o.duration);
@@ -55,8 +56,6 @@ constexpr double kDissipated = 0.01;  // such a fraction of what the cloth has d
 // Relaxation is tried, if it is permitted, where a cut would make the step smaller than this part of the
 // largest. Cuts of earlier steps count: in front of a load that jumps every step needs some, and none many.
 constexpr double kPatience = 0.125;
-
-constexpr double kFarAway = 1e3;  // of the model's size, in a step
 
 // Where the deck leaves the default: a step with more is better cut.
 constexpr int kNewtonIterations = 50;
@@ -532,15 +531,6 @@ solver::Stability Static::judge() {
   linear::absolute_sums(K, D);
   const solver::Stability cloth = check_->of(K, D);
   return places_bodies_ && cloth == solver::Stability::stable ? judge_bodies(K) : cloth;
-}
-
-// Pivots of a part that nothing holds are rounded: where they pass for a stiffness, it goes this far.
-bool Static::flies_away() const {
-  const auto& state = std::as_const(*assembly_).state();
-  const auto from = state.committed_kinematics(), to = state.x();
-  double furthest = 0;
-  for (std::size_t i = 0; i < to.size(); ++i) furthest = std::max(furthest, std::abs(to[i] - from[i]));
-  return furthest > kFarAway * box_of(assembly_->dofs().reference()).size().norm();
 }
 
 bool Static::finish(solver::NewtonResult result, double end, StepReport& report) {

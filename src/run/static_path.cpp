@@ -21,6 +21,7 @@ constexpr double kSmall = 2e-3;      // below it the next steps are not asked
 constexpr double kLeast = 1.0 / 64;  // of the run: a shorter step may err as much as one of this length
 // The halves need not be solved better than the error is asked for.
 const solver::NewtonOptions kHalves{1e-5, 12};
+constexpr double kFarAway = 1e3;  // of the model's size, in a step
 constexpr double kRounding =
     1e3 * std::numeric_limits<double>::epsilon();  // of displacements, over the cloth's size
 
@@ -126,6 +127,13 @@ std::vector<double> Static::held_by_supports() const {
     at(force, static_cast<std::ptrdiff_t>(n)) = assembly_->dofs().support_force(
         static_cast<mesh::Index>(n), assembly_->internal().on_x, problem_->external());
   return force;
+}
+
+// Pivots of a part that nothing holds are rounded: where they pass for a stiffness, it goes this far.
+bool Static::flies_away() const {
+  const auto& state = std::as_const(*assembly_).state();
+  const double size = box_of(assembly_->dofs().reference()).size().norm();
+  return largest_distance(state.committed_kinematics(), state.x(), state.x().size()) > kFarAway * size;
 }
 
 // m: displacements up to here are none. Positions are rounded; and of cloth that is under tension from the
