@@ -3,6 +3,7 @@
 #include <cstring>
 #include <limits>
 
+#include "base/number.hpp"
 #include "element/shell3.hpp"
 
 namespace fabricsh::element {
@@ -233,7 +234,7 @@ double eased(double oblique, double stiffness) {
 }  // namespace
 
 DegenerateElement::DegenerateElement(double jacobian)
-    : Error("is degenerate or inverted: its Jacobian is " + std::to_string(jacobian) +
+    : Error("is degenerate or inverted: its Jacobian is " + number(jacobian) +
             ", expected a positive number") {}
 
 void shell4_geometry(const section::Section& section, const std::array<Vec3, 4>& X,

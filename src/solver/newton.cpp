@@ -76,6 +76,15 @@ NewtonResult failed(Answer answer) {
   result.status = status_of(answer);
   return result;
 }
+
+// Whether the iterations on branches end near a solution: the residual is small, and swings, as where lines
+// of branches lead to each other in turn, or as many iterations are made as are permitted.
+bool ends_near(std::span<const double> residuals) {
+  constexpr double kNear = 1e-3, kFalls = 0.25;
+  const std::size_t n = residuals.size();
+  return n >= 3 && residuals[n - 1] < kNear &&
+         (n == kMostOnBranches || residuals[n - 1] > kFalls * residuals[n - 3]);
+}
 }  // namespace
 
 Answer Newton::predict(Problem& problem) {
@@ -90,9 +99,11 @@ NewtonResult Newton::solve(Problem& problem, const NewtonOptions& options) {
   if (!problem.has_branches() || !options.line_search) return iterate(problem, options, true);
   const NewtonResult followed = follow_branches(problem, options);
   if (followed.status == NewtonStatus::converged) return followed;
-  // A step that begins anew takes the branches as they are.
-  if (const Answer answer = predict(problem); answer != Answer::ok) return failed(answer);
-  NewtonResult result = iterate(problem, options, true);
+  // Branches as they are: from there, where that is near, or in a step that begins anew.
+  const bool near = ends_near(followed.residuals);
+  if (!near)
+    if (const Answer answer = predict(problem); answer != Answer::ok) return failed(answer);
+  NewtonResult result = near ? correct(problem, options) : iterate(problem, options, true);
   result.iterations += followed.iterations;
   return result;
 }
@@ -130,7 +141,7 @@ NewtonResult Newton::follow_branches(Problem& problem, const NewtonOptions& opti
       problem.accept();
       result.status = *judged;
     }
-    if (judged) break;
+    if (judged || ends_near(result.residuals)) break;
     if (checked(problem.tangent_on_branches(K_, r_), r_) != Answer::ok) break;
     problem.accept();
   }

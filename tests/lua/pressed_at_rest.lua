@@ -38,6 +38,23 @@ for _, o in ipairs {
   checks[#checks + 1] = { "the ledger closes", e.error, 0, absolute = 1e-2 }
 end
 
+-- Yarns of woven cloth at rest are at the kink between slack and taut: steps of 5 ms hold, in some ten iterations.
+for _, n in ipairs { 6, 16 } do
+  local denim = fabric.card("denim", { bending = "estimated" })
+  local mesh = fabric.mesh.rectangle { width = 60 * mm, height = 60 * mm, nx = n, ny = n }
+  local m = fabric.model { mesh = mesh, card = denim, warp = 0 }
+  local floor = fabric.rigid.plane { point = { 0, 0, -denim.thickness / 2 }, normal = { 0, 0, 1 } }
+  m:contact { between = { floor, "all" }, friction = 0.3 }:gravity { 0, 0, -9.81 }
+  local a = fabric.dynamic { model = m, duration = 0.05, scheme = "implicit", step = 5e-3 }
+  a:solve()
+  local iterations = 0
+  for i = 1, #a.steps do iterations = iterations + a.steps[i].iterations end
+  print(("denim at rest, %d elements a side: %d steps, %d iterations"):format(n, #a.steps, iterations))
+  checks[#checks + 1] = { "steps of denim at rest, at most 12", math.max(#a.steps, 12), 12, absolute = 0 }
+  checks[#checks + 1] = { "iterations of denim at rest, at most 200", math.max(iterations, 200), 200, absolute = 0 }
+  checks[#checks + 1] = { "the ledger of denim at rest", a.energy.error, 0, absolute = 1e-6 }
+end
+
 local ok, words = pcall(function()
   local mesh = fabric.mesh.rectangle { width = 45 * mm, height = 30 * mm, nx = 3, ny = 2, origin = { 0, 0, half } }
   local m = fabric.model { mesh = mesh, card = card, warp = 0 }
