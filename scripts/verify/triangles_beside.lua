@@ -69,9 +69,9 @@ local problems = {
   { "clamped disc, R/t = 1000", { 4, 8, 16 }, function(n, cut) return plate(cut(fabric.mesh.disk { radius = 100 * mm, cells = n }), 1000, 1 / 64, clamped, true) end, 1.5 },
   { "clamped square, a/t = 100", { 4, 8, 16 }, square(100, 0.00126532, clamped), 1.5 },
   { "clamped square, a/t = 1000", { 4, 8, 16 }, square(1000, 0.00126532, clamped), 1.5 },
-  { "supported square, a/t = 1000", { 4, 8, 16 }, square(1000, 0.00406235, supported), 4.1 },
+  { "supported square, a/t = 1000", { 4, 8, 16 }, square(1000, 0.00406235, supported), 1.5 },
   { "frequency of a strip in torsion", { 1, 2, 4 }, torsion, 1.5 },
-  { "energy of a strip twisted by 30 degrees", { 1, 2, 4 }, twisted, 25 },
+  { "energy of a strip twisted by 30 degrees", { 1, 2, 4 }, twisted, 22 },
 }
 local checks = {}
 for _, p in ipairs(problems) do

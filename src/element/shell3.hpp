@@ -43,6 +43,10 @@ void shell3_rest_geometry(const section::Section& section, const Placed<3>& refe
                           const Placed<3>& unbent, const WarpAt& warp, double* geometry, int lane,
                           int stride);
 
+// N m: the least rigidity of virgin cloth in bending along an edge, zero where nothing bends.
+double shell3_rigidity(const section::Section& section, const std::array<Vec3, 3>& X,
+                       const std::array<Vec3, 3>& D, const WarpAt& warp);
+
 // Like shell4_sharing; the result is at most `through`.
 Sharing shell3_sharing(const section::Section& section, const double* geometry);
 

@@ -350,11 +350,17 @@ VirginStiffness virgin_stiffness(const section::Section& section, const PointFra
   return sum;
 }
 
+// The components of a bend along an edge, over its curvature.
+Vec3 bend_along(const Vec3& A1, const Vec3& A2, const Vec3& edge) {
+  const double a = A1.dot(edge), b = A2.dot(edge);
+  return Vec3(a * a, b * b, 2 * a * b) / edge.squaredNorm();
+}
+
 // p of an edge (see shell3.hpp); infinite without a stiffness of either kind, so that no parabola is added.
 double shear_over_bending(const VirginStiffness& of, const section::Section& section, const Vec3& A1,
                           const Vec3& A2, const Vec3& edge) {
   const double l2 = edge.squaredNorm(), a = A1.dot(edge), b = A2.dot(edge);
-  const Vec3 kappa = Vec3(a * a, b * b, 2 * a * b) / l2;
+  const Vec3 kappa = bend_along(A1, A2, edge);
   const Eigen::Vector2d shear = section.thickness / 2 * Eigen::Vector2d(a, b) / std::sqrt(l2);
   const double B = kappa.dot(of.bending * kappa), S = shear.dot(of.shear * shear);
   constexpr double least = 1e-9;  // of S t^2: less bending is rounding
@@ -364,6 +370,20 @@ double shear_over_bending(const VirginStiffness& of, const section::Section& sec
 }
 
 }  // namespace
+
+double shell3_rigidity(const section::Section& section, const std::array<Vec3, 3>& X,
+                       const std::array<Vec3, 3>& D, const WarpAt& warp) {
+  const Vec3 A1 = X[1] - X[0], A2 = X[2] - X[0];
+  const PointFrame middle{
+      (X[0] + X[1] + X[2]) / 3, (D[0] + D[1] + D[2]) / 3, A1, A2, D[1] - D[0], D[2] - D[0]};
+  const Mat3 bending = virgin_stiffness(section, middle, warp).bending;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Vec3& edge : {A1, A2, Vec3(A2 - A1)}) {
+    const Vec3 kappa = bend_along(A1, A2, edge);
+    least = std::min(least, kappa.dot(bending * kappa));
+  }
+  return std::max(0.0, least / A1.cross(A2).norm());  // that of the parallelogram
+}
 
 void shell3_geometry(const section::Section& section, const std::array<Vec3, 3>& X,
                      const std::array<Vec3, 3>& D, const WarpAt& warp, double* geometry, int lane,

@@ -142,6 +142,7 @@ TEST_CASE("the assembled tangent is the derivative of the residual, with every k
   const std::pair<const char*, std::function<void(model::Model&)>> loads[] = {
       {"none", [](model::Model&) {}},
       {"pressure", [](model::Model& m) { m.pressure("all", history::History::constant(2e5)); }},
+      {"little pressure", [](model::Model& m) { m.pressure("all", history::History::constant(40)); }},
       {"moment",
        [](model::Model& m) {
          m.add<model::MomentLoad>({"right", along_x(0.3), model::frame_from(Vec3(1, 2, 3), Vec3(0, 1, 0))});
@@ -355,6 +356,26 @@ TEST_CASE("pressure pushes along the normal: the resultant on a flat sheet is p 
   Vec3 sum = Vec3::Zero();
   for (std::size_t i = 0; i < f.size(); i += 3) sum += Vec3(f[i], f[i + 1], f[i + 2]);
   CHECK((sum - Vec3(0, 0, 50 * 0.02)).norm() < 1e-14);
+}
+
+TEST_CASE("pressure works on the volume between triangles and the arcs along their edges, up to a limit") {
+  const double curvature = 0.3, h = 0.04;
+  const auto work = [&](double pressure, bool triangles) {
+    auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(0.2, 0.1, 5, 4));
+    if (triangles) cut_some(*mesh, 1);
+    model::Model m(mesh, svk(), {});
+    m.pressure("all", history::History::constant(pressure));
+    mechanics::Assembly a(m);
+    std::vector<double> f(3 * mesh->nodes.size()), on_d(f.size());
+    a.terms().find<mechanics::FollowerLoad>()->add_follower(0, a.trial(), f, on_d);
+    double sum = 0;
+    for (std::size_t n = 0; n < mesh->nodes.size(); ++n) sum += on_d[3 * n] * curvature * mesh->nodes[n].x();
+    return sum;
+  };
+  const double wanted = curvature * h * h / 12 * 0.02;  // of a flat arc over each cell
+  CHECK(std::abs(work(1e-5, true) / (1e-5 * wanted) - 1) < 1e-9);
+  CHECK(work(1e-3, false) == 0);
+  CHECK(std::abs(work(1e9, true)) < 1e-3 * 1e9 * wanted);
 }
 
 TEST_CASE("patch test of mixed meshes: a homogeneous strain leaves no force inside") {

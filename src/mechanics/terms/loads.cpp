@@ -9,6 +9,7 @@
 #include "geometry/node_view.hpp"
 #include "geometry/turning.hpp"
 #include "mechanics/mesh_tools.hpp"
+#include "mechanics/terms/bulges.hpp"
 #include "mechanics/terms/faces.hpp"
 #include "model/rest_mesh.hpp"
 
@@ -189,13 +190,20 @@ bool edges_are_held(const model::Model& model, const Freedoms& freedoms,
 
 // Pressure along the normal of the present surface: f_A = p sum_g N_A a1 x a2. It has a potential, p times
 // the volume that the surface sweeps, and a symmetric stiffness, where its edges stay or move in planes.
+// Triangles bulge beside (terms/bulges.hpp).
 class Pressure final : public Term, public FollowerLoad {
  public:
-  Pressure(const model::Model& model, const Freedoms& freedoms) {
+  Pressure(const model::Model& model, const RestShape& rest, const Freedoms& freedoms) {
     const auto& mesh = model.mesh();
+    const bool touches = model.interactions().any();  // contact holds nodes against the pressure there
     for (const auto& p : model.all<model::PressureLoad>()) {
-      Faces faces{{}, p.value};
-      for (const auto e : mesh.elements_in(mesh.set(p.set))) faces.elements.push_back(mesh.elements[e]);
+      Faces faces{{}, {}, p.value};
+      for (const auto e : mesh.elements_in(mesh.set(p.set))) {
+        faces.elements.push_back(mesh.elements[e]);
+        if (touches) continue;
+        if (const auto bulge = bulge_of(model, rest, e)) faces.bulges.push_back(*bulge);
+      }
+      bulges_ = bulges_ || !faces.bulges.empty();
       faces_.push_back(std::move(faces));
     }
     edges_are_held_ = std::all_of(faces_.begin(), faces_.end(), [&](const Faces& faces) {
@@ -210,29 +218,38 @@ class Pressure final : public Term, public FollowerLoad {
     for (const auto& p : faces_) at_trial_time_.push_back(p.value.value(time));
   }
   bool follows_positions() const override { return true; }
-  void add_follower(double time, const Trial& trial, std::span<double> on_x, std::span<double>) const {
-    for (const auto& faces : faces_)
-      add_pressure(faces.elements, faces.value.value(time), trial.configuration.x(), on_x);
+  bool follows_directors() const override { return bulges_; }
+  void add_follower(double time, const Trial& trial, std::span<double> on_x,
+                    std::span<double> on_d) const override {
+    for (const auto& faces : faces_) add(faces, faces.value.value(time), trial.configuration, on_x, on_d);
   }
   bool symmetric() const override { return edges_are_held_; }
   Outcome add_forces(const law::Step&, const Trial& trial, Forces& forces) override {
     for (std::size_t k = 0; k < faces_.size(); ++k)
-      add_pressure(faces_[k].elements, -at_trial_time_[k], trial.configuration.x(), forces.on_x);
+      add(faces_[k], -at_trial_time_[k], trial.configuration, forces.on_x, forces.on_d);
     return {};
   }
   void add_tangent(const Trial& trial, TangentSink& sink) const override {
-    for (std::size_t k = 0; k < faces_.size(); ++k)
+    for (std::size_t k = 0; k < faces_.size(); ++k) {
       add_pressure_tangent(faces_[k].elements, at_trial_time_[k], trial.configuration.x(), sink);
+      add_pressure_tangent(faces_[k].bulges, at_trial_time_[k], trial.configuration, sink);
+    }
   }
 
  private:
   struct Faces {
     std::vector<std::array<Index, 4>> elements;
+    std::vector<Bulge> bulges;  // of the triangles
     model::History value;
   };
+  static void add(const Faces& faces, double pressure, const Configuration& now, std::span<double> on_x,
+                  std::span<double> on_d) {
+    add_pressure(faces.elements, pressure, now.x(), on_x);
+    add_pressure(faces.bulges, pressure, now, on_x, on_d);
+  }
   std::vector<Faces> faces_;
   std::vector<double> at_trial_time_;  // Pa
-  bool edges_are_held_ = false;
+  bool edges_are_held_ = false, bulges_ = false;
 };
 
 // --- moments
@@ -443,14 +460,15 @@ class EdgeBands final : public Term {
 }  // namespace
 
 std::vector<std::unique_ptr<Term>> loads_of(const model::Model& model, const std::vector<double>& mass,
-                                            const std::vector<double>& mass_moment,
+                                            const std::vector<double>& mass_moment, const RestShape& rest,
                                             const Freedoms& freedoms) {
   std::vector<std::unique_ptr<Term>> all;
   if (std::any_of(model.gravity().begin(), model.gravity().end(), [](const auto& g) { return bool(g); }))
     all.push_back(std::make_unique<Gravity>(model, mass, mass_moment));
   if (!model.all<model::ForceLoad>().empty() || !model.all<model::TractionLoad>().empty())
     all.push_back(std::make_unique<DeadLoads>(model));
-  if (!model.all<model::PressureLoad>().empty()) all.push_back(std::make_unique<Pressure>(model, freedoms));
+  if (!model.all<model::PressureLoad>().empty())
+    all.push_back(std::make_unique<Pressure>(model, rest, freedoms));
   if (!model.all<model::MomentLoad>().empty()) all.push_back(std::make_unique<Moments>(model));
   if (!model.all<model::GroundSpring>().empty()) all.push_back(std::make_unique<Springs>(model));
   if (!model.all<model::EdgeBand>().empty()) all.push_back(std::make_unique<EdgeBands>(model));
