@@ -53,7 +53,7 @@ function lists.mean(list, f) return lists.sum(list, f) / #list end
 
 function lists.dot(a, b)
   local sum = 0
-  for i, x in ipairs(a) do sum = sum + x * b[i] end
+  for i = 1, #a do sum = sum + a[i] * b[i] end
   return sum
 end
 

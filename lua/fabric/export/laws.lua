@@ -4,13 +4,18 @@
 -- for the elements of all these laws in their usual setting, so that J = lambda1 lambda2 cos(shear angle).
 local laws = {}
 
--- The value of a piecewise linear curve {x, y}; the end segments are continued, as the solvers do.
+-- The value of a piecewise linear curve {x, y}; the end segments are continued, as the solvers do. The segment found last is tried first.
 local function value(curve, x)
   local xs, ys = curve.x, curve.y
-  local low, high = 1, #xs
-  while high - low > 1 do
-    local middle = (low + high) // 2
-    if xs[middle] <= x then low = middle else high = middle end
+  local low = curve.last
+  local high = low and low + 1
+  if not (low and xs[low] <= x and x < xs[high]) then
+    low, high = 1, #xs
+    while high - low > 1 do
+      local middle = (low + high) // 2
+      if xs[middle] <= x then low = middle else high = middle end
+    end
+    curve.last = high > low and low or nil
   end
   return ys[low] + (ys[high] - ys[low]) * (x - xs[low]) / (xs[high] - xs[low])
 end
@@ -22,16 +27,18 @@ laws.value = value
 --   reload = "curve": reloads along the unloading curve          (*MAT_034 with RL = 0)
 --   reload = "scaled": reloads along the loading curve, scaled in between (LAW58: sigeps58c, branches LOAD, RELOAD, UNLOAD)
 local function scaled(loading, unloading, meet, reload, odd)
-  local s = { x = 0, most = 0, most_y = 0, turn = 0, turn_y = 0, low = 0, low_y = 0, virgin = true, sign = 1 }
-  local trial
+  local function new() return { x = 0, most = 0, most_y = 0, turn = 0, turn_y = 0, low = 0, low_y = 0, virgin = true, sign = 1 } end
+  local s, t, evaluated = new(), new(), false
   local function evaluate(x)
-    local t = {}
-    for k, v in pairs(s) do t[k] = v end
+    t.x, t.most, t.most_y, t.turn, t.turn_y = s.x, s.most, s.most_y, s.turn, s.turn_y
+    t.low, t.low_y, t.virgin, t.sign = s.low, s.low_y, s.virgin, s.sign
+    evaluated = true
     local sign = 1
     if odd then
       sign = x < 0 and -1 or 1
       if sign ~= s.sign and x ~= 0 then -- shear in the other direction starts anew
-        t = { x = 0, most = 0, most_y = 0, turn = 0, turn_y = 0, low = 0, low_y = 0, virgin = true, sign = sign }
+        t = new()
+        t.sign = sign
       end
       x = math.abs(x)
     end
@@ -54,10 +61,12 @@ local function scaled(loading, unloading, meet, reload, odd)
       y = t.low_y + (t.most_y - t.low_y) / t.most_y * value(loading, part)
       t.turn, t.turn_y = x, y
     end
-    trial = t
     return sign * y
   end
-  return { at = evaluate, commit = function() s = trial or s end }
+  local function commit()
+    if evaluated then s, t, evaluated = t, s, false end
+  end
+  return { at = evaluate, commit = commit }
 end
 
 -- The unloading curve {x, y}, which rises from {0, 0}, is shifted to the point of reversal; below its zero the yarn is slack.

@@ -224,15 +224,17 @@ end
 local function relaxing(test, time)
   local out = {}
   for i = 1, #test.blocks do out[i] = 0.0 end
+  local exp, seconds, of_row, blocks = math.exp, test.time, test.of_row, test.blocks
   for _, zone in ipairs(test.zones) do
-    local q, E, seconds = 0.0, zone.E, test.time
+    local q, E, weight, last, before = 0.0, zone.E, zone.weight, 0, seconds[1]
     for k = 1, test.rows[#test.rows] do
-      local x = k > 1 and (seconds[k] - seconds[k - 1]) / time or 0
-      local dE = E[k] - (k > 1 and E[k - 1] or 0)
-      local e = math.exp(-x)
+      local strain, second = E[k], seconds[k]
+      local x, dE = (second - before) / time, strain - last
+      last, before = strain, second
+      local e = exp(-x)
       q = q * e + (x > 1e-4 and (1 - e) / x or 1 - x / 2 + x * x / 6) * dE
-      local place = test.of_row[k]
-      if place then out[place] = out[place] + zone.weight[k] * q / test.blocks[place].count end
+      local place = of_row[k]
+      if place then out[place] = out[place] + weight[k] * q / blocks[place].count end
     end
   end
   return out
