@@ -1,5 +1,6 @@
 -- Contact with friction in statics, by relaxation and in implicit motion: the same bits on one and two threads, and when the process is killed
--- and the deck goes on from its checkpoint. Explicit motion: tests/lua/contact_ball.lua.
+-- and the deck goes on from its checkpoint. Explicit motion: tests/lua/contact_ball.lua. With
+-- FABRICSH_TEST_LONG a whole run has two threads, too, and goes on with one.
 local check = dofile((arg[0]:gsub("[^/]*$", "common/check.lua")))
 local file = assert(io.open("scheme_bits.lua", "wb"))
 file:write [[

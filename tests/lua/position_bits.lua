@@ -1,5 +1,6 @@
 -- A ball and a rod that press inside the elements, with friction: the same bits on one and two threads, and when the process is killed and the
--- deck goes on from its checkpoint; in statics, implicit and explicit motion.
+-- deck goes on from its checkpoint; in statics, implicit and explicit motion. With FABRICSH_TEST_LONG a whole run has two
+-- threads, too, and goes on with one.
 local check = dofile((arg[0]:gsub("[^/]*$", "common/check.lua")))
 local file = assert(io.open("position_bits_deck.lua", "wb"))
 file:write [[

@@ -27,7 +27,7 @@ if /usr/bin/python3 -c 'import numpy' 2>/dev/null; then
     /usr/bin/python3 -c 'import fabricsh, os; assert fabricsh.read_card("denim")["name"] == "denim" and fabricsh.find_program() == os.path.realpath("bin/fabricsh")'
 fi
 
-"$1" -S "$3/tests/package/consumer" -B consumer -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_BUILD_TYPE=Release >log 2>&1 &&
+"$1" -S "$3/tests/package/consumer" -B consumer -DCMAKE_PREFIX_PATH="$prefix" >log 2>&1 &&
   "$1" --build consumer >>log 2>&1 || { cat log; exit 1; }
 consumer/consumer
 # A drape with its table, series and checkpoint, cut at half time and gone on with by a second process: the same table.

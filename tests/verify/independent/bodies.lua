@@ -246,10 +246,11 @@ for _, triangles in ipairs { false, true } do
   checks("the speed that is said is stopped", lands(said, triangles) and 1 or 0, 1, exact)
 end
 
--- A stiff sheet lies on four needles with round tips, or on two wires, of 0.6 and of 0.04 mm: each carries its share of the weight, in all schemes.
+-- A stiff sheet lies on four needles with round tips, or on two wires, of 0.6 and of 0.04 mm: each carries its share of the weight, in all schemes;
+-- in the short form relaxation and explicit runs on needles alone.
 for _, case in ipairs { { 0.3e-3, false }, { 0.02e-3, true } } do
   local r, wires = case[1], case[2]
-  for _, how in ipairs { "static", "relaxation", "implicit", "explicit" } do
+  for _, how in ipairs((not wires or os.getenv "FABRICSH_TEST_LONG") and { "static", "relaxation", "implicit", "explicit" } or { "static", "implicit" }) do
     local L, t, rho, off = 0.04, 0.5e-3, 400, 0.0093
     local mesh = fabric.mesh.rectangle { width = L, height = L, nx = 8, ny = 8, triangles = how == "implicit", origin = { -L / 2, -L / 2, t / 2 } }
     mesh:set("middle", function(x, y) return math.abs(x) < 1e-9 and math.abs(y) < 1e-9 end)

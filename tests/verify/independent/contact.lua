@@ -19,8 +19,8 @@ local function lies(height, triangles)
 end
 -- The mean of a component over all nodes, which is not that of the masses at the edge, but moves like it when the sheet moves as a whole.
 local function mean(run, component)
-  local sum, count = 0, 20
-  for i = 1, count do sum = sum + run:node(i)[component] / count end
+  local sum, values = 0, run:field(component)
+  for _, value in ipairs(values) do sum = sum + value / #values end
   return sum
 end
 local function plane() return fabric.rigid.plane { point = { 0, 0, 0 }, normal = { 0, 0, 1 } } end
