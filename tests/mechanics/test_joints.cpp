@@ -17,7 +17,7 @@ using mechanics::Joints;
 namespace {
 
 // Nodes 1 to 9 row by row, elements 1 to 4.
-std::shared_ptr<mesh::Mesh> square(Index n = 2) {
+std::shared_ptr<mesh::Mesh> cut_square(Index n = 2) {
   return std::make_shared<mesh::Mesh>(mesh::rectangle(0.1, 0.1, n, n));
 }
 
@@ -40,7 +40,7 @@ std::size_t count(const Joints& joints) {
 }  // namespace
 
 TEST_CASE("each corner of a zone's elements gets a node, and the elements beside it keep theirs") {
-  const auto whole = square();
+  const auto whole = cut_square();
   whole->define("middle", mesh::NodeSet{4});
   const mesh::Mesh every = split(whole, all_elements(*whole));
   CHECK(every.nodes.size() == 16);
@@ -63,7 +63,7 @@ TEST_CASE("each corner of a zone's elements gets a node, and the elements beside
 }
 
 TEST_CASE("a cut opens where the elements around a place no longer hang together, and its tip stays whole") {
-  const auto whole = square(4);  // 5 x 5 nodes
+  const auto whole = cut_square(4);  // 5 x 5 nodes
   const mesh::Mesh mesh = split(whole, all_elements(*whole));
   Joints joints(mesh);
   CHECK(count(joints) == 25);
@@ -104,7 +104,7 @@ TEST_CASE("a cut opens where the elements around a place no longer hang together
 
 TEST_CASE("a zone nowhere open has the residual and the tangent of the sheet without it") {
   const auto make = [](bool tearable) {
-    auto model = std::make_shared<model::Model>(square(3), test::blend(), model::Options{});
+    auto model = std::make_shared<model::Model>(cut_square(3), test::blend(), model::Options{});
     model->fix("left", model::parse_freedoms("x y z rotation"));
     model::Components load;
     load[2] = history::History::constant(0.3);
@@ -150,7 +150,7 @@ TEST_CASE("a zone nowhere open has the residual and the tangent of the sheet wit
 }
 
 TEST_CASE("opening copies rates, closing takes their mean by mass, and a tangent follows each") {
-  auto model = std::make_shared<model::Model>(square(2), test::blend(), model::Options{});
+  auto model = std::make_shared<model::Model>(cut_square(2), test::blend(), model::Options{});
   model->add<model::Zone>({"all"});
   model->divide_zones();
   mechanics::Assembly a(*model);
@@ -193,7 +193,7 @@ TEST_CASE("opening copies rates, closing takes their mean by mass, and a tangent
 }
 
 TEST_CASE("nodes that are apart do not become one, and nothing is changed then") {
-  auto model = std::make_shared<model::Model>(square(2), test::blend(), model::Options{});
+  auto model = std::make_shared<model::Model>(cut_square(2), test::blend(), model::Options{});
   model->add<model::Zone>({"all"});
   model->divide_zones();
   mechanics::Assembly a(*model);
@@ -216,7 +216,7 @@ TEST_CASE("nodes that are apart do not become one, and nothing is changed then")
 }
 
 TEST_CASE("a zone without an element, and one in a periodic tie, are refused") {
-  auto mesh = square(2);
+  auto mesh = cut_square(2);
   mesh->define("line", mesh::NodeSet{3, 4, 5});
   model::Model m(mesh, test::blend(), {});
   CHECK_THROWS_WITH(m.add<model::Zone>({"line"}), "tearable: set 'line' holds no whole element");

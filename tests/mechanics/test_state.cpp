@@ -26,30 +26,30 @@ void evaluate(LawStates& s, double grown) {
   for (std::size_t i = 0; i < to.size(); ++i) to[i] = from[i] + grown;
 }
 
-double law(const LawStates& s) { return s.current()[1]; }
+double law_value(const LawStates& s) { return s.current()[1]; }
 
 }  // namespace
 
 TEST_CASE("the law's state is the last evaluated one, and the committed one after a commit or rollback") {
   LawStates s(3);
-  CHECK(law(s) == 0);
+  CHECK(law_value(s) == 0);
   evaluate(s, 1);
-  CHECK(law(s) == 1);
+  CHECK(law_value(s) == 1);
   evaluate(s, 2);  // a second iterate starts from the committed state again
-  CHECK(law(s) == 2);
+  CHECK(law_value(s) == 2);
   s.rollback();
-  CHECK(law(s) == 0);
+  CHECK(law_value(s) == 0);
   evaluate(s, 3);
   s.commit();
-  CHECK(law(s) == 3);
+  CHECK(law_value(s) == 3);
   s.commit();  // nothing evaluated in between: the state stays
-  CHECK(law(s) == 3);
+  CHECK(law_value(s) == 3);
   evaluate(s, 4);
-  CHECK(law(s) == 7);
+  CHECK(law_value(s) == 7);
   CHECK(s.committed()[1] == 3);
   s.commit();
   s.rollback();
-  CHECK(law(s) == 7);
+  CHECK(law_value(s) == 7);
 }
 
 TEST_CASE("a kept state brings back configuration and law, whatever was tried since") {
@@ -77,7 +77,7 @@ TEST_CASE("a kept state brings back configuration and law, whatever was tried si
   CHECK(std::as_const(c).x()[4] == 5);
   CHECK(c.committed_kinematics()[4] == 5);
   CHECK(c.time() == 1);
-  CHECK(law(s) == 1);
+  CHECK(law_value(s) == 1);
   Configuration other(3);
   Archive again(kept.bytes());
   CHECK_THROWS_AS(other.keep(again), Error);

@@ -11,7 +11,7 @@ using model::TieKind;
 
 namespace {
 
-std::shared_ptr<mesh::Mesh> square(int n = 2) {
+std::shared_ptr<mesh::Mesh> tied_square(int n = 2) {
   return std::make_shared<mesh::Mesh>(mesh::rectangle(0.1, 0.1, n, n));
 }
 
@@ -27,7 +27,7 @@ model::Components constant(int axis, double value) {
 
 TEST_CASE("ties that cannot be are refused with node, freedom and both sets") {
   const auto refusal = [](const std::function<void(mesh::Mesh&, model::Model&)>& tie) -> std::string {
-    auto mesh = square();
+    auto mesh = tied_square();
     model::Model m(mesh, test::blend(), {});
     try {
       tie(*mesh, m);
@@ -78,7 +78,7 @@ TEST_CASE("ties that cannot be are refused with node, freedom and both sets") {
 }
 
 TEST_CASE("followers are where their leads put them; a rigid edge keeps its shape through a large turn") {
-  auto mesh = square(4);
+  auto mesh = tied_square(4);
   model::Model m(mesh, test::blend(), {});
   m.add<model::Tie>({TieKind::straight, "bottom", {}, words("x y z")});
   m.add<model::Tie>({TieKind::rigid, "top", {}, {}});

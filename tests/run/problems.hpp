@@ -27,6 +27,11 @@ inline mesh::NodeSet nodes_where(const mesh::Mesh& mesh, const std::function<boo
   return ids;
 }
 
+inline std::vector<double> positions(const run::Run& a) {
+  const auto x = a.assembly().state().x();
+  return {x.begin(), x.end()};
+}
+
 // The hinged cylindrical roof under a point load in its middle [sze2004, section 4.7]: a quarter, mm and N,
 // thickness 12.7 (limit point) or 6.35 (snap-back). x runs round the roof, y along it; straight edges hinged.
 // The quarter carries a quarter of `load` at node 1, downwards (-z).

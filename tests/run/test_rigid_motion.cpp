@@ -17,12 +17,12 @@ using run::Scheme;
 
 namespace {
 
-constexpr double kWidth = 0.13, kHeight = 0.07;
+constexpr double kFreeWidth = 0.13, kFreeHeight = 0.07;
 
 // A sheet about the origin, whose nodes in the set move as one.
 std::shared_ptr<model::Model> body(const std::string& set, const Vec3& spin, const Vec3& linear) {
-  auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(kWidth, kHeight, 5, 3));
-  mesh->map([](const Vec3& X) { return Vec3(X.x() - 0.4 * kWidth, X.y() - 0.5 * kHeight, 0); });
+  auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(kFreeWidth, kFreeHeight, 5, 3));
+  mesh->map([](const Vec3& X) { return Vec3(X.x() - 0.4 * kFreeWidth, X.y() - 0.5 * kFreeHeight, 0); });
   mesh->define("part", nodes_where(*mesh, [](const Vec3& X) { return X.x() < 1e-6; }));
   auto card = isotropic(8e6, 0.3, 0.5e-3);
   card.density = 480;
@@ -30,7 +30,7 @@ std::shared_ptr<model::Model> body(const std::string& set, const Vec3& spin, con
   options.warp = [](const Vec3&) { return model::Direction(Vec3::UnitX()); };
   auto m = std::make_shared<model::Model>(mesh, card, options);
   m->add<model::Tie>({model::TieKind::rigid, set, "", {}});
-  m->add<model::InitialVelocity>({"all", linear, spin, Vec3(0.1 * kWidth, 0, 0)});
+  m->add<model::InitialVelocity>({"all", linear, spin, Vec3(0.1 * kFreeWidth, 0, 0)});
   return m;
 }
 

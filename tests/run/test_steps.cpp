@@ -26,11 +26,6 @@ std::shared_ptr<model::Model> make_plate(const card::Card& card, int n, double p
   return m;
 }
 
-std::vector<double> positions(const Static& a) {
-  const auto x = a.assembly().state().x();
-  return {x.begin(), x.end()};
-}
-
 }  // namespace
 
 TEST_CASE("steps that converge well keep the size that was asked for") {

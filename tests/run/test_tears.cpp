@@ -13,11 +13,11 @@ using run::Run;
 
 namespace {
 
-constexpr double kModulus = 1e8, kThickness = 5e-4;   // Pa, m
-constexpr double kStiffness = kModulus * kThickness;  // N/m; E' is the same without cross contraction
+constexpr double kTornModulus = 1e8, kThickness = 5e-4;   // Pa, m
+constexpr double kStiffness = kTornModulus * kThickness;  // N/m; E' is the same without cross contraction
 
 card::Card cloth(double strength, double energy) {
-  card::Card card = test::isotropic(kModulus, 0, kThickness);
+  card::Card card = test::isotropic(kTornModulus, 0, kThickness);
   card.density = 500;
   card.rupture = card::Rupture{{}, card::YarnBreak{strength, energy, {}}};
   return card;

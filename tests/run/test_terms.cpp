@@ -51,11 +51,6 @@ std::shared_ptr<run::Static> stretched(bool all) {
   return a;
 }
 
-std::vector<double> positions(const run::Run& a) {
-  const auto x = a.assembly().state().x();
-  return {x.begin(), x.end()};
-}
-
 // Answers as it is told by what step it is in; forces none.
 class Adviser final : public mechanics::Term {
  public:
