@@ -34,19 +34,23 @@ end
 local function along(legs, p, visit)
   local reach, stiffness = bundle(p)
   local slack, peak = {}, nil
+  local unloading, elastic, curve = p.unloading, 1 - p.friction, p.curve
   for _, leg in ipairs(legs) do
-    if leg.m ~= peak then
+    local m, P = leg.m, leg.P
+    if m ~= peak then
       for j = 1, strands do slack[j] = 1 - reach[j] end
-      peak = leg.m
+      peak = m
     end
     local function stress(E)
-      local x = math.min(math.max(1 - (leg.m - E) * p.unloading / leg.P, 0), 1)
-      local share = (1 - p.friction) * x * (1 - p.curve + p.curve * x)
+      local x = 1 - (m - E) * unloading / P
+      if x < 0 then x = 0 elseif x > 1 then x = 1 end
+      local share = elastic * x * (1 - curve + curve * x)
       for j = 1, strands do
-        local u = math.min(math.max(x - slack[j], 0), reach[j])
+        local u, most = x - slack[j], reach[j]
+        if u < 0 then u = 0 elseif u > most then u = most end
         slack[j], share = x - u, share + stiffness[j] * u
       end
-      return leg.P * share
+      return P * share
     end
     for k, E in ipairs(leg.E) do visit(leg, k, stress(E)) end
     stress(leg.turn)

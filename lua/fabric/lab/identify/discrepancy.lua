@@ -31,9 +31,20 @@ local function eigen(A)
           local t = (theta >= 0 and 1 or -1) / (math.abs(theta) + math.sqrt(theta * theta + 1))
           local c = 1 / math.sqrt(t * t + 1)
           local s = t * c
-          for k = 1, n do A[k][p], A[k][q] = c * A[k][p] - s * A[k][q], s * A[k][p] + c * A[k][q] end
-          for k = 1, n do A[p][k], A[q][k] = c * A[p][k] - s * A[q][k], s * A[p][k] + c * A[q][k] end
-          for k = 1, n do V[k][p], V[k][q] = c * V[k][p] - s * V[k][q], s * V[k][p] + c * V[k][q] end
+          local function turn(rows)
+            for k = 1, n do
+              local row = rows[k]
+              local x, y = row[p], row[q]
+              row[p], row[q] = c * x - s * y, s * x + c * y
+            end
+          end
+          turn(A)
+          local P, Q = A[p], A[q]
+          for k = 1, n do
+            local x, y = P[k], Q[k]
+            P[k], Q[k] = c * x - s * y, s * x + c * y
+          end
+          turn(V)
         end
       end
     end
