@@ -7,7 +7,6 @@
 #include "draws.hpp"
 #include "script/open/open_session.hpp"
 
-using namespace fabricsh;
 using namespace fabricsh::script;
 
 namespace {
@@ -99,11 +98,14 @@ TEST_CASE("every example runs, each in a session of its own") {
     REQUIRE(run(session, "require 'fabric'") == "");
     for (const Entry& entry : session.registry().entries()) examples.emplace_back(entry.name, entry.example);
   }
-  const std::size_t shared = 10 / test::draws(10);
+  const std::size_t shared = 10 / fabricsh::test::draws(10);
   std::unique_ptr<OpenSession> session;
   for (std::size_t i = 0; i < examples.size(); ++i) {
     const auto& [name, example] = examples[i];
-    if (i % shared == 0) session = std::make_unique<OpenSession>(SessionOptions{});
+    if (i % shared == 0) {
+      session.reset();
+      session = std::make_unique<OpenSession>(SessionOptions{});
+    }
     INFO(name << ":\n" << example);
     const std::string said = run(*session, example);
     if (said.find("a part that is not installed") == std::string::npos) CHECK(said == "");
