@@ -1,4 +1,6 @@
 // The direct solvers on matrices whose solution and inertia are known.
+#include <omp.h>
+
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -144,6 +146,34 @@ TEST_CASE("signed factors solve matrices that are indefinite and count their neg
   CHECK(error(*solver, swap) < 1e-11);
   swap.clear();
   CHECK_FALSE(solver->factorise(swap));
+}
+
+TEST_CASE("signed factors of a matrix that threads share have the same bits for any number of them") {
+  const int usual = omp_get_max_threads();
+  const Index n = 180;
+  for (const double shift : {0.0, 0.01}) {
+    const auto A = laplacian(n, shift);
+    std::vector<double> b(A.size()), first, x(b.size());
+    for (std::size_t i = 0; i < b.size(); ++i) b[i] = std::sin(1.0 + static_cast<double>(i));
+    for (const int threads : {1, 2, 5}) {
+      omp_set_num_threads(threads);
+      const auto solver = make_signed_solver();
+      CHECK(error(*solver, A) < 1e-9);
+      CHECK(solver->report().negative_pivots == negative_eigenvalues(n, shift));
+      REQUIRE(solver->solve(A, b, x));
+      if (first.empty()) first = x;
+      CHECK(x == first);
+    }
+    // One pivot means nothing: all threads stop, and pivots are looked for.
+    Matrix singular = A;
+    const Index middle = n * n / 2 + n / 2;
+    for (Index k = A.pattern->column[middle]; k < A.pattern->column[middle + 1]; ++k) {
+      singular.value[k] = 0;
+      singular.value[A.pattern->slot(middle, A.pattern->row[k])] = 0;
+    }
+    CHECK_FALSE(make_signed_solver()->factorise(singular));
+  }
+  omp_set_num_threads(usual);
 }
 
 TEST_CASE("a pattern is analysed once, and another one anew") {

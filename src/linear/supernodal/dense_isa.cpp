@@ -7,6 +7,7 @@ namespace {
 
 constexpr long w = pack_width;
 constexpr long kPacks = pack_width == 8 ? 4 : 2;  // of rows at once; with the columns they fill the registers
+constexpr long kPanel = 2 * kColumns;
 
 // Rows of c, over w: a S b^T, or c less it.
 template <long packs, bool subtract>
@@ -36,9 +37,9 @@ void multiply(const double* a, long lda, const double* b, long ldb, const double
               long k, double* c, long ldc, double* packed) {
   for (long j = 0; j < n; j += kColumns) {
     const long columns = n - j < kColumns ? n - j : kColumns;
-    for (long l = 0; l < k; ++l)
-      for (long i = 0; i < kColumns; ++i)
-        packed[l * kColumns + i] = i < columns ? sign[l] * b[l * ldb + j + i] : 0;
+    for (long l = 0; l < k; ++l)  // what is stored beyond five numbers is overwritten by the next
+      for (long i = 0; i < kColumns; i += w)
+        store(packed + l * kColumns + i, load(b + l * ldb + j + i) * Pack(sign[l]));
     double* const to = c + j * ldc;
     long i = 0;
     for (; i + kPacks * w <= m; i += kPacks * w)
@@ -59,24 +60,41 @@ inline void subtract_from(long from, long rows, const double* x, double s, doubl
   for (long i = from / w * w; i < rows; i += w) store(y + i, load(y + i) - load(x + i) * factor);
 }
 
-bool factorise(double* a, long lda, long rows, long n, double least, double* sign, double* packed) {
-  constexpr long panel = 2 * kColumns;
-  for (long p = 0; p < n; p += panel) {
-    const long end = p + panel < n ? p + panel : n, first = p / kRows * kRows;
+// Columns j to end of the rows from `from` on, once column j of them and row j to end of it are known.
+inline void finish_column(double* a, long lda, long j, long end, long from, long rows, Pack over,
+                          const double* sign) {
+  double* const x = a + j * lda;
+  for (long i = from / w * w; i < rows; i += w) store(x + i, load(x + i) * over);
+  for (long l = j + 1; l < end; ++l) subtract_from(from > l ? from : l, rows, x, sign[j] * x[l], a + l * lda);
+}
+
+bool factorise(double* a, long lda, long rows, long first, long n, const double* least, double* sign,
+               double* packed) {
+  for (long p = first; p < n; p += kPanel) {
+    const long end = p + kPanel < n ? p + kPanel : n, from = p / kRows * kRows;
     if (p > 0)
-      multiply<true>(a + first, lda, a + p, lda, sign, rows - first, end - p, p, a + p * lda + first, lda,
+      multiply<true>(a + from, lda, a + p, lda, sign, rows - from, end - p, p, a + p * lda + from, lda,
                      packed);
     for (long j = p; j < end; ++j) {
-      double* const x = a + j * lda;
-      const double pivot = x[j];
-      if (!(abs(pivot) > least) || !(abs(pivot) < 1e300)) return false;
+      const double pivot = a[j * lda + j];
+      if (!(abs(pivot) > least[j]) || !(abs(pivot) < 1e300)) return false;
       sign[j] = pivot < 0 ? -1 : 1;
-      const Pack over(sign[j] / sqrt(abs(pivot)));
-      for (long i = j / w * w; i < rows; i += w) store(x + i, load(x + i) * over);
-      for (long l = j + 1; l < end; ++l) subtract_from(l, rows, x, sign[j] * x[l], a + l * lda);
+      finish_column(a, lda, j, end, j, rows, Pack(sign[j] / sqrt(abs(pivot))), sign);
     }
   }
   return true;
+}
+
+void extend(double* a, long lda, long from, long rows, long first, long n, const double* sign,
+            double* packed) {
+  for (long p = first; p < n; p += kPanel) {
+    const long end = p + kPanel < n ? p + kPanel : n;
+    if (p > 0)
+      multiply<true>(a + from, lda, a + p, lda, sign, rows - from, end - p, p, a + p * lda + from, lda,
+                     packed);
+    for (long j = p; j < end; ++j)
+      finish_column(a, lda, j, end, from, rows, Pack(sign[j] / a[j * lda + j]), sign);
+  }
 }
 
 void forward(const double* a, long lda, long rows, long n, double* x, double* below) {
@@ -121,7 +139,7 @@ void backward(const double* a, long lda, long rows, long n, double* x, const dou
 
 }  // namespace
 
-DenseKernels dense_kernels_of_isa() { return {product, factorise, forward, backward}; }
+DenseKernels dense_kernels_of_isa() { return {product, factorise, extend, forward, backward}; }
 
 }  // namespace FABRICSH_ISA
 }  // namespace fabricsh::linear

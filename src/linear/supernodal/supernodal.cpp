@@ -1,12 +1,20 @@
 // A = L S L^T with signs S, supernode by supernode [chen2008]; CHOLMOD finds ordering and supernodes. For the
 // small supernodes of some thousand unknowns the kernels here take a third of the time of those of a BLAS.
+//
+// Threads share the work in two phases: first parts, subtrees of the elimination tree, each by one thread,
+// which also sums what a part takes from the rows above it, its border; then the nodes above all parts one
+// after another, each by blocks of rows. Parts and blocks do not depend on the number of threads, nor does
+// the order of any sum.
 #include "linear/supernodal/supernodal.hpp"
 
 #include <cholmod.h>
+#include <omp.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <new>
+#include <numeric>
 #include <utility>
 
 #include "linear/suitesparse/ordering.hpp"
@@ -21,8 +29,14 @@ FABRICSH_DECLARE_COPIES(DenseKernels dense_kernels_of_isa();)
 
 namespace {
 
-constexpr double kMeaningless = 1e-13;  // of the largest diagonal entry: a pivot that means nothing
-constexpr double kLeft = 1e-8;          // of the right-hand side, left of it
+constexpr double kMeaningless = 1e-13;       // of its diagonal entry: a pivot that means nothing
+constexpr double kLeft = 1e-8;               // of the right-hand side, left of it
+constexpr double kSharedFrom = 4e6;          // multiplications, from which threads share them
+constexpr double kWideFrom = 1e6;            // multiplications of one node, likewise
+constexpr std::size_t kSolvedFrom = 300000;  // entries of L, from which threads share its solutions
+constexpr double kPart = 1.0 / 8;            // of all multiplications: those of a part at most
+constexpr std::size_t kBordered = 4;         // nodes of a part from which it sums its border
+constexpr long kBlock = 96, kWide = 48;  // rows and columns of a node above the parts that are done at once
 constexpr long up_to(long n, long multiple) { return (n + multiple - 1) / multiple * multiple; }
 
 class Supernodal final : public LinearSolver {
@@ -54,6 +68,7 @@ class Supernodal final : public LinearSolver {
     std::vector<std::size_t> node_of(place_of_.size());  // of a column
     for (std::size_t s = 0; s < nodes_.size(); ++s)
       std::fill_n(node_of.begin() + nodes_[s].first, nodes_[s].columns, s);
+    divide(node_of);
     list_entries(A, node_of);
     list_updates(node_of);
     return true;
@@ -91,15 +106,26 @@ class Supernodal final : public LinearSolver {
   struct Node {
     Index first, row, value;  // column, of rows_, of value_
     long rows, columns, stride;
-    std::size_t entries, updates;  // where its lists end
+    std::size_t entries, updates, borders;  // where its lists end
   };
   struct Run {
     long from, to;
     Index at;
   };
   struct Update {
-    Index node;
-    long from, to;  // the rows of that node that are columns of this one
+    std::size_t from_node;  // or part
+    long from, to;          // the rows of that node, or border, that are columns of this one
+  };
+  struct Part {
+    std::size_t begin, end;  // nodes
+    Index row, edge,
+        value;  // of its border: of rows_, of edge_, of border_; -1: its nodes update those above
+    long rows, stride;
+  };
+  struct Workspace {  // of a thread
+    std::vector<double> product, packed, below, far;
+    std::vector<Index> local;  // of a row, its number in the node at work
+    std::vector<Run> run;
   };
 
   bool by_general(const Matrix& A) {
@@ -112,21 +138,48 @@ class Supernodal final : public LinearSolver {
 
   // x = A^-1 b by the factors; both may be the same.
   void substitute(std::span<const double> b, std::span<double> x) {
-    const DenseKernels& k = kernels_;
     for (std::size_t i = 0; i < b.size(); ++i) y_[place_of_[i]] = b[i];
-    for (const Node& s : nodes_) {
-      k.forward(value_.data() + s.value, s.stride, s.rows, s.columns, y_.data() + s.first, below_.data());
-      const Index* const row = rows_.data() + s.row;
-      for (long i = s.columns; i < s.rows; ++i) y_[row[i]] -= below_[i - s.columns];
+    const auto parts = static_cast<Index>(parts_.size());
+    make_workspaces();
+    const bool by_all = shared_ && value_.size() >= kSolvedFrom;
+#pragma omp parallel for schedule(dynamic, 1) if (by_all)
+    for (Index p = 0; p < parts; ++p) {
+      const Part& part = parts_[order_[p]];
+      Workspace& work = workspaces_[omp_get_thread_num()];
+      for (std::size_t s = part.begin; s < part.end; ++s) forward(nodes_[s], nodes_[part.end - 1], work);
+      for (long i = 0; i < part.rows; ++i)
+        edge_[part.edge + i] = std::exchange(work.far[rows_[part.row + i]], 0.0);
     }
+    for (const Part& part : parts_)
+      for (long i = 0; i < part.rows; ++i) y_[rows_[part.row + i]] += edge_[part.edge + i];
+    for (const std::size_t s : top_) forward(nodes_[s], nodes_.back(), workspaces_[0]);
     for (std::size_t i = 0; i < b.size(); ++i) y_[i] *= sign_[i];
-    for (std::size_t n = nodes_.size(); n-- > 0;) {
-      const Node& s = nodes_[n];
-      const Index* const row = rows_.data() + s.row;
-      for (long i = s.columns; i < s.rows; ++i) below_[i - s.columns] = y_[row[i]];
-      k.backward(value_.data() + s.value, s.stride, s.rows, s.columns, y_.data() + s.first, below_.data());
+    for (std::size_t n = top_.size(); n-- > 0;) backward(nodes_[top_[n]], workspaces_[0]);
+#pragma omp parallel for schedule(dynamic, 1) if (by_all)
+    for (Index p = 0; p < parts; ++p) {
+      const Part& part = parts_[order_[p]];
+      for (std::size_t s = part.end; s-- > part.begin;)
+        backward(nodes_[s], workspaces_[omp_get_thread_num()]);
     }
     for (std::size_t i = 0; i < b.size(); ++i) x[i] = y_[place_of_[i]];
+  }
+
+  // Rows beyond the columns of `last` are those of work.far.
+  void forward(const Node& s, const Node& last, Workspace& work) {
+    double* const below = work.below.data();
+    kernels_.forward(value_.data() + s.value, s.stride, s.rows, s.columns, y_.data() + s.first, below);
+    const Index* const row = rows_.data() + s.row;
+    const Index beyond = last.first + last.columns;
+    long i = s.columns;
+    for (; i < s.rows && row[i] < beyond; ++i) y_[row[i]] -= below[i - s.columns];
+    for (; i < s.rows; ++i) work.far[row[i]] -= below[i - s.columns];
+  }
+
+  void backward(const Node& s, Workspace& work) {
+    double* const below = work.below.data();
+    const Index* const row = rows_.data() + s.row;
+    for (long i = s.columns; i < s.rows; ++i) below[i - s.columns] = y_[row[i]];
+    kernels_.backward(value_.data() + s.value, s.stride, s.rows, s.columns, y_.data() + s.first, below);
   }
 
   // b - A x, of the upper half of A.
@@ -149,29 +202,100 @@ class Supernodal final : public LinearSolver {
     place_of_.resize(static_cast<std::size_t>(size));
     for (Index i = 0; i < size; ++i) place_of_[order[i]] = i;
     Index values = 0;
-    long most = 0, widest = 0;
+    most_ = widest_ = 0;
     for (std::size_t s = 0; s < L.nsuper; ++s) {
-      Node n{starts[s], rows[s], values, rows[s + 1] - rows[s], starts[s + 1] - starts[s], 0, 0, 0};
+      Node n{starts[s], rows[s], values, rows[s + 1] - rows[s], starts[s + 1] - starts[s], 0, 0, 0, 0};
       n.stride = up_to(n.rows, kRows);
       values += n.stride * n.columns;
-      most = std::max(most, n.stride + kRows);
-      widest = std::max(widest, up_to(n.columns, kColumns));
+      most_ = std::max(most_, n.stride + kRows);
+      widest_ = std::max(widest_, n.columns);
       nodes_.push_back(n);
     }
     value_.resize(static_cast<std::size_t>(values + kRows));
     y_.assign(static_cast<std::size_t>(size), 0);
     sign_.assign(static_cast<std::size_t>(size), 1);
-    below_.assign(static_cast<std::size_t>(most), 0);
-    product_.resize(static_cast<std::size_t>(most * widest));
-    packed_.resize(static_cast<std::size_t>(widest * kColumns));
-    local_.resize(static_cast<std::size_t>(size));
-    run_.resize(static_cast<std::size_t>(most));
+    least_.resize(static_cast<std::size_t>(size));
+    workspaces_.clear();
+  }
+
+  void make_workspaces() {
+    const auto threads = static_cast<std::size_t>(shared_ ? omp_get_max_threads() : 1);
+    if (workspaces_.size() >= threads) return;
+    workspaces_.resize(threads);
+    for (Workspace& work : workspaces_) {
+      work.below.resize(static_cast<std::size_t>(most_));
+      work.product.resize(static_cast<std::size_t>(most_ * up_to(kWide, kColumns)));
+      work.packed.resize(static_cast<std::size_t>(widest_ * kColumns + kRows));
+      work.local.resize(place_of_.size());
+      work.far.resize(place_of_.size());
+      work.run.resize(static_cast<std::size_t>(most_));
+    }
+  }
+
+  // Finds the parts: the largest subtrees of few enough multiplications.
+  void divide(const std::vector<std::size_t>& node_of) {
+    std::vector<double> work(nodes_.size(), 0.0);  // of a node and those that lead to it
+    std::vector<std::size_t> begin(nodes_.size());
+    double all = 0;
+    for (std::size_t s = 0; s < nodes_.size(); ++s) begin[s] = s;
+    for (std::size_t s = 0; s < nodes_.size(); ++s) {
+      const Node& n = nodes_[s];
+      const auto rows = static_cast<double>(n.rows);
+      work[s] += rows * rows * static_cast<double>(n.columns);
+      if (n.rows == n.columns) {
+        all += work[s];
+        continue;
+      }
+      const std::size_t next = node_of[rows_[n.row + n.columns]];
+      work[next] += work[s];
+      begin[next] = std::min(begin[next], begin[s]);
+    }
+    parts_.clear();
+    top_.clear();
+    shared_ = all >= kSharedFrom;
+    part_of_.assign(nodes_.size(), -1);
+    Index values = 0, edges = 0;
+    const auto add = [&](std::size_t from, std::size_t to, long columns) {
+      const Node& last = nodes_[to - 1];
+      Part part{from, to, last.row + last.columns, edges, -1, last.rows - columns, 0};
+      part.stride = up_to(part.rows, kRows);
+      edges += part.rows;
+      if (to - from >= kBordered && part.rows > 0) {
+        part.value = values;
+        values += part.stride * part.rows;
+      }
+      std::fill(part_of_.begin() + static_cast<Index>(from), part_of_.begin() + static_cast<Index>(to),
+                static_cast<Index>(parts_.size()));
+      parts_.push_back(part);
+    };
+    if (!shared_) {
+      if (!nodes_.empty()) add(0, nodes_.size(), nodes_.back().rows);
+    } else {
+      std::vector<std::size_t> ends;
+      for (std::size_t end = nodes_.size(); end > 0;)
+        if (work[end - 1] > kPart * all) {
+          top_.push_back(--end);
+        } else {
+          ends.push_back(end);
+          end = begin[end - 1];
+        }
+      std::reverse(top_.begin(), top_.end());
+      for (std::size_t p = ends.size(); p-- > 0;)
+        add(begin[ends[p] - 1], ends[p], nodes_[ends[p] - 1].columns);
+    }
+    border_.resize(static_cast<std::size_t>(values + kRows));
+    edge_.resize(static_cast<std::size_t>(edges));
+    order_.resize(parts_.size());
+    std::iota(order_.begin(), order_.end(), std::size_t{0});
+    std::stable_sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) {
+      return work[parts_[a].end - 1] > work[parts_[b].end - 1];
+    });
   }
 
   // For each node the entries of A in its columns, and where they go.
   void list_entries(const Matrix& A, const std::vector<std::size_t>& node_of) {
     const Pattern& pattern = *A.pattern;
-    diagonal_.clear();
+    diagonal_.assign(place_of_.size(), -1);
     std::vector<std::vector<std::pair<Index, Index>>> lists(nodes_.size());
     for (Index c = 0; c < pattern.size; ++c)
       for (Index k = pattern.column[c]; k < pattern.column[c + 1] && pattern.row[k] <= c; ++k) {
@@ -181,9 +305,13 @@ class Supernodal final : public LinearSolver {
         const Node& n = nodes_[s];
         const auto rows = rows_.begin() + n.row;
         const Index place = std::lower_bound(rows, rows + n.rows, row) - rows;
-        if (row == column) diagonal_.push_back(k);
+        if (row == column) diagonal_[column] = k;
         lists[s].emplace_back(k, n.value + (column - n.first) * n.stride + place);
       }
+    for (const std::size_t s : top_)  // by rows, for blocks of them
+      std::sort(lists[s].begin(), lists[s].end(), [&](const auto& a, const auto& b) {
+        return row_of(nodes_[s], a.second) < row_of(nodes_[s], b.second);
+      });
     entries_.clear();
     for (std::size_t s = 0; s < nodes_.size(); ++s) {
       entries_.insert(entries_.end(), lists[s].begin(), lists[s].end());
@@ -191,79 +319,229 @@ class Supernodal final : public LinearSolver {
     }
   }
 
+  static long row_of(const Node& n, Index value) { return (value - n.value) % n.stride; }
+
   void list_updates(const std::vector<std::size_t>& node_of) {
-    std::vector<std::vector<Update>> lists(nodes_.size());
-    std::size_t target = 0;
+    std::vector<std::vector<Update>> lists(nodes_.size()), borders(nodes_.size());
+    const auto list = [&](std::size_t from, Index row, long begin, long rows, Index last,
+                          std::vector<std::vector<Update>>& to) {
+      std::size_t target = 0;
+      for (long i = begin, end; i < rows && rows_[row + i] <= last; i = end) {
+        target = node_of[rows_[row + i]];
+        for (end = i + 1; end < rows && node_of[rows_[row + end]] == target;) ++end;
+        to[target].push_back({from, i, end});
+      }
+    };
     for (std::size_t s = 0; s < nodes_.size(); ++s) {
       const Node& n = nodes_[s];
-      for (long i = n.columns, end; i < n.rows; i = end) {
-        target = node_of[rows_[n.row + i]];
-        for (end = i + 1; end < n.rows && node_of[rows_[n.row + end]] == target;) ++end;
-        lists[target].push_back({static_cast<Index>(s), i, end});
+      Index last = static_cast<Index>(place_of_.size());
+      if (part_of_[s] >= 0 && parts_[part_of_[s]].value >= 0) {
+        const Node& end = nodes_[parts_[part_of_[s]].end - 1];
+        last = end.first + end.columns - 1;
       }
+      list(s, n.row, n.columns, n.rows, last, lists);
     }
+    for (std::size_t p = 0; p < parts_.size(); ++p)
+      if (parts_[p].value >= 0)
+        list(p, parts_[p].row, 0, parts_[p].rows, static_cast<Index>(place_of_.size()), borders);
+    taken_.assign(nodes_.size(), 0);
     updates_.clear();
+    borders_.clear();
     for (std::size_t s = 0; s < nodes_.size(); ++s) {
       updates_.insert(updates_.end(), lists[s].begin(), lists[s].end());
       nodes_[s].updates = updates_.size();
+      for (const Update& u : lists[s]) {
+        const Node& from = nodes_[u.from_node];
+        taken_[s] += static_cast<double>((from.rows - u.from) * (u.to - u.from) * from.columns);
+      }
+      taken_[s] += static_cast<double>(nodes_[s].rows * nodes_[s].columns * nodes_[s].columns);
+      borders_.insert(borders_.end(), borders[s].begin(), borders[s].end());
+      nodes_[s].borders = borders_.size();
     }
   }
 
   bool factors(const Matrix& A) {
-    const DenseKernels& k = kernels_;
-    double largest = 0;
-    for (const Index d : diagonal_) largest = std::max(largest, std::abs(A.value[d]));
-    std::size_t entry = 0, update = 0;
-    for (const Node& n : nodes_) {
-      double* const values = value_.data() + n.value;
-      std::fill_n(values, n.stride * n.columns, 0.0);
-      for (; entry < n.entries; ++entry) value_[entries_[entry].second] = A.value[entries_[entry].first];
+    for (std::size_t i = 0; i < least_.size(); ++i)
+      least_[i] = diagonal_[i] < 0 ? 0 : kMeaningless * std::abs(A.value[diagonal_[i]]);
+    make_workspaces();
+    std::atomic<bool> possible = true;
+    const auto parts = static_cast<Index>(parts_.size());
+#pragma omp parallel if (shared_)
+    {
+      Workspace& work = workspaces_[omp_get_thread_num()];
+#pragma omp for schedule(dynamic, 1)
+      for (Index p = 0; p < parts; ++p)
+        if (!factors_of(parts_[order_[p]], A, work)) possible = false;
+      // Read between loops that end before it is written again, so that all threads leave together.
+      for (std::size_t t = 0; t < top_.size() && possible;) {
+        if (!wide(top_[t])) {
+          const std::size_t begin = t;
+          while (t < top_.size() && !wide(top_[t])) ++t;
+#pragma omp single
+          for (std::size_t s = begin; s < t; ++s)
+            if (possible && !factors_of(top_[s], A, work)) possible = false;
+        } else {
+          share(top_[t++], A, work, possible);
+        }
+      }
+    }
+    return possible;
+  }
+
+  bool wide(std::size_t s) const { return taken_[s] > kWideFrom; }
+
+  bool factors_of(std::size_t s, const Matrix& A, Workspace& work) {
+    const Node& n = nodes_[s];
+    number_rows(rows_.data() + n.row, n.rows, work);
+    fill(s, A, 0, n.rows, work);
+    return kernels_.factorise(value_.data() + n.value, n.stride, n.rows, 0, n.columns,
+                              least_.data() + n.first, sign_.data() + n.first, work.packed.data());
+  }
+
+  // The same by all threads of a team, each of which gets blocks of rows.
+  void share(std::size_t s, const Matrix& A, Workspace& work, std::atomic<bool>& possible) {
+    const Node& n = nodes_[s];
+    number_rows(rows_.data() + n.row, n.rows, work);
+    const auto blocks = [](long rows) { return rows > 0 ? (rows + kBlock - 1) / kBlock : 0; };
+    const long fills = blocks(n.rows);
+#pragma omp for schedule(dynamic, 1)
+    for (long b = 0; b < fills; ++b) {
+      fill(s, A, b * kBlock, std::min(n.rows, (b + 1) * kBlock), work);
+      if (b == 0 && !pivots(n, 0, work)) possible = false;
+    }
+    for (long p = 0; p < n.columns; p += kWide) {
+      const long end = std::min(p + kWide, n.columns), next = std::min(end + kWide, n.columns);
+      const long first = up_to(end, kRows), rest = up_to(next, kRows), all = 1 + blocks(n.rows - rest);
+#pragma omp for schedule(dynamic, 1)
+      for (long b = 0; b < all; ++b) {
+        const long from = b == 0 ? first : rest + (b - 1) * kBlock;
+        extend(n, p, end, from, std::min(b == 0 ? rest : from + kBlock, n.rows), work);
+        if (b == 0 && end < n.columns && !pivots(n, end, work)) possible = false;
+      }
+    }
+  }
+
+  // Columns `first` and those that are done with it, of so many rows that blocks can follow.
+  bool pivots(const Node& n, long first, Workspace& work) {
+    const long end = std::min(first + kWide, n.columns);
+    return kernels_.factorise(value_.data() + n.value, n.stride, std::min(up_to(end, kRows), n.rows), first,
+                              end, least_.data() + n.first, sign_.data() + n.first, work.packed.data());
+  }
+  void extend(const Node& n, long first, long end, long from, long to, Workspace& work) {
+    if (from < to)
+      kernels_.extend(value_.data() + n.value, n.stride, from, to, first, end, sign_.data() + n.first,
+                      work.packed.data());
+  }
+
+  static void number_rows(const Index* row, long rows, Workspace& work) {
+    for (long i = 0; i < rows; ++i) work.local[row[i]] = i;
+  }
+
+  bool factors_of(const Part& part, const Matrix& A, Workspace& work) {
+    for (std::size_t s = part.begin; s < part.end; ++s)
+      if (!factors_of(s, A, work)) return false;
+    if (part.value < 0) return true;
+    double* const border = border_.data() + part.value;
+    std::fill_n(border, part.stride * part.rows, 0.0);
+    number_rows(rows_.data() + part.row, part.rows, work);
+    for (std::size_t s = part.begin; s < part.end; ++s) {
+      const Node& n = nodes_[s];
       const Index* const row = rows_.data() + n.row;
-      for (long i = 0; i < n.rows; ++i) local_[row[i]] = i;
-      for (; update < n.updates; ++update) subtract(updates_[update], n, values);
-      if (!k.factorise(values, n.stride, n.rows, n.columns, kMeaningless * largest, sign_.data() + n.first,
-                       packed_.data()))
-        return false;
+      const long from = std::lower_bound(row, row + n.rows, rows_[part.row]) - row;
+      subtract({s, from, n.rows}, 0, part.rows, border, part.stride, work);
     }
     return true;
   }
 
-  void subtract(const Update& update, const Node& to, double* values) {
-    const Node& from = nodes_[update.node];
-    const double* const a = value_.data() + from.value + update.from;
-    const long m = from.rows - update.from, n = update.to - update.from, stride = up_to(m, kRows);
-    kernels_.product(a, from.stride, a, from.stride, sign_.data() + from.first, m, n, from.columns,
-                     product_.data(), stride, packed_.data());
-    const Index* const row = rows_.data() + from.row + update.from;
-    // Rows that follow each other in both nodes.
-    std::size_t runs = 0;
-    for (long i = 0, end; i < m; i = end) {
-      const Index at = local_[row[i]];
-      for (end = i + 1; end < m && local_[row[end]] == at + end - i;) ++end;
-      run_[runs++] = {i, end, at};
+  // Entries of A in rows `begin` to `end` of a node, and all that others take from them.
+  void fill(std::size_t s, const Matrix& A, long begin, long end, Workspace& work) {
+    const Node& n = nodes_[s];
+    double* const values = value_.data() + n.value;
+    for (long j = 0; j < n.columns; ++j)
+      std::fill(values + j * n.stride + begin, values + j * n.stride + (end == n.rows ? n.stride : end), 0.0);
+    const std::size_t entry = s == 0 ? 0 : nodes_[s - 1].entries;
+    const auto entries = std::span(entries_).subspan(entry, n.entries - entry);
+    auto e = entries.begin();
+    if (begin > 0)
+      e = std::lower_bound(e, entries.end(), begin,
+                           [&](const auto& a, long row) { return row_of(n, a.second) < row; });
+    const bool whole = end == n.rows;
+    for (; e != entries.end() && (whole || row_of(n, e->second) < end); ++e)
+      value_[e->second] = A.value[e->first];
+    for (std::size_t u = s == 0 ? 0 : nodes_[s - 1].borders; u < n.borders; ++u)
+      add_border(borders_[u], begin, end, values, n.stride, work);
+    for (std::size_t u = s == 0 ? 0 : nodes_[s - 1].updates; u < n.updates; ++u)
+      subtract(updates_[u], begin, end, values, n.stride, work);
+  }
+
+  // Runs of rows, from row[from] on, whose numbers follow each other within `begin` to `end`.
+  std::span<const Run> runs(const Index* row, long from, long rows, long begin, long end, Workspace& work) {
+    std::size_t count = 0;
+    const auto before = [&](Index r, long number) { return work.local[r] < number; };
+    if (begin > 0) from = std::lower_bound(row + from, row + rows, begin, before) - row;
+    for (long i = from, next; i < rows; i = next) {
+      const Index at = work.local[row[i]];
+      if (at >= end) break;
+      for (next = i + 1; next < rows && work.local[row[next]] == at + next - i && at + next - i < end;)
+        ++next;
+      work.run[count++] = {i, next, at};
     }
-    for (long j = 0; j < n; ++j) {
-      double* const column = values + (row[j] - to.first) * to.stride;
-      const double* const c = product_.data() + j * stride;
-      for (std::size_t r = 0; r < runs; ++r) {
-        const auto [i, end, at] = run_[r];
-        double* const x = column + at - i;
-        for (long l = i; l < end; ++l) x[l] -= c[l];
+    return {work.run.data(), count};
+  }
+
+  void add_border(const Update& update, long begin, long end, double* values, long stride, Workspace& work) {
+    const Part& part = parts_[update.from_node];
+    const Index* const row = rows_.data() + part.row;
+    const auto of = runs(row, update.from, part.rows, begin, end, work);
+    if (of.empty()) return;
+    for (long j = update.from; j < std::min(update.to, of.back().to); ++j) {
+      double* const column = values + work.local[row[j]] * stride;
+      const double* const c = border_.data() + part.value + j * part.stride;
+      for (const auto [from, to, at] : of)
+        for (long i = from; i < to; ++i) column[at + i - from] += c[i];
+    }
+  }
+
+  // Rows `begin` to `end` of the target alone.
+  void subtract(const Update& update, long begin, long end, double* values, long stride, Workspace& work) {
+    const Node& from = nodes_[update.from_node];
+    const Index* const row = rows_.data() + from.row;
+    const auto of = runs(row, update.from, from.rows, begin, end, work);
+    if (of.empty()) return;
+    const double* const a = value_.data() + from.value;
+    const long last = of.back().to;
+    for (long j = update.from; j < std::min(update.to, last); j += kWide) {
+      const long n = std::min({kWide, update.to - j, last - j}), first = std::max(of.front().from, j),
+                 rows = last - first, ldc = up_to(rows, kRows);
+      kernels_.product(a + first, from.stride, a + j, from.stride, sign_.data() + from.first, rows, n,
+                       from.columns, work.product.data(), ldc, work.packed.data());
+      for (long l = 0; l < n; ++l) {
+        double* const column = values + work.local[row[j + l]] * stride;
+        const double* const c = work.product.data() + l * ldc - first;
+        for (const auto [begins, ends, at] : of) {
+          double* const x = column + at - begins;
+          for (long i = std::max(begins, first); i < ends; ++i) x[i] -= c[i];
+        }
       }
     }
   }
 
   const DenseKernels kernels_ = FABRICSH_COPY_FOR(best_isa(), dense_kernels_of_isa)();
   std::vector<Node> nodes_;
+  std::vector<Part> parts_;
+  std::vector<std::size_t> top_, order_;  // nodes above all parts; parts, the longest first
+  std::vector<Index> part_of_;            // of a node; -1: above all
+  std::vector<double> taken_;             // multiplications that a node takes
+  bool shared_ = false;
   std::vector<Index> rows_, place_of_;  // rows of all nodes; of an unknown in the order of elimination
   std::vector<Index> diagonal_;         // entries of A
   std::vector<std::pair<Index, Index>> entries_;  // of A, and where in value_ they go
-  std::vector<Update> updates_;
-  LineVector value_;  // of L
-  std::vector<double> sign_, y_, below_, product_, packed_;
+  std::vector<Update> updates_, borders_;
+  LineVector value_, border_;  // of L; what parts take from the rows above them
+  long most_ = 0, widest_ = 0;
+  std::vector<double> sign_, least_, y_, edge_;
+  std::vector<Workspace> workspaces_;
   Vector left_;
-  std::vector<Index> local_;  // of a row, its number in the node at work
-  std::vector<Run> run_;
   std::unique_ptr<LinearSolver> general_;
   bool by_general_ = false;
   LinearReport report_;
