@@ -9,8 +9,7 @@ namespace fabricsh::linear {
 
 struct LinearReport {
   bool singular = false;
-  double reciprocal_condition = 0;  // rough estimate: smallest over largest pivot
-  Index fill = 0;                   // entries of the factors
+  Index fill = 0;             // entries of the factors
   Index negative_pivots = 0;  // of a symmetric matrix: its negative eigenvalues (Sylvester's law of inertia)
 };
 
@@ -54,9 +53,9 @@ enum class Ordering { automatic, amd, metis };
 // triangle is mirrored first). BLAS uses one thread.
 std::unique_ptr<LinearSolver> make_unsymmetric_solver(Ordering ordering = Ordering::automatic);
 
-// Supernodal Cholesky (CHOLMOD), which reads the upper triangle only. A matrix that
-// is not positive definite is factorised by the unsymmetric solver, which counts
-// its negative pivots; so are the following ones, until one has no negative pivots.
+// Factors L S L^T with signs S, which reads the upper triangle only. No pivots are looked for: one that means
+// nothing leaves the matrix to the unsymmetric solver, as does an indefinite matrix that is not solved well.
+// All threads share large matrices; no bit depends on their number.
 std::unique_ptr<LinearSolver> make_symmetric_solver(Ordering ordering = Ordering::automatic);
 
 // A solver that takes the ranks of a matrix (FewRanks) into account, around one that does not: with the

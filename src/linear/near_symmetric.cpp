@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "linear/supernodal/supernodal.hpp"
 #include "linear/vector.hpp"
 
 namespace fabricsh::linear {
@@ -146,7 +145,7 @@ class NearSymmetric final : public LinearSolver {
       for (std::size_t i = 0; i < u.size(); ++i) u[i] += weight[j] * basis_[j][i];
   }
 
-  std::unique_ptr<LinearSolver> half_ = make_signed_solver(), whole_;
+  std::unique_ptr<LinearSolver> half_ = make_symmetric_solver(), whole_;
   Matrix S_;                          // the symmetric part
   std::vector<Index> above_, below_;  // for each entry of S its place in A, and that of the entry opposite
   struct Skew {

@@ -55,7 +55,6 @@ class Umfpack final : public LinearSolver {
     check_memory(status);
     // A pivot that is rounding error beside the largest one: a part can move freely; its sign means nothing.
     report_.singular = status != UMFPACK_OK || info_[UMFPACK_RCOND] < kRounding;
-    report_.reciprocal_condition = info_[UMFPACK_RCOND];
     report_.fill = static_cast<Index>(info_[UMFPACK_LNZ] + info_[UMFPACK_UNZ]);
     report_.negative_pivots = status == UMFPACK_OK ? count_negative(A.size()) : 0;
     return !report_.singular;

@@ -5,8 +5,6 @@
 // which also sums what a part takes from the rows above it, its border; then the nodes above all parts one
 // after another, each by blocks of rows. Parts and blocks do not depend on the number of threads, nor does
 // the order of any sum.
-#include "linear/supernodal/supernodal.hpp"
-
 #include <cholmod.h>
 #include <omp.h>
 
@@ -17,6 +15,7 @@
 #include <numeric>
 #include <utility>
 
+#include "linear/linear_solver.hpp"
 #include "linear/suitesparse/ordering.hpp"
 #include "linear/supernodal/dense.hpp"
 #include "linear/vector.hpp"
@@ -41,13 +40,15 @@ constexpr long up_to(long n, long multiple) { return (n + multiple - 1) / multip
 
 class Supernodal final : public LinearSolver {
  public:
+  explicit Supernodal(Ordering ordering) : ordering_(ordering) {}
+
   bool analyse(const Matrix& A) override {
     cholmod_common common;
     cholmod_l_start(&common);
     common.print = 0;
     common.supernodal = CHOLMOD_SUPERNODAL;
     common.nmethods = 1;
-    common.method[0].ordering = use_metis(Ordering::automatic, A.size()) ? CHOLMOD_METIS : CHOLMOD_AMD;
+    common.method[0].ordering = use_metis(ordering_, A.size()) ? CHOLMOD_METIS : CHOLMOD_AMD;
     cholmod_sparse view{};
     view.nrow = view.ncol = static_cast<std::size_t>(A.size());
     view.nzmax = A.pattern->row.size();
@@ -129,7 +130,7 @@ class Supernodal final : public LinearSolver {
   };
 
   bool by_general(const Matrix& A) {
-    if (!general_) general_ = make_unsymmetric_solver();
+    if (!general_) general_ = make_unsymmetric_solver(ordering_);
     by_general_ = true;
     const bool done = general_->factorise(A);
     report_ = general_->report();
@@ -526,6 +527,7 @@ class Supernodal final : public LinearSolver {
     }
   }
 
+  const Ordering ordering_;
   const DenseKernels kernels_ = FABRICSH_COPY_FOR(best_isa(), dense_kernels_of_isa)();
   std::vector<Node> nodes_;
   std::vector<Part> parts_;
@@ -549,6 +551,8 @@ class Supernodal final : public LinearSolver {
 
 }  // namespace
 
-std::unique_ptr<LinearSolver> make_signed_solver() { return std::make_unique<Supernodal>(); }
+std::unique_ptr<LinearSolver> make_symmetric_solver(Ordering ordering) {
+  return std::make_unique<Supernodal>(ordering);
+}
 
 }  // namespace fabricsh::linear
