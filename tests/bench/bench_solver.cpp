@@ -94,8 +94,8 @@ void report(const char* name, const card::Card& card, int n, bool orderings) {
   const auto chosen =
       measure(*(symmetric ? linear::make_symmetric_solver() : linear::make_unsymmetric_solver()), K, repeats);
   if (orderings) {
-    print("CHOLMOD AMD", measure(*linear::make_symmetric_solver(Ordering::amd), K, repeats));
-    print("CHOLMOD METIS", measure(*linear::make_symmetric_solver(Ordering::metis), K, repeats));
+    print("L S L^T AMD", measure(*linear::make_symmetric_solver(Ordering::amd), K, repeats));
+    print("L S L^T METIS", measure(*linear::make_symmetric_solver(Ordering::metis), K, repeats));
     print("UMFPACK AMD", measure(*linear::make_unsymmetric_solver(Ordering::amd), K, repeats));
     print("UMFPACK METIS", measure(*linear::make_unsymmetric_solver(Ordering::metis), K, repeats));
   }
