@@ -21,6 +21,7 @@ class Search {
  public:
   Search(const Scene& scene, std::span<const Vec3> x, double skin, std::span<const Vec3> by)
       : scene_(scene), x_(x), by_(by), skin_(skin) {
+    for (const Vec3& u : by) mean_way_ += u / double(by.size());
     const auto& surfaces = scene.surfaces();
     number_.assign(surfaces.size() * surfaces.size(), -1);
     reach_.assign(surfaces.size(), 0);
@@ -29,7 +30,7 @@ class Search {
       const auto a = std::size_t(it.first), b = std::size_t(it.second);
       number_[a * surfaces.size() + b] = number_[b * surfaces.size() + a] = int(i);
       if (!has_facets(surfaces[a]) || !has_facets(surfaces[b])) continue;  // those are simple_shapes()
-      const double reach = it.law.gap() + surfaces[a].radius + surfaces[b].radius + skin;
+      const double reach = it.law.gap() + surfaces[a].radius + surfaces[b].radius + (by.empty() ? skin : 0);
       reach_[a] = std::max(reach_[a], reach);
       reach_[b] = std::max(reach_[b], reach);
     }
@@ -60,14 +61,19 @@ class Search {
       const Surface& it = scene_.surfaces()[s];
       if (it.shape != Shape::cloth && it.shape != Shape::solid) continue;
       for (const std::int32_t p : it.points) {
-        if (it.shape == Shape::cloth) room_.add(at(p));
+        const Box way = box_of({p}, 0);
+        if (it.shape == Shape::cloth) {
+          room_.add(way.low);
+          room_.add(way.high);
+        }
+        half_way_ = std::max(half_way_, half_of(way));
         points_.push_back(p);
         owner_.push_back(std::int32_t(s));
       }
       if (it.shape != Shape::cloth) continue;
       for (std::int32_t e = it.first_edge; e < it.first_edge + it.edges; ++e) {
         const EdgeRow& row = scene_.edges()[std::size_t(e)];
-        half_ = std::max(half_, 0.5 * (at(row.a) - at(row.b)).norm());
+        half_ = std::max(half_, half_of(box_of({row.a, row.b}, 0)));
         sum += row.length;
         count += 1;
         cloth_edges_.push_back(e);
@@ -75,15 +81,21 @@ class Search {
     }
     double most = 0;
     for (const double reach : reach_) most = std::max(most, reach);
-    room_ = room_.grown(most);
+    room_ = room_.grown(most + half_way_);
     cell_ = std::max(count > 0 ? sum / count : 1, 1e-12);
   }
 
+  // On their whole way, seen by who goes along with the mean of all.
   Box box_of(std::initializer_list<std::int32_t> points, double reach) const {
     Box box;
-    for (const std::int32_t p : points) box.add(at(p));
+    for (const std::int32_t p : points) {
+      box.add(at(p));
+      if (!by_.empty()) box.add(at(p) + by_[std::size_t(p)] - mean_way_);
+    }
     return box.grown(reach);
   }
+  static double half_of(const Box& box) { return 0.5 * (box.high - box.low).maxCoeff(); }
+  static Vec3 middle_of(const Box& box) { return 0.5 * (box.low + box.high); }
 
   // Runs work on `count` rows in parallel; the results are joined in the order of the rows.
   template <class Work>
@@ -116,17 +128,16 @@ class Search {
   }
 
   void meshes(Rows& out) const {
-    const Grid points(room_, cell_, points_.size(), [&](std::size_t i) { return at(points_[i]); });
-    const Boxes places(points.order(), [&](std::int32_t i) {
-      const Vec3& p = at(points_[std::size_t(i)]);
-      return Box{p, p};
-    });
+    const Grid points(room_, cell_, points_.size(),
+                      [&](std::size_t i) { return middle_of(box_of({points_[i]}, 0)); });
+    const Boxes places(points.order(),
+                       [&](std::int32_t i) { return box_of({points_[std::size_t(i)]}, 0); });
     join(scene_.triangles().size(), out, [&](std::size_t t, std::vector<std::int32_t>& near, Rows& rows) {
       const TriangleRow& row = scene_.triangles()[t];
       const double reach = reach_[std::size_t(row.surface)];
       if (reach == 0) return;
       const Box box = box_of({row.nodes[0], row.nodes[1], row.nodes[2]}, reach);
-      meeting(points, places, box, box, near, [](std::int32_t) { return true; });
+      meeting(points, places, box.grown(half_way_), box, near, [](std::int32_t) { return true; });
       for (const std::int32_t i : near)
         facet(points_[std::size_t(i)], owner_[std::size_t(i)], std::int32_t(t), rows);
     });
@@ -135,8 +146,7 @@ class Search {
       return box_of({row.a, row.b}, 0);
     };
     const Grid middles(room_, cell_, cloth_edges_.size(), [&](std::size_t i) {
-      const EdgeRow& row = scene_.edges()[std::size_t(cloth_edges_[i])];
-      return Vec3(0.5 * (at(row.a) + at(row.b)));
+      return middle_of(ends(std::int32_t(i)));
     });
     const Boxes boxes(middles.order(), ends);
     join(scene_.edges().size(), out, [&](std::size_t e, std::vector<std::int32_t>& near, Rows& rows) {
@@ -472,7 +482,9 @@ class Search {
   std::vector<std::int32_t> points_, owner_;  // points of cloths and solids
   std::vector<std::int32_t> cloth_edges_;
   Box room_;
-  double half_ = 0, cell_ = 1;  // m: half of the longest edge; width of a cell
+  Vec3 mean_way_ = Vec3::Zero();
+  double half_ = 0, half_way_ = 0;  // m: half of the largest boxes of edges, of points on their way
+  double cell_ = 1;                 // m: width of a cell
 };
 
 }  // namespace
