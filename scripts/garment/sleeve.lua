@@ -1,12 +1,14 @@
 -- A sleeve on an arm that bends and straightens twice: cut flat, wrapped around the straight arm, sewn, come to rest, and worn. It is held at the
 -- shoulder, as by a bodice. Printed are the pressures on parts of the arm, and the work of the arm in each cycle with what became of it.
 --
---   fabricsh sleeve.lua [blend|duck|muslin|denim] [size of elements, mm] [bend, degrees] [time of a bend, s] [folder of checkpoint and series, or -] [flesh, mm] [field]
+--   fabricsh sleeve.lua [blend|duck|muslin|denim] [size of elements, mm] [bend, degrees] [time of a bend, s] [folder of checkpoint and series, or -] [flesh, mm] [field or -] [implicit step, ms]
 --
 -- With `flesh` the arm gives way by that much below its skin, with the stiffness of 50 kPa over 20 mm (initial moduli of 0.2 to 58 kPa were measured on limbs
 -- [zheng1999]); without it, on a hard arm, the folds of elements below some 10 mm are pinched.
 --
 -- With `field`, the word itself, yarns that are shortened carry nothing (fabric.lab.tension_field): for elements larger than the folds.
+--
+-- Implicit steps end where shapes of the arm follow on each other, and are cut where loose cloth buckles.
 --
 -- warns: a finer mesh folds
 -- The short form bends by 20 degrees. Elements have to be smaller than the folds at the elbow: beyond about 30 degrees those of 20 mm crease or turn a director over, which the program says.
@@ -55,7 +57,8 @@ m:gravity { 0, 0, -9.81 }:fix("top", "x y z"):seam { "left", "right" }
 local thickness, stiffness = math.max(card.thickness, 1.6 * mm), nil
 if flesh then thickness, stiffness = card.thickness + 2 * flesh, 50e3 / (20 * mm) end
 m:contact { between = { arm, "all" }, friction = 0.3, thickness = thickness, stiffness = stiffness }:contact { self = "all", friction = 0.3 }
-local a = fabric.dynamic { model = m, duration = duration, damping = { mass = 30 } }
+local step = tonumber(arg[8]) and tonumber(arg[8]) * 1e-3 -- s
+local a = fabric.dynamic { model = m, duration = duration, damping = { mass = 30 }, scheme = step and "implicit" or "explicit", step = step }
 local state = {}
 if out then
   a:checkpoint(out .. "/run.ckpt", { minutes = 2, keep = state })

@@ -130,8 +130,7 @@ class Search {
   void meshes(Rows& out) const {
     const Grid points(room_, cell_, points_.size(),
                       [&](std::size_t i) { return middle_of(box_of({points_[i]}, 0)); });
-    const Boxes places(points.order(),
-                       [&](std::int32_t i) { return box_of({points_[std::size_t(i)]}, 0); });
+    const Boxes places(points.order(), [&](std::int32_t i) { return box_of({points_[std::size_t(i)]}, 0); });
     join(scene_.triangles().size(), out, [&](std::size_t t, std::vector<std::int32_t>& near, Rows& rows) {
       const TriangleRow& row = scene_.triangles()[t];
       const double reach = reach_[std::size_t(row.surface)];
@@ -145,9 +144,8 @@ class Search {
       const EdgeRow& row = scene_.edges()[std::size_t(cloth_edges_[std::size_t(e)])];
       return box_of({row.a, row.b}, 0);
     };
-    const Grid middles(room_, cell_, cloth_edges_.size(), [&](std::size_t i) {
-      return middle_of(ends(std::int32_t(i)));
-    });
+    const Grid middles(room_, cell_, cloth_edges_.size(),
+                       [&](std::size_t i) { return middle_of(ends(std::int32_t(i))); });
     const Boxes boxes(middles.order(), ends);
     join(scene_.edges().size(), out, [&](std::size_t e, std::vector<std::int32_t>& near, Rows& rows) {
       const EdgeRow& row = scene_.edges()[e];
