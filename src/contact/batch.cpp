@@ -4,8 +4,8 @@
 
 namespace fabricsh::contact {
 
-FABRICSH_DECLARE_COPIES(BatchKernels batch_kernels_of_isa();)
+FABRICSH_DECLARE_COPIES(BatchPress batch_press_of_isa();)
 
-BatchKernels batch_kernels(Isa isa) { return FABRICSH_COPY_FOR(isa, batch_kernels_of_isa)(); }
+BatchPress batch_press(Isa isa) { return FABRICSH_COPY_FOR(isa, batch_press_of_isa)(); }
 
 }  // namespace fabricsh::contact

@@ -1,7 +1,9 @@
-// Batches of pairs of one kind and interaction, side by side: the plain case of a pair in an explicit step,
-// that touches at one place above its guard. The kernels do what pair_force() and the memory of friction do,
-// operation by operation and without fused products, so that a pair has the same bits in both.
+// Batches of pairs of one kind and interaction, side by side: pairs of an explicit step that touch above
+// their guard. The kernels do what pair_force() and the memory of friction do, operation by operation and
+// without fused products, so that a pair has the same bits in both.
 #pragma once
+#include <cstdint>
+
 #include "simd/isa.hpp"
 
 namespace fabricsh::contact {
@@ -24,31 +26,50 @@ struct BatchLaw {
   double turn[3] = {};                                 // rad, of the rigid side
 };
 
-// Corner, component, lane. Unused lanes repeat others.
-using ByCorner = double[4][3][lanes];
 using ByLane = double[lanes];
 
-struct BatchPairs {
-  alignas(64) ByCorner x, start;     // m, now and at the beginning of the step
-  ByLane inverse_mass[4], crowd[4];  // see Slip
-  ByLane area, scale, zone[2];
-  ByLane held[3], pull[3], damped, slides;  // the memory of friction; slides: 0 or 1
+// A point in a step: where it is and was at the beginning (m), its inverse mass (1/kg) and crowd, see Slip.
+struct alignas(64) BatchPoint {
+  double x[3], inverse_mass, start[3], crowd;
 };
 
-struct BatchForces {
-  alignas(64) ByCorner on;
-  ByLane contact, gap, torque[3];
-  ByLane slip[3], pull[3], stick, damped, work, impact, slides, resists[4];
-  unsigned touching;  // bit i: the pair in lane i does, and its numbers are here
-  unsigned special;   // these may touch in another way
+// Each lane a pair: its corners as numbers of points, its slot, and numbers of Pair. Lanes that are not in
+// use repeat the first.
+struct alignas(64) BatchPairs {
+  std::uint32_t corner[4][lanes], slot[lanes];
+  std::int8_t at_edge[3][lanes], at_corner[3][lanes];  // of facets: Pair::edge, Pair::corner
+  ByLane scale, zone[2], area;
 };
 
-// Of pairs of facets and edges: bit i is set unless they are clearly farther apart than allowed.
-// far: m2, the square of the distance.
-struct BatchKernels {
-  unsigned (*near)(BatchKind kind, const ByCorner& x, const ByLane& far);
-  void (*press)(const BatchLaw& law, const BatchPairs& pairs, BatchForces& out);
+// The memory of friction by lane; slides: 0 or 1; gap: m.
+struct alignas(64) BatchMemory {
+  ByLane slip[3], pull[3], damped, slides, gap;
 };
-BatchKernels batch_kernels(Isa isa);
+
+// Of a pair: the force on each corner (N) with Force::resists, and numbers of Force.
+struct alignas(64) PairForce {
+  double on[4][4];
+  double contact, stick, work, impact;
+  double gap, torque[3];
+};
+
+struct BatchStep {
+  const BatchPoint* points;
+  unsigned used;  // lanes with a slip in `held`
+  const BatchMemory* held;
+  BatchMemory* tried;
+  PairForce* forces;  // by slot
+  // Of lanes that touch and are not among them: puts their slips into `held`.
+  void (*find)(void* who, unsigned lanes);
+  void* who;
+};
+
+struct BatchTouch {
+  unsigned touching = 0;  // bit i: the pair in lane i does, and its forces are there
+  unsigned special = 0;   // these come into their guards
+};
+
+using BatchPress = BatchTouch (*)(const BatchLaw& law, const BatchPairs& pairs, const BatchStep& step);
+BatchPress batch_press(Isa isa);
 
 }  // namespace fabricsh::contact

@@ -1,6 +1,7 @@
-// Pairs that touch in a plain way, a batch at a time: compiled once per instruction set.
+// Pairs that touch, a batch at a time: compiled once per instruction set.
 #include "contact/batch.hpp"
-#include "simd/pack.hpp"
+#include "contact/jet.hpp"
+#include "simd/rows.hpp"
 
 namespace fabricsh::contact {
 inline namespace FABRICSH_ISA {
@@ -37,59 +38,137 @@ PackMask all() { return Pack(one) > Pack(zero); }
 
 // --- the closest points
 
-struct Found {
+// Where a pair touches, see Touch; count: m2, area times how often it counts.
+struct Place {
   Pack weight[4];
-  PackMask here, special;
+  Pack3 normal;
+  Pack distance, count;
 };
+
+// The vector between the closest points, m.
+Pack3 between(const Pack3 x[4], const Pack weight[4]) {
+  Pack3 r{zero, zero, zero};
+  for (int i = 0; i < 4; ++i) r = r + weight[i] * x[i];
+  return r;
+}
+
+// Returns whether a lane of `where` may be nearer than `allowed`, m. Otherwise there is no normal.
+bool measure(const Pack3 x[4], PackMask where, Pack allowed, Place& at) {
+  const Pack3 r = between(x, at.weight);
+  const Pack size = squared(r);
+  if (!any(where & !(size > (1 + 1e-8) * allowed * allowed))) return false;
+  at.distance = sqrt(size);
+  at.normal = r / at.distance;
+  return true;
+}
 
 struct Line {
-  Pack s, t, det, a, c;
+  Pack s, t, det;
   PackMask inside;
 };
-Line crossing(const Pack3& u, const Pack3& v, const Pack3& r) {
-  const Pack a = dot(u, u), b = dot(u, v), c = dot(v, v), e = dot(u, r), f = dot(v, r);
+Line crossing(const Pack product[5]) {
+  const Pack a = product[0], b = product[1], c = product[2], e = product[3], f = product[4];
   const Pack det = a * c - b * b, s = b * f - c * e, t = a * f - b * e;
-  return {s, t, det, a, c, (det > 1e-14 * a * c) & (s > zero) & (s < det) & (t > zero) & (t < det)};
+  return {s, t, det, (det > 1e-14 * a * c) & (s > zero) & (s < det) & (t > zero) & (t < det)};
 }
 
-// Where edges cross at a clear angle and far from their ends they count whole.
-Found edges(const Pack3 x[4], Pack first, Pack second) {
-  const Line at = crossing(x[1] - x[0], x[3] - x[2], x[0] - x[2]);
-  const Pack s = at.s / at.det, t = at.t / at.det;
-  const PackMask whole = (at.det >= 0.02 * at.a * at.c) & (s >= first) & (s <= one - first) & (t >= second) &
-                         (t <= one - second);
-  return {{one - s, s, -(one - t), -t}, at.inside, at.inside & !whole};
+// By how much the weight of crossing edges fades, and how that changes with the corners.
+struct Fade {
+  Pack value = one;
+  PackMask fades;
+  Pack3 gradient[4];
+  bool any = false;
+};
+
+// Where edges cross at a clear angle and far from their ends they count whole. Returns where they cross.
+PackMask edges(const Pack3 x[4], Pack allowed, const Pack ends[2], Place& at, Fade& fade_of) {
+  const PackMask none = Pack(zero) > Pack(zero);
+  const Pack3 u = x[1] - x[0], v = x[3] - x[2], r = x[0] - x[2];
+  const Pack product[5] = {dot(u, u), dot(u, v), dot(v, v), dot(u, r), dot(v, r)};
+  const Line line = crossing(product);
+  if (!any(line.inside)) return none;
+  const Pack s = line.s / line.det, t = line.t / line.det;
+  const Pack weight[4] = {one - s, s, -(one - t), -t};
+  for (int i = 0; i < 4; ++i) at.weight[i] = weight[i];
+  if (!measure(x, line.inside, allowed, at)) return none;
+  const PackMask whole = (line.det >= parallel * product[0] * product[2]) & (s >= ends[0]) &
+                         (s <= one - ends[0]) & (t >= ends[1]) & (t <= one - ends[1]);
+  fade_of.fades = line.inside & !whole;
+  fade_of.any = any(fade_of.fades & !(at.distance > allowed));
+  if (!fade_of.any) return line.inside;
+  const Jet<Pack, false> m = fade<false>(product, ends);
+  const Pack3 by_u = (2 * m.first[0]) * u + m.first[1] * v + m.first[3] * r,
+              by_v = m.first[1] * u + (2 * m.first[2]) * v + m.first[4] * r,
+              by_r = m.first[3] * u + m.first[4] * v, nothing{zero, zero, zero};
+  const Pack3 gradient[4] = {by_r - by_u, by_u, nothing - by_v - by_r, by_v};
+  for (int i = 0; i < 4; ++i) fade_of.gradient[i] = gradient[i];
+  fade_of.value = select(fade_of.fades, m.value, one);
+  return line.inside;
 }
 
-// Above the inside of a facet, and farther than allowed from its sides.
-Found facet(const Pack3 x[4], Pack allowed) {
+// The weights of the closest point of a side of a facet, or its corner; k: the opposite corner.
+void side(const Pack3 x[4], int k, Pack weight[4]) {
+  const int a = k % 3 + 1, b = (k + 1) % 3 + 1;
+  const Pack3 u = x[b] - x[a];
+  const Pack length = squared(u),
+             t = select(length > zero, min(max(dot(u, x[0] - x[a]) / length, zero), one), zero);
+  weight[0] = one;
+  weight[k] = zero;
+  weight[a] = -(one - t);
+  weight[b] = -t;
+}
+void corner(const Pack3*, int k, Pack weight[4]) {
+  for (int i = 1; i < 4; ++i) weight[i] = i == k ? -one : zero;
+  weight[0] = one;
+}
+
+// As point_triangle(). Returns where the nearest place is within `allowed`; border: where others may be, too.
+PackMask facet(const Pack3 x[4], Pack allowed, Place& at, PackMask& border) {
   const Pack3 ab = x[2] - x[1], ac = x[3] - x[1], ap = x[0] - x[1], bp = x[0] - x[2], cp = x[0] - x[3];
   const Pack d1 = dot(ab, ap), d2 = dot(ac, ap), d3 = dot(ab, bp), d4 = dot(ac, bp), d5 = dot(ab, cp),
              d6 = dot(ac, cp);
   const Pack vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
-  const PackMask border = ((d1 <= zero) & (d2 <= zero)) | ((d3 >= zero) & (d4 <= d3)) |
-                          ((d6 >= zero) & (d5 <= d6)) | ((vc <= zero) & (d1 >= zero) & (d3 <= zero)) |
-                          ((vb <= zero) & (d2 >= zero) & (d6 <= zero)) |
-                          ((va <= zero) & (d4 - d3 >= zero) & (d5 - d6 >= zero));
+  const PackMask on[6] = {(va <= zero) & (d4 - d3 >= zero) & (d5 - d6 >= zero),
+                          (vb <= zero) & (d2 >= zero) & (d6 <= zero),
+                          (vc <= zero) & (d1 >= zero) & (d3 <= zero),
+                          (d6 >= zero) & (d5 <= d6),
+                          (d3 >= zero) & (d4 <= d3),
+                          (d1 <= zero) & (d2 <= zero)};
   const Pack sum = va + vb + vc, v = vb / sum, w = vc / sum, u = one - v - w;
+  const Pack weight[4] = {one, -u, -v, -w};
+  for (int i = 0; i < 4; ++i) at.weight[i] = weight[i];
+  border = on[0];
+  for (int i = 1; i < 6; ++i) border = border | on[i];
+  const auto put = [&](PackMask where, void (*of)(const Pack3*, int, Pack*), int k) {
+    if (!any(where)) return;
+    Pack other[4];
+    of(x, k, other);
+    for (int i = 0; i < 4; ++i) at.weight[i] = select(where, other[i], at.weight[i]);
+  };
+  if (any(border)) {
+    for (int k = 1; k <= 3; ++k) put(on[k - 1], side, k);
+    for (int k = 3; k >= 1; --k) put(on[6 - k], corner, k);
+  }
+  if (!measure(x, all(), allowed, at)) return Pack(zero) > Pack(zero);
   // The squares of the distances from the lines through the sides, times those of the sides.
   const Pack3 bc = x[3] - x[2];
   const Pack b2 = squared(ab), c2 = squared(ac), bc2 = squared(bc),
              area = b2 * c2 - dot(ab, ac) * dot(ab, ac);
   const Pack3 off = ap - v * ab - w * ac;
   const Pack left = (1 + 1e-6) * allowed * allowed - squared(off);
-  const PackMask beside =
-      (w * w * area <= left * b2) | (v * v * area <= left * c2) | (u * u * area <= left * bc2);
-  return {{one, -u, -v, -w}, all(), border | beside};
+  border = border | (w * w * area <= left * b2) | (v * v * area <= left * c2) | (u * u * area <= left * bc2);
+  return all();
 }
 
-Found plane(const Pack3 x[4], Pack3& normal, Pack& distance) {
+// Where there is no plane the distance is no number, and nothing touches.
+void plane(const Pack3 x[4], Place& at) {
   const Pack3 first = x[2] - x[1], second = x[3] - x[1], r = x[0] - x[1], across = cross(first, second);
   const Pack a = dot(first, first), b = dot(first, second), c = dot(second, second), det = a * c - b * b,
              e = dot(first, r), f = dot(second, r), s = (c * e - b * f) / det, t = (a * f - b * e) / det;
-  normal = across / norm(across);
-  distance = dot(normal, r);
-  return {{one, -(one - s - t), -s, -t}, all(), !(det > zero)};
+  const Pack weight[4] = {one, -(one - s - t), -s, -t};
+  for (int i = 0; i < 4; ++i) at.weight[i] = weight[i];
+  at.normal = across / norm(across);
+  at.distance = dot(at.normal, r);
 }
 
 // --- the law
@@ -102,11 +181,12 @@ Answer answer(const BatchLaw& law, Pack d) {
   Answer out{zero, zero, zero};
   for (int i = 0; i < law.count; ++i) {
     const double* k = law.knots + 4 * i;
+    const PackMask beyond = i == 0 ? all() : d < Pack(k[0]);
+    if (!any(beyond)) break;  // the gaps descend
     const double rate = i + 1 < law.count ? (k[5] - k[1]) / (k[0] - k[4]) : 0;
     const Pack h = Pack(k[0]) - d, stiffness = Pack(k[1]) + rate * h,
                pressure = Pack(k[2]) + h * (Pack(k[1]) + rate * h / 2),
                energy = Pack(k[3]) + h * (Pack(k[2]) + h * (Pack(k[1] / 2) + rate * h / 6));
-    const PackMask beyond = i == 0 ? all() : d < Pack(k[0]);
     out = {select(beyond, energy, out.energy), select(beyond, pressure, out.pressure),
            select(beyond, stiffness, out.stiffness)};
   }
@@ -136,170 +216,240 @@ Pack3 turned(BatchKind kind, const Pack3& slip, const Pack3 from[4], const Pack3
                 carried(slip, from[2] - from[1], from[3] - from[1], to[2] - to[1], to[3] - to[1]));
 }
 
-struct Rubbing {
-  const BatchLaw& law;
-  const BatchPairs& pairs;
-  int first;
-  const Pack3 *x, *start;
-  const Pack* weight;
-  Pack3 normal;
-  Pack count, distance, pressure, stiffness;
+// Of the places of a pair together, see Force.
+struct Sums {
+  Pack3 on[4] = {{zero, zero, zero}, {zero, zero, zero}, {zero, zero, zero}, {zero, zero, zero}};
+  Pack3 pull{zero, zero, zero}, torque{zero, zero, zero};
+  Pack resists[4] = {zero, zero, zero, zero};
+  Pack contact = zero, stick = zero, work = zero, impact = zero, damped = zero;
 };
 
-void rub(const Rubbing& at, BatchForces& out, Pack3 on[4]) {
-  const BatchLaw& law = at.law;
-  const BatchPairs& pairs = at.pairs;
-  const int first = at.first;
+void choose(PackMask where, const Sums& from, Sums& to) {
+  for (int i = 0; i < 4; ++i) to.on[i] = select(where, from.on[i], to.on[i]);
+  for (int i = 0; i < 4; ++i) to.resists[i] = select(where, from.resists[i], to.resists[i]);
+  to.pull = select(where, from.pull, to.pull);
+  to.torque = select(where, from.torque, to.torque);
+  to.contact = select(where, from.contact, to.contact);
+  to.stick = select(where, from.stick, to.stick);
+  to.work = select(where, from.work, to.work);
+  to.impact = select(where, from.impact, to.impact);
+  to.damped = select(where, from.damped, to.damped);
+}
+
+// The pairs of a pack.
+struct Pairs {
+  const BatchLaw& law;
+  const BatchPairs& pairs;
+  const BatchStep& step;
+  int first;  // lane
+  Pack3 x[4], start[4];
+  Pack inverse_mass[4], crowd[4];
+  Pack area, scale;
+  bool counts_once = false;
+
+  Pairs(const BatchLaw& law, const BatchPairs& pairs, const BatchStep& step, int first)
+      : law(law),
+        pairs(pairs),
+        step(step),
+        first(first),
+        area(load(pairs.area + first)),
+        scale(load(pairs.scale + first)) {}
+  void load_points(Pack3* place, Pack* number, const double* from) const {
+    for (int k = 0; k < 4; ++k) {
+      if (k > 0 && law.kind == BatchKind::plane) {  // all meet the same wall
+        const double* row = from + sizeof(BatchPoint) / sizeof(double) * pairs.corner[k][0];
+        place[k] = {row[0], row[1], row[2]};
+        number[k] = row[3];
+        continue;
+      }
+      const double* rows[pack_width];
+      for (int i = 0; i < pack_width; ++i)
+        rows[i] = from + sizeof(BatchPoint) / sizeof(double) * pairs.corner[k][first + i];
+      Pack column[4];
+      load_rows(rows, column);
+      place[k] = {column[0], column[1], column[2]};
+      number[k] = column[3];
+    }
+  }
+
+  // nearest: the slip of a pair is that of its nearest place, which comes first.
+  void press(const Place& at, const Fade* fade_of, bool nearest, Sums& sums) const;
+  void damp(const Place& at, const Pack3& moved, Pack damping, bool nearest, Sums& sums) const;
+  void rub(const Place& at, Pack pressure, Pack stiffness, bool nearest, Sums& sums) const;
+  void store_sums(const Sums& sums, Pack gap) const;
+};
+
+void Pairs::press(const Place& at, const Fade* fade_of, bool nearest, Sums& sums) const {
+  const Answer here = answer(law, (at.distance - Pack(law.offset)) / scale);
+  const Pack energy = here.energy * (scale * scale), pressure = here.pressure * scale;
+  sums.contact += at.count * energy;
+  const Pack push = at.count * pressure;
+  for (int i = 0; i < 4; ++i) sums.on[i] = sums.on[i] + (push * at.weight[i]) * at.normal;
+  if (fade_of != nullptr)
+    for (int i = 0; i < 4; ++i)
+      sums.on[i] = select(fade_of->fades, sums.on[i] - (area * energy) * fade_of->gradient[i], sums.on[i]);
+  if (law.rubs) rub(at, pressure, here.stiffness, nearest, sums);
+}
+
+void Pairs::damp(const Place& at, const Pack3& moved, Pack damping, bool nearest, Sums& sums) const {
+  const Pack press = at.count * damping, closed = -dot(at.normal, moved);
+  if (nearest) sums.impact = 0.5 * load(step.held->damped + first) * closed;
+  const PackMask closes = !(press == zero);
+  for (int i = 0; i < 4; ++i)
+    sums.on[i] = select(closes, sums.on[i] + (press * at.weight[i]) * at.normal, sums.on[i]);
+  sums.damped = select(closes, sums.damped + press, sums.damped);
+  sums.impact = select(closes, sums.impact + 0.5 * press * closed, sums.impact);
+}
+
+void Pairs::rub(const Place& at, Pack pressure, Pack stiffness, bool nearest, Sums& sums) const {
   const Pack3 n = at.normal, lever = Pack(law.offset) * n;
   Pack3 moved{zero, zero, zero};
   if (law.offset != 0) {
     const Pack3 by = cross({Pack(law.turn[0]), Pack(law.turn[1]), Pack(law.turn[2])}, lever);
     moved = {-by.x, -by.y, -by.z};
   }
-  for (int i = 0; i < 4; ++i) moved = moved + at.weight[i] * (at.x[i] - at.start[i]);
+  for (int i = 0; i < 4; ++i) moved = moved + at.weight[i] * (x[i] - start[i]);
   const Pack opened = dot(n, moved);
   const Pack3 slid = moved - opened * n;
-  // The damping of approach.
-  const Pack slope = Pack(-law.loss) * sqrt(min(at.stiffness, Pack(law.stiffest))) / Pack(law.dt),
-             damping = select(opened >= zero, zero, slope * opened), press = at.count * damping,
-             closed = -opened;
-  Pack impact = 0.5 * load(pairs.damped + first) * closed;
-  const PackMask closes = !(press == zero);
-  for (int i = 0; i < 4; ++i) on[i] = select(closes, on[i] + (press * at.weight[i]) * n, on[i]);
-  store(out.damped + first, select(closes, press, zero));
-  store(out.impact + first, select(closes, zero + impact + 0.5 * press * closed, zero + impact));
+  const Pack slope = Pack(-law.loss) * sqrt(min(stiffness, Pack(law.stiffest))) / Pack(law.dt),
+             damping = select(opened >= zero, zero, slope * opened);
+  damp(at, moved, damping, nearest, sums);
   if (!law.coulomb) {
-    const Pack3 none{zero, zero, zero};
-    store3(out.slip, first, none);
-    store3(out.pull, first, none);
-    store3(out.torque, first, none);
-    store(out.stick + first, zero);
-    store(out.work + first, zero);
-    store(out.slides + first, zero);
-    for (ByLane& v : out.resists) store(v + first, zero);
+    for (ByLane& v : step.tried->slip) store(v + first, zero);
+    store(step.tried->slides + first, zero);
     return;
   }
   // The spring, and what gives way.
-  const Pack3 held = load3(pairs.held, first);
+  const Pack3 held = load3(step.held->slip, first);
   const Pack3 trial = slid + held - dot(n, held) * n;
   const Pack length = norm(trial), spring = Pack(law.spring) * abs(at.count),
-             against = abs(at.count) * (at.pressure + damping), most = Pack(law.friction) * against;
-  const PackMask goes_on = (load(pairs.slides + first) > zero) & (dot(slid, held) > zero);
+             against = abs(at.count) * (pressure + damping), most = Pack(law.friction) * against;
+  const PackMask goes_on = (load(step.held->slides + first) > zero) & (dot(slid, held) > zero);
   const Pack holds = select(goes_on, most, Pack(law.holding) * against);
   const PackMask sticks = spring * length <= holds;
   const Pack bound = select(sticks, holds, most), kept = select(sticks, one, most / (spring * length));
   // The resistance of an explicit step.
-  Pack lightness = zero, alone = zero, light[4], crowd[4];
+  const Pack times = counts_once ? Pack(one) : at.count / area;
+  Pack lightness = zero, alone = zero;
   for (int i = 0; i < 4; ++i) {
-    light[i] = load(pairs.inverse_mass[i] + first);
-    crowd[i] = load(pairs.crowd[i] + first);
-    const Pack share = at.weight[i] * at.weight[i] * light[i];
+    const Pack share = at.weight[i] * at.weight[i] * inverse_mass[i];
     lightness += share;
-    alone += select(crowd[i] == one, share, share / crowd[i]);
+    alone += any(!(crowd[i] == one)) ? select(crowd[i] == one, share, share / crowd[i]) : share;
   }
   const PackMask gives_way = lightness > zero;
   for (int i = 0; i < 4; ++i)
-    store(out.resists[i] + first,
-          select(gives_way, zero + abs(at.weight[i]) * light[i] / (crowd[i] * alone), zero));
-  const Pack resists = select(gives_way, 0.2 / (lightness * Pack(law.dt) * Pack(law.dt)), zero);
+    if (any(inverse_mass[i] > zero))
+      sums.resists[i] = select(
+          gives_way, sums.resists[i] + times * abs(at.weight[i]) * inverse_mass[i] / (crowd[i] * alone),
+          sums.resists[i]);
+  const Pack resists = select(gives_way, 0.2 * abs(times) / (lightness * Pack(law.dt) * Pack(law.dt)), zero);
   Pack3 pull = spring * trial + resists * slid;
   const Pack size = norm(pull);
   pull = select(size > bound, (bound / size) * pull, pull);
-  for (int i = 0; i < 4; ++i) on[i] = on[i] - at.weight[i] * pull;
-  store3(out.torque, first, law.offset != 0 ? cross(lever, pull) : Pack3{zero, zero, zero});
-  store3(out.pull, first, pull);
-  store(out.stick + first, spring * kept * kept * squared(trial) / 2);
-  store(out.work + first, zero + 0.5 * dot(pull, slid) + 0.5 * dot(load3(pairs.pull, first), slid));
-  store(out.slides + first, select(goes_on | !sticks, one, zero));
-  store3(out.slip, first, turned(law.kind, kept * trial, at.start, at.x));
+  pull = select(at.count < zero, Pack3{-pull.x, -pull.y, -pull.z}, pull);
+  for (int i = 0; i < 4; ++i) sums.on[i] = sums.on[i] - at.weight[i] * pull;
+  if (law.offset != 0) sums.torque = sums.torque + cross(lever, pull);
+  sums.pull = sums.pull + pull;
+  sums.stick += select(at.count < zero, -spring, spring) * kept * kept * squared(trial) / 2;
+  sums.work += 0.5 * dot(pull, slid);
+  if (!nearest) return;
+  sums.work += 0.5 * dot(load3(step.held->pull, first), slid);
+  store(step.tried->slides + first, select(goes_on | !sticks, one, zero));
+  store3(step.tried->slip, first, turned(law.kind, kept * trial, start, x));
 }
 
-// --- the kernels
+void Pairs::store_sums(const Sums& sums, Pack gap) const {
+  double* rows[pack_width];
+  for (int i = 0; i < pack_width; ++i) rows[i] = step.forces[pairs.slot[first + i]].on[0];
+  const auto four = [&](Pack a, Pack b, Pack c, Pack d) {
+    const Pack column[4] = {a, b, c, d};
+    store_rows(rows, column);
+    for (double*& row : rows) row += 4;
+  };
+  for (int k = 0; k < 4; ++k) four(sums.on[k].x, sums.on[k].y, sums.on[k].z, sums.resists[k]);
+  four(sums.contact, sums.stick, sums.work, sums.impact);
+  four(gap, sums.torque.x, sums.torque.y, sums.torque.z);
+  if (!law.rubs) return;
+  store3(step.tried->pull, first, sums.pull);
+  store(step.tried->damped + first, sums.damped);
+  store(step.tried->gap + first, gap);
+}
 
-void press_part(const BatchLaw& law, const BatchPairs& pairs, int first, BatchForces& out) {
-  Pack3 x[4], start[4];
-  for (int i = 0; i < 4; ++i) {
-    x[i] = load3(pairs.x[i], first);
-    start[i] = load3(pairs.start[i], first);
+// Of the facets near their border, their sides and corners count, too; see visit_places().
+void add_border(const Pairs& pairs, PackMask where, Pack reach, Sums& sums) {
+  const auto counts = [&](const std::int8_t* of_lanes) {
+    Pack out;
+    for (int i = 0; i < pack_width; ++i) out.set(i, of_lanes[pairs.first + i]);
+    return out;
+  };
+  const Pack allowed = reach + Pack(pairs.law.offset);
+  const auto add = [&](void (*of)(const Pack3*, int, Pack*), int k, Pack times) {
+    const PackMask there = where & !(times == zero);
+    if (!any(there)) return;
+    Place at;
+    of(pairs.x, k, at.weight);
+    if (!measure(pairs.x, there, allowed, at)) return;
+    const PackMask here = there & (at.distance - Pack(pairs.law.offset) < reach);
+    if (!any(here)) return;
+    at.count = pairs.area * times;
+    Sums with = sums;
+    pairs.press(at, nullptr, false, with);
+    choose(here, with, sums);
+  };
+  for (int k = 1; k <= 3; ++k) {
+    add(side, k, counts(pairs.pairs.at_edge[k - 1]));
+    add(corner, k, counts(pairs.pairs.at_corner[k - 1]));
   }
-  const Pack scale = load(pairs.scale + first), reach = Pack(law.gap) * scale;
-  Pack3 normal{zero, zero, zero};
-  Pack distance = zero;
-  Found found;
-  if (law.kind == BatchKind::plane) {
-    found = plane(x, normal, distance);
-  } else {
-    found = law.kind == BatchKind::edges ? edges(x, load(pairs.zone[0] + first), load(pairs.zone[1] + first))
-                                         : facet(x, reach + Pack(law.offset));
-    Pack3 r{zero, zero, zero};
-    for (int i = 0; i < 4; ++i) r = r + found.weight[i] * x[i];
-    distance = norm(r);
-    normal = r / distance;
+}
+
+// --- the kernel
+
+void press_part(const BatchLaw& law, const BatchPairs& pairs, const BatchStep& step, int first,
+                BatchTouch& out) {
+  Pairs at(law, pairs, step, first);
+  at.load_points(at.x, at.inverse_mass, step.points->x);
+  const Pack reach = Pack(law.gap) * at.scale, allowed = reach + Pack(law.offset),
+             ends[2] = {load(pairs.zone[0] + first), load(pairs.zone[1] + first)};
+  Place nearest;
+  Fade fade_of;
+  PackMask border = Pack(zero) > Pack(zero), here = all();
+  if (law.kind == BatchKind::plane)
+    plane(at.x, nearest);
+  else if (law.kind == BatchKind::facet)
+    here = facet(at.x, allowed, nearest, border);
+  else
+    here = edges(at.x, allowed, ends, nearest, fade_of);
+  if (!any(here)) return;
+  const Pack gap = nearest.distance - Pack(law.offset);
+  const PackMask in_reach = here & (gap < reach), special = in_reach & !(gap / at.scale >= Pack(law.guard)),
+                 touches = in_reach & !special;
+  out.special |= bits(special) << first;
+  const unsigned touching = bits(touches) << first;
+  if (touching == 0) return;
+  out.touching |= touching;
+  if (law.rubs) {
+    if (const unsigned begin = touching & ~step.used; begin != 0) step.find(step.who, begin);
+    at.load_points(at.start, at.crowd, step.points->start);
   }
-  const Pack gap = distance - Pack(law.offset), d = gap / scale;
-  const PackMask touches = found.here & (gap < reach);
-  const PackMask special = touches & (found.special | !(d >= Pack(law.guard)));
-  const PackMask border = found.here & found.special;  // of facets: nearer than the point inside
-  out.touching |= bits(touches & !special) << first;
-  out.special |= bits(law.kind == BatchKind::facet ? special | border : special) << first;
-  const Answer law_here = answer(law, d);
-  const Pack count = load(pairs.area + first), pressure = law_here.pressure * scale;
-  store(out.contact + first, zero + count * (law_here.energy * (scale * scale)));
-  store(out.gap + first, gap - Pack(law.floor) * scale);
-  const Pack push = count * pressure;
-  Pack3 on[4];
-  for (int i = 0; i < 4; ++i) on[i] = Pack3{zero, zero, zero} + (push * found.weight[i]) * normal;
-  if (law.rubs)
-    rub({law, pairs, first, x, start, found.weight, normal, count, distance, pressure, law_here.stiffness},
-        out, on);
-  for (int i = 0; i < 4; ++i) store3(out.on[i], first, on[i]);
+  nearest.count = at.area * fade_of.value;
+  at.counts_once = !fade_of.any;
+  Sums sums;
+  at.press(nearest, fade_of.any ? &fade_of : nullptr, true, sums);
+  at.counts_once = false;
+  if (any(border & touches)) add_border(at, border & touches, reach, sums);
+  at.store_sums(sums, gap - Pack(law.floor) * at.scale);
 }
 
-void press(const BatchLaw& law, const BatchPairs& pairs, BatchForces& out) {
-  out.touching = out.special = 0;
-  for (int first = 0; first < lanes; first += pack_width) press_part(law, pairs, first, out);
-}
-
-// m2: from a point to a segment.
-Pack to_segment(const Pack3& p, const Pack3& u) {
-  const Pack t = min(max(dot(u, p) / max(dot(u, u), Pack(1e-300)), zero), one);
-  return squared(p - t * u);
-}
-
-PackMask near_facet(const Pack3 x[4], Pack far) {
-  const Pack3 ab = x[2] - x[1], ac = x[3] - x[1], bc = x[3] - x[2], ap = x[0] - x[1], bp = x[0] - x[2];
-  const Pack sides = min(min(to_segment(ap, ab), to_segment(ap, ac)), to_segment(bp, bc));
-  // Above the inside the height counts; beside it the sides do.
-  const Pack3 n = cross(ab, ac);
-  const Pack height = dot(n, ap);
-  const PackMask inside =
-      (dot(cross(ab, ap), n) >= zero) & (dot(cross(ap, ac), n) >= zero) & (dot(cross(bc, bp), n) >= zero);
-  return (!(sides > far)) | (inside & !(height * height > far * squared(n)));
-}
-
-unsigned near(BatchKind kind, const ByCorner& corners, const ByLane& far) {
-  unsigned out = 0;
-  for (int first = 0; first < lanes; first += pack_width) {
-    Pack3 x[4];
-    for (int i = 0; i < 4; ++i) x[i] = load3(corners[i], first);
-    const Pack most = load(far + first);
-    PackMask is;
-    if (kind == BatchKind::edges) {
-      const Pack3 u = x[1] - x[0], v = x[3] - x[2], r = x[0] - x[2];
-      const Line at = crossing(u, v, r);
-      is = at.inside & !(squared(r + at.s / at.det * u - at.t / at.det * v) > most);
-    } else {
-      is = near_facet(x, most);
-    }
-    out |= bits(is) << first;
-  }
+BatchTouch press(const BatchLaw& law, const BatchPairs& pairs, const BatchStep& step) {
+  BatchTouch out;
+  for (int first = 0; first < lanes; first += pack_width) press_part(law, pairs, step, first, out);
   return out;
 }
 
 }  // namespace
 
-BatchKernels batch_kernels_of_isa();
-BatchKernels batch_kernels_of_isa() { return {near, press}; }
+BatchPress batch_press_of_isa();
+BatchPress batch_press_of_isa() { return press; }
 
 }  // namespace FABRICSH_ISA
 }  // namespace fabricsh::contact

@@ -10,12 +10,10 @@
 namespace fabricsh::contact {
 namespace {
 
-constexpr double rounding = 1e-9;  // share of a skin: rounding never decides what is looked at
-constexpr double of_apart = 0.9;   // the gap of crack faces, as a share of how far they have been apart
+constexpr double of_apart = 0.9;  // the gap of crack faces, as a share of how far they have been apart
 constexpr double grown_from =
     0.02;  // of the whole gap: crack faces that were less far apart do not touch yet
 constexpr double eased_approach = 0.05;  // of the range of contact, in a step
-constexpr double nearly = 1 - rounding;  // of the motion that a list allows for
 
 double mean_edge(const Scene& scene) {
   double sum = 0, count = 0;
@@ -147,7 +145,8 @@ void Contact::open_to(std::span<const double> share) {
 void Contact::scale_all() {
   for (auto* list : {&outer_, &inner_})
     for (Candidate& c : *list) scale(c);
-  find_plain();
+  for (std::size_t i = 0; i < inner_.size(); ++i)
+    pairs_[place_[i] / lanes].scale[place_[i] % lanes] = inner_[i].pair.scale;
 }
 
 // Only pairs that would be within reach at their whole lengths are looked at: every list has them.
@@ -174,7 +173,7 @@ void Contact::scene_changed() {
   narrowest_at_first_ = narrowest(*scene_, widest_);
   at_search_.clear();  // the lists are found anew
   outer_.clear();
-  inner_.clear();
+  clear_lists();
   has_tried_ = false;
   apart_changed();
 }
@@ -206,10 +205,11 @@ unsigned Contact::planes_of(const Candidate& c, std::span<const unsigned char> p
 }
 
 // The first rigid corner of a pair holds its torque.
-bool Contact::holds_torque(std::uint32_t slot_and_corner) const {
-  const auto& point = inner_[slot_and_corner / 4].point;
-  const auto k = slot_and_corner % 4;
-  return rigid(point[k]) && (k == 0 || !rigid(point[k - 1]));
+std::uint32_t Contact::torque_row(const Candidate& c) const {
+  if (c.pair.offset == 0) return no_row;
+  const auto first =
+      std::find_if(c.point.begin(), c.point.end(), [this](std::int32_t p) { return rigid(p); });
+  return first == c.point.end() ? no_row : row_of_[std::size_t(*first)];
 }
 
 void Contact::search(std::span<const Vec3> x) {
@@ -235,8 +235,7 @@ void Contact::refine(std::span<const Vec3> x, double since_search) {
     for (std::size_t i = 0; i < outer_.size(); ++i)
       if (outer_margin_[i] - change < skins_.inner) now[i] = margin(outer_[i], x);
   }
-  inner_.clear();
-  margin_.clear();
+  clear_lists();
   for (std::size_t i = 0; i < outer_.size(); ++i) {
     if (!(now[i] < skins_.inner)) continue;
     inner_.push_back(outer_[i]);
@@ -248,11 +247,18 @@ void Contact::refine(std::span<const Vec3> x, double since_search) {
   index_slots();
 }
 
+void Contact::clear_lists() {
+  to_list(held_);
+  to_list(tried_);
+  inner_.clear();
+  margin_.clear();
+}
+
 // For each point, the slots that hold forces on it, in the order of the pairs.
 void Contact::index_slots() {
-  held_.pack();
-  tried_.pack();
-  slots_.resize(inner_.size());
+  forces_.resize(inner_.size());
+  guards_.resize(inner_.size());
+  guarded_.clear();
   active_.assign(inner_.size(), 0);
   known_.assign(inner_.size(), unknown);
   std::vector<std::uint32_t> count(scene_->reference().size() + 1, 0);
@@ -281,108 +287,109 @@ void Contact::index_slots() {
   row_of_.resize(count.size() - 1);
   for (std::size_t row = 0; row < touched_.size(); ++row)
     row_of_[std::size_t(touched_[row])] = std::uint32_t(row);
+  rows_of_.resize(inner_.size());
+  for (std::size_t i = 0; i < inner_.size(); ++i) {
+    const Candidate& c = inner_[i];
+    for (std::size_t k = 0; k < 4; ++k)
+      rows_of_[i][k] =
+          c.point[k] < 0 || scene_->spots().is(c.point[k]) ? no_row : row_of_[std::size_t(c.point[k])];
+    rows_of_[i][4] = torque_row(c);
+  }
   index_spots();
   at_point_.resize(touched_.size());
   index_places();
-  corners_of_.resize(inner_.size());
-  rows_of_.resize(inner_.size());
-  for (std::size_t i = 0; i < inner_.size(); ++i) {
-    corners_of_[i] = inner_[i].point;
-    rows_of_[i][0] = first_row_of(i);
-    for (std::size_t k = 1; k < 4; ++k)
-      rows_of_[i][k] = inner_[i].point[k] < 0 ? no_row : row_of_[std::size_t(inner_[i].point[k])];
-  }
-  find_plain();
+  make_batches();
 }
 
 // Rows of what is counted at the first corners of pairs, where these are contact points inside facets; their
 // forces go to the nodes.
 void Contact::index_spots() {
-  spot_row_.clear();
   const auto nodes = std::ptrdiff_t(touched_.size());
+  node_rows_ = std::uint32_t(nodes);
   for (const Candidate& c : inner_)
     if (c.spot.any()) touched_.push_back(c.point[0]);
   if (touched_.size() == std::size_t(nodes)) return;
   std::sort(touched_.begin() + nodes, touched_.end());
   touched_.erase(std::unique(touched_.begin() + nodes, touched_.end()), touched_.end());
   first_.resize(touched_.size() + 1, first_.back());
-  spot_row_.resize(inner_.size());
   for (std::size_t i = 0; i < inner_.size(); ++i)
     if (inner_[i].spot.any())
-      spot_row_[i] = std::uint32_t(
+      rows_of_[i][0] = std::uint32_t(
           std::lower_bound(touched_.begin() + nodes, touched_.end(), inner_[i].point[0]) - touched_.begin());
 }
 
 Totals Contact::add_forces(std::span<const Vec3> x, std::span<Vec3> force, const Way& way,
                            std::span<Vec3> torque) {
   prepare(x);
-  if (way.start.empty()) torque = {};
-  if (!way.start.empty()) tried_.clear_places(inner_.size());
+  const bool rubs = !way.start.empty();
+  if (!rubs) torque = {};
+  if (rubs) tried_.begin(batches_.size());
   press_all(x, way, !torque.empty());
   Totals totals;
   totals.gap = narrowest_;
   totals.hard_gap = std::numeric_limits<double>::infinity();
-  add_points(force, torque, totals);
-  if (!way.start.empty()) share_slips();
+  add_points(force, torque, rubs, totals);
+  if (rubs) share_slips();
   return totals;
 }
 
-namespace {
-
-// The energies of a pair to those of a point, or of a point to those of all.
-template <class Part, class Sum>
-void add_energies(const Part& part, Sum& sum) {
-  sum.contact += part.contact;
-  sum.guard += part.guard;
-  sum.stick += part.stick;
-  sum.work += part.work;
-  sum.impact += part.impact;
+// Sums the slots that touch to the touched points from `from` to before `to`: for each point in the order of
+// the slots, however many threads share the points.
+void Contact::gather(std::size_t first_slot, std::size_t end, std::uint32_t from, std::uint32_t to,
+                     bool torques) {
+  for (std::size_t i = first_slot; i < end; ++i)
+    if (active_[i] != 0) gather_slot(i, from, to, torques);
 }
 
-}  // namespace
-
-// Sums the slots in use to the touched points from `from` to before `to`: for each point in the order of the
-// slots, however many threads share the points.
-void Contact::gather(std::uint32_t from, std::uint32_t to, bool torques) {
-  std::fill(at_point_.begin() + from, at_point_.begin() + to, AtPoint());
-  for (const std::uint32_t i : in_use_) gather_slot(i, from, to, torques);
-}
-
-void Contact::gather_slot(std::uint32_t i, std::uint32_t from, std::uint32_t to, bool torques) {
-  const Force& slot = slots_[i];
-  const Spot& spot = inner_[i].spot;
-  if (spot.any())
-    for (std::size_t k = 0; k < 3; ++k)
-      if (const std::uint32_t row = row_of_[std::size_t(spot.node[k])]; row >= from && row < to)
-        at_point_[row].force += spot.weight(k) * slot.on[0];
-  for (std::uint32_t k = 0; k < 4; ++k) {
-    const std::uint32_t row = rows_of_[i][k];
-    if (row < from || row >= to) continue;
-    AtPoint& sum = at_point_[row];
-    sum.force += slot.on[k];
-    if (torques && holds_torque(4 * i + k)) sum.torque += slot.torque;
-    if (k != 0) continue;
-    add_energies(slot, sum);
-    sum.gap = std::min(sum.gap, slot.gap);
-    if (slot.guard != 0) {
-      const bool cloths = scene_->interactions()[std::size_t(inner_[i].interaction)].cloths;
-      sum.struck = sum.struck || (slot.barrier.struck && !cloths);
-      if (!eases(i)) sum.hard_gap = std::min(sum.hard_gap, slot.gap);
+void Contact::gather_slot(std::size_t i, std::uint32_t from, std::uint32_t to, bool torques) {
+  const PairForce& pair = forces_[i];
+  const std::array<std::uint32_t, 5>& rows = rows_of_[i];
+  const auto within = [from, to](std::uint32_t row) { return row >= from && row < to; };
+  for (std::size_t k = 0; k < 4; ++k)
+    if (within(rows[k]))
+      for (int d = 0; d < 4; ++d) at_point_[rows[k]].force[d] += pair.on[k][d];
+  if (rows[0] != no_row && rows[0] >= node_rows_) {
+    const Spot& spot = inner_[i].spot;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t row = row_of_[std::size_t(spot.node[k])];
+      if (!within(row)) continue;
+      for (int d = 0; d < 3; ++d) at_point_[row].force[d] += spot.weight(k) * pair.on[0][d];
+      at_point_[row].force[3] += pair.on[0][3];
     }
-    ++sum.pairs;
-    sum.slips += active_[i] == rubbing && inner_[i].pair.kind == PairKind::facet ? 1 : 0;
   }
+  if (torques && within(rows[4]))
+    at_point_[rows[4]].torque += Vec3(pair.torque[0], pair.torque[1], pair.torque[2]);
+  if (!within(rows[0])) return;
+  AtPoint& sum = at_point_[rows[0]];
+  sum.energy[0] += pair.contact;
+  sum.energy[1] += pair.stick;
+  sum.energy[2] += pair.work;
+  sum.energy[3] += pair.impact;
+  sum.gap = std::min(sum.gap, pair.gap);
+  ++sum.pairs;
+  sum.slips += (active_[i] & facet_rubs) != 0 ? 1 : 0;
+  if ((active_[i] & in_guard) == 0) return;
+  const bool cloths = scene_->interactions()[std::size_t(inner_[i].interaction)].cloths;
+  sum.guard += guards_[i].energy;
+  sum.struck = sum.struck || (guards_[i].barrier.struck && !cloths);
+  if (!eases(i)) sum.hard_gap = std::min(sum.hard_gap, pair.gap);
 }
 
 // Over all points and not only those in the lists, which depend on the skin.
-void Contact::add_points(std::span<Vec3> force, std::span<Vec3> torque, Totals& totals) const {
+void Contact::add_points(std::span<Vec3> force, std::span<Vec3> torque, bool rubs, Totals& totals) {
+  if (rubs) tried_rubbing_.assign(scene_->reference().size(), 0);
   for (std::size_t row = 0; row < touched_.size(); ++row) {
     const AtPoint& sum = at_point_[row];
     if (const auto p = std::size_t(touched_[row]); p < force.size()) {
-      force[p] += sum.force;
+      force[p] += Vec3(sum.force[0], sum.force[1], sum.force[2]);
       if (!torque.empty()) torque[p] += sum.torque;
+      if (rubs) tried_rubbing_[p] = sum.force[3];
     }
-    add_energies(sum, totals);
+    totals.contact += sum.energy[0];
+    totals.guard += sum.guard;
+    totals.stick += sum.energy[1];
+    totals.work += sum.energy[2];
+    totals.impact += sum.energy[3];
     totals.gap = std::min(totals.gap, sum.gap);
     totals.hard_gap = std::min(totals.hard_gap, sum.hard_gap);
     totals.struck = totals.struck || sum.struck;
@@ -393,7 +400,7 @@ void Contact::add_points(std::span<Vec3> force, std::span<Vec3> torque, Totals& 
 // Whether inertia meets the guard of the pair in a slot.
 bool Contact::eases(std::size_t slot) const {
   const Interaction& it = scene_->interactions()[std::size_t(inner_[slot].interaction)];
-  return eases(it) && !(it.cloths && slots_[slot].barrier.struck);
+  return eases(it) && !(it.cloths && guards_[slot].barrier.struck);
 }
 
 // An approach by a good part of the range within a planned step is an impact: inertia would err with its
@@ -413,9 +420,9 @@ bool Contact::approaches_fast(const Candidate& c, const Force& force, const Corn
 // alike or against each other, is at most that times the node's weight: the weights on one side have the
 // sum 1.
 void Contact::barriers(const std::function<void(std::int32_t, double, const Vec3&)>& visit) const {
-  for (const std::uint32_t i : in_use_) {
+  for (const std::uint32_t i : guarded_) {
     const Candidate& c = inner_[i];
-    const Force::Barrier& barrier = slots_[i].barrier;
+    const Force::Barrier& barrier = guards_[i].barrier;
     const Interaction& it = scene_->interactions()[std::size_t(c.interaction)];
     if (!(barrier.stiffness > 0) || it.cloths || !eases(it)) continue;
     if (c.spot.any())
@@ -428,9 +435,9 @@ void Contact::barriers(const std::function<void(std::int32_t, double, const Vec3
 }
 
 void Contact::barriers_between(const VisitBetween& visit) const {
-  for (const std::uint32_t i : in_use_) {
+  for (const std::uint32_t i : guarded_) {
     const Interaction& it = scene_->interactions()[std::size_t(inner_[i].interaction)];
-    if (it.cloths && eases(i) && slots_[i].barrier.stiffness > 0) visit(inner_[i].point, slots_[i].barrier);
+    if (it.cloths && eases(i) && guards_[i].barrier.stiffness > 0) visit(inner_[i].point, guards_[i].barrier);
   }
 }
 
@@ -563,16 +570,19 @@ Contact::AtPoints Contact::at_points(std::span<const Vec3> x) const {
     }
     Vec3 face[2] = {Vec3::Zero(), Vec3::Zero()};
     for (std::uint32_t k = first_[row]; k < first_[row + 1]; ++k) {
-      if (!active_[of_point_[k] / 4]) continue;
-      const Force& slot = slots_[of_point_[k] / 4];
-      out.gap[std::size_t(p)] = std::min(out.gap[std::size_t(p)], slot.gap);
+      const std::uint32_t slot = of_point_[k] / 4;
+      if (active_[slot] == 0) continue;
+      const PairForce& pair = forces_[slot];
+      const double energy = pair.contact + ((active_[slot] & in_guard) != 0 ? guards_[slot].energy : 0);
+      out.gap[std::size_t(p)] = std::min(out.gap[std::size_t(p)], pair.gap);
       // A pair with a negative weight, which corrects for others that count twice, pulls instead of pushing.
-      const Candidate& c = inner_[of_point_[k] / 4];
-      Vec3 f = slot.on[of_point_[k] % 4];
+      const Candidate& c = inner_[slot];
+      const double* const on = pair.on[of_point_[k] % 4];
+      Vec3 f(on[0], on[1], on[2]);
       if (c.spot.any() && of_point_[k] % 4 == 0)
         f *= c.spot.weight(
             std::size_t(std::find(c.spot.node.begin(), c.spot.node.end(), p) - c.spot.node.begin()));
-      face[(f.dot(normal) < 0) == (slot.contact + slot.guard < 0) ? 0 : 1] += f;
+      face[(f.dot(normal) < 0) == (energy < 0) ? 0 : 1] += f;
     }
     const double area = scene_->area(p);
     if (area > 0) out.pressure[std::size_t(p)] = (face[0].norm() + face[1].norm()) / area;

@@ -155,17 +155,17 @@ class Contact {
   }
   // The value for the rigid side of a pair; zero if no side is rigid.
   Vec3 of_body(const Candidate& c, std::span<const Vec3> by_point) const;
-  struct Held;
+  static constexpr double rounding = 1e-9;        // share of a skin: rounding never decides what is looked at
+  static constexpr double nearly = 1 - rounding;  // of the motion that a list allows for
   class OfSlot;
   void find_slip(std::size_t slot, std::span<const Vec3> x, const Way& way, Slip& slip);
-  const Held* held_by(std::size_t slot);
-  // Keeps the slip in a slot: turned with the pair, and with the resistance at its mirror images.
-  void keep_slip(std::size_t slot, const Corners& x, const Way& way);
+  // Keeps the slip of a pair: turned with it, and with the resistance at its mirror images.
+  void keep_slip(std::size_t slot, const Corners& x, const Way& way, Force& force);
   void share_slips();
   bool passes_on(PairKind kind, std::int32_t first, std::int32_t interaction) const;
   bool eases(std::size_t slot) const;
   bool approaches_fast(const Candidate& c, const Force& force, const Corners& now, const Way& way) const;
-  bool holds_torque(std::uint32_t slot_and_corner) const;
+  std::uint32_t torque_row(const Candidate& c) const;
   unsigned planes_of(const Candidate& c, std::span<const unsigned char> planes) const;
   std::array<double, 4> resists(const Candidate& c, const Force& force, const Way& way) const;
   double margin(const Candidate& c, std::span<const Vec3> x) const;
@@ -173,23 +173,30 @@ class Contact {
   void mark_checked(std::span<const Vec3> x, double change);
   void search(std::span<const Vec3> x);
   void refine(std::span<const Vec3> x, double since_search);
+  void clear_lists();
   void index_slots();
   void index_spots();
   static void visit_in_nodes(const Candidate& c, const Matrix12& k, const FrictionTangent* friction,
                              const VisitStiffness& visit);
   double share_of(const std::vector<Candidate>& pairs, std::span<const Vec3> x,
                   std::span<const Vec3> by) const;
-  // Whether the pair in a slot touches; its forces are then there.
-  bool press(std::size_t slot, std::span<const Vec3> x, const Way& way);
+  void press(std::size_t slot, std::span<const Vec3> x, const Way& way);
   void press_all(std::span<const Vec3> x, const Way& way, bool torques);
-  // --- batches of pairs (press.cpp)
+  // --- batches of pairs (press.cpp): each pair has a lane, those that are taken alone, too
+  struct Batch {
+    double least = 0, offset = 0;       // m: the smallest of margin_; of its pairs
+    std::int32_t law = -1;              // row of its law; -1: its pairs are taken alone
+    unsigned char any = 0, active = 0;  // lanes with a pair, and with one that touched last
+  };
   class Batches;
-  void find_plain();
+  void make_batches();
+  void put_pair(std::uint32_t slot, int lane, BatchPairs& batch) const;
   // Shared by the pairs of an interaction; empty: none are taken by the batch in such a step.
   std::vector<BatchLaw> laws_of_batches(const Way& way) const;
-  void gather(std::uint32_t from, std::uint32_t to, bool torques);
-  void gather_slot(std::uint32_t slot, std::uint32_t from, std::uint32_t to, bool torques);
-  void add_points(std::span<Vec3> force, std::span<Vec3> torque, Totals& totals) const;
+  void place_points(std::span<const Vec3> x, const Way& way);
+  void gather(std::size_t first_slot, std::size_t end, std::uint32_t from, std::uint32_t to, bool torques);
+  void gather_slot(std::size_t slot, std::uint32_t from, std::uint32_t to, bool torques);
+  void add_points(std::span<Vec3> force, std::span<Vec3> torque, bool rubs, Totals& totals);
   const ContactLaw& law(const Candidate& c) const {
     return scene_->interactions()[std::size_t(c.interaction)].law;
   }
@@ -208,77 +215,84 @@ class Contact {
          change_ = 0;  // m: how much near gaps may have changed since refine(), at_check_ and now
   std::vector<double> outer_margin_;  // of each pair of the outer list: the same in search()
   std::vector<double> margin_;  // of each pair of the inner list: how far out of reach it was in refine()
-  std::vector<Force> slots_;
-  // By slot: the row of its batches' law, -1: it is taken alone; and m2, above which it is out of reach.
-  std::vector<std::int32_t> batch_of_;
-  std::vector<double> far_;
-  // By slot: its corners, and their rows; of a spot and where there is none: no_row.
-  std::vector<std::array<std::int32_t, 4>> corners_of_;
-  std::vector<std::array<std::uint32_t, 4>> rows_of_;
+  std::vector<Batch> batches_;
+  std::vector<BatchPairs> pairs_;           // by batch
+  std::vector<std::uint32_t> first_batch_;  // of the slots that are taken together
+  std::vector<BatchPoint> points_;          // by row
+  std::vector<std::uint32_t> place_;        // by slot: batch * lanes + lane
+  std::vector<PairForce> forces_;           // by slot
+  struct Guard {
+    double energy = 0;  // J
+    Force::Barrier barrier;
+  };
+  std::vector<Guard> guards_;           // by slot
+  std::vector<std::uint32_t> guarded_;  // slots with one, ascending
+  // By slot: the rows of its corners, of a spot that of the contact point, and of what its torque acts on;
+  // where there is none: no_row.
+  std::vector<std::array<std::uint32_t, 5>> rows_of_;
   static constexpr std::uint32_t no_row = ~std::uint32_t(0);
-  static constexpr char pressing = 1, rubbing = 2;
-  std::vector<char> active_;  // whether the slot of a pair is in use, with or without a slip; 0: it is not
-  std::vector<std::uint32_t> in_use_;            // these slots, ascending
+  // By slot: the pair touches; and it has a slip, as a facet; a guard.
+  static constexpr char pressing = 1, rubbing = 2, facet_rubs = 4, in_guard = 8;
+  std::vector<char> active_;
   std::vector<std::int32_t> touched_;            // points with slots, ascending
   std::vector<std::uint32_t> first_, of_point_;  // rows: slot * 4 + corner, ascending for each touched point
   std::vector<std::uint32_t> row_of_;            // by point: its place among those touched
-  // By slot: the row of a contact point inside a facet. Those stand behind all others, ascending.
-  std::vector<std::uint32_t> spot_row_;
-  std::uint32_t first_row_of(std::size_t slot) const {
-    const Candidate& c = inner_[slot];
-    return c.spot.any() ? spot_row_[slot] : row_of_[std::size_t(c.point[0])];
-  }
+  std::uint32_t node_rows_ = 0;  // behind them those of contact points inside facets, ascending
   // Forces and energies at a touched point. The energies of a pair are counted at its first corner.
   struct AtPoint {
-    Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
-    double contact = 0, guard = 0, stick = 0, work = 0, impact = 0;
+    double force[4] = {};   // N; and Force::resists
+    double energy[4] = {};  // J: contact, stick, work, impact
+    double guard = 0;
     // m, the smallest of its pairs; of those with a guard that is not eased.
     double gap = std::numeric_limits<double>::infinity(), hard_gap = gap;
+    Vec3 torque = Vec3::Zero();
     std::uint32_t pairs = 0, slips = 0;  // slips: of facets
     bool struck = false;
   };
   std::vector<AtPoint> at_point_;
   // The elastic slips of the pairs that touch. The first corner of a pair is what slides over the rest of it;
   // the slips are in the order of the first corners, for each in the order of the pairs.
-  struct alignas(64) Held {  // two lines of a cache: all are read and written in each step
+  struct Kept {
+    Vec3 slip = Vec3::Zero(), pull = Vec3::Zero();
+    double gap = 0, damped = 0;  // m, N
+    bool slides = false;
+  };
+  struct Held : Kept {
     std::array<std::int32_t, 4> point{};
     std::int32_t interaction = 0;
     PairKind kind = PairKind::facet;
-    bool slides = false;
-    double gap = 0, damped = 0;  // m, N
-    Vec3 slip = Vec3::Zero(), pull = Vec3::Zero();
-    std::array<double, 4> resists{};
     bool is(const Candidate& c) const {
       return point == c.point && interaction == c.interaction && kind == c.pair.kind;
     }
-    bool beside(const Held& other) const;
     void keep(Archive& archive);
   };
-  // While the lists stay, a pair has its own place; else the slips that are in use stand beside each other.
+  // While the lists stay, a pair has its lane; else those in use are in a list.
   struct Memory {
-    std::vector<Held> held;
-    std::vector<char> used;  // by place
-    bool by_place = false;
-    void clear_places(std::size_t count);
-    void pack();  // those in use alone, in their order
-    template <class Visit>
-    void each(Visit visit) const {
-      for (std::size_t i = 0; i < held.size(); ++i)
-        if (!by_place || used[i] != 0) visit(held[i]);
-    }
+    std::vector<BatchMemory> lane;
+    std::vector<unsigned char> lanes_used;
+    std::vector<Held> list;
+    bool by_lane = false;
+    bool used(std::uint32_t place) const;
+    Kept at(std::uint32_t place) const;
+    void begin(std::size_t batches);  // no lane is in use
   };
-  std::vector<std::uint32_t> place_;        // by slot
+  std::vector<std::uint32_t> by_first_;     // slots in the order of the slips
   std::vector<std::uint32_t> first_place_;  // by row: those of pairs with this first corner
   void index_places();
-  void hold(std::size_t slot);  // the slip in a slot that touches
-  void join(std::span<Held> of_one_point, const char* used);
-  // The resistances of all committed slips at each point, mirror images included, over 0.2 m / dt.
-  std::vector<double> rubbing_at_;
-  void count_rubbing();
+  static void put(BatchMemory& to, std::uint32_t lane, const Kept& kept);
+  std::optional<Kept> held_by(std::size_t slot);
+  void find_held(const BatchPairs& batch, unsigned of_lanes, BatchMemory& to);
+  void to_list(Memory& memory) const;
+  template <class Visit>
+  void each(const Memory& memory, Visit visit) const;
+  void join(std::span<const std::uint32_t> slots);
+  // The resistances of all slips at each point, mirror images included, over 0.2 m / dt: of those committed
+  // and those of the last forces.
+  std::vector<double> rubbing_at_, tried_rubbing_;
   double crowd_at(std::size_t point) const;  // see Slip::crowd
   Memory held_, tried_;
   bool has_tried_ = false;
-  // By slot, where slips are not by place: which of held_ is that of the pair, or one of the following.
+  // By slot, where slips are in a list: which of held_ is that of the pair, or one of the following.
   std::vector<std::int32_t> known_;
   static constexpr std::int32_t unknown = -2, none = -1;
   bool eases_ = true;

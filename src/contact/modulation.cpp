@@ -1,83 +1,9 @@
 #include "contact/modulation.hpp"
 
-#include <algorithm>
+#include "contact/jet.hpp"
 
 namespace fabricsh::contact {
 namespace {
-
-constexpr double parallel = 0.02;  // squared sine of the angle below which two segments fade
-
-// A number with its derivatives by the five products on which the closest points of two lines depend:
-// u.u, u.v, v.v, u.r, v.r; u and v are the segments, and r goes from the second's start to the first's.
-template <bool second>
-struct Jet {
-  static constexpr int n = 5;
-  double value = 0;
-  double first[n] = {};
-  double twice[second ? n : 1][second ? n : 1] = {};
-};
-
-template <bool second>
-Jet<second> variable(double value, int place) {
-  Jet<second> out;
-  out.value = value;
-  out.first[place] = 1;
-  return out;
-}
-
-// The values and derivatives of f(a, b): fa = df/da, fab = d2f/da db, ...
-struct Rule {
-  double value, fa, fb, faa, fab, fbb;
-};
-
-template <bool second>
-Jet<second> combine(const Jet<second>& a, const Jet<second>& b, const Rule& f) {
-  Jet<second> out;
-  out.value = f.value;
-  for (int i = 0; i < Jet<second>::n; ++i) out.first[i] = f.fa * a.first[i] + f.fb * b.first[i];
-  if constexpr (second)
-    for (int i = 0; i < Jet<second>::n; ++i)
-      for (int j = 0; j < Jet<second>::n; ++j)
-        out.twice[i][j] = f.fa * a.twice[i][j] + f.fb * b.twice[i][j] + f.faa * a.first[i] * a.first[j] +
-                          f.fab * (a.first[i] * b.first[j] + b.first[i] * a.first[j]) +
-                          f.fbb * b.first[i] * b.first[j];
-  return out;
-}
-
-template <bool second>
-Jet<second> operator*(const Jet<second>& a, const Jet<second>& b) {
-  return combine(a, b, {a.value * b.value, b.value, a.value, 0, 1, 0});
-}
-template <bool second>
-Jet<second> operator-(const Jet<second>& a, const Jet<second>& b) {
-  return combine(a, b, {a.value - b.value, 1, -1, 0, 0, 0});
-}
-template <bool second>
-Jet<second> operator/(const Jet<second>& a, const Jet<second>& b) {
-  const double i = 1 / b.value, q = a.value * i;
-  return combine(a, b, {q, i, -q * i, 0, -i * i, 2 * q * i * i});
-}
-template <bool second>
-Jet<second> chain(const Jet<second>& a, double value, double slope, double curvature) {
-  return combine(a, Jet<second>{}, {value, slope, 0, curvature, 0, 0});
-}
-
-// 1 - (1 - k/k0)^3, where k is the squared sine of the angle.
-template <bool second>
-Jet<second> fade_parallel(const Jet<second>& k) {
-  const double left = 1 - k.value / parallel;
-  if (left <= 0) return chain(k, 1, 0, 0);
-  return chain(k, 1 - left * left * left, 3 * left * left / parallel, -6 * left / (parallel * parallel));
-}
-
-// Rises from 0 at an end of a segment to 1 at the distance `zone` (share of its length) from it.
-template <bool second>
-Jet<second> fade_end(const Jet<second>& s, double zone) {
-  const double turn = s.value > 0.5 ? -1 : 1,
-               x = std::clamp((turn > 0 ? s.value : 1 - s.value) / zone, 0.0, 1.0);
-  return chain(s, x * x * x * (10 + x * (6 * x - 15)), turn * 30 * x * x * (1 - x) * (1 - x) / zone,
-               60 * x * (1 - x) * (1 - 2 * x) / (zone * zone));
-}
 
 // Converts derivatives by the products to derivatives by u, v, r, and these
 // to derivatives by the corners: u = x1 - x0, v = x3 - x2, r = x0 - x2.
@@ -106,7 +32,7 @@ Vector12 gradient_by_corners(const ByVectors& by, const double* first) {
   return out;
 }
 
-Matrix12 hessian_by_corners(const ByVectors& by, const Jet<true>& jet) {
+Matrix12 hessian_by_corners(const ByVectors& by, const Jet<double, true>& jet) {
   using Row5 = Eigen::Matrix<double, 5, 5, Eigen::RowMajor>;
   Eigen::Matrix<double, 9, 9> h = by.slope * Eigen::Map<const Row5>(&jet.twice[0][0]) * by.slope.transpose();
   const double own[3][3] = {{2 * jet.first[0], jet.first[1], jet.first[3]},
@@ -122,15 +48,9 @@ Matrix12 hessian_by_corners(const ByVectors& by, const Jet<true>& jet) {
 
 template <bool second>
 Modulation evaluate(const Vec3& u, const Vec3& v, const Vec3& r, const Fading& fading, Matrix12* hessian) {
-  using J = Jet<second>;
-  const J a = variable<second>(u.dot(u), 0), b = variable<second>(u.dot(v), 1),
-          c = variable<second>(v.dot(v), 2);
-  const J det = a * c - b * b;
-  J m = fade_parallel(det / (a * c));
-  if (fading.at_ends) {
-    const J e = variable<second>(u.dot(r), 3), f = variable<second>(v.dot(r), 4);
-    m = m * fade_end((b * f - c * e) / det, fading.first) * fade_end((a * f - b * e) / det, fading.second);
-  }
+  const double products[5] = {u.dot(u), u.dot(v), v.dot(v), u.dot(r), v.dot(r)},
+               ends[2] = {fading.first, fading.second};
+  const auto m = fade<second>(products, fading.at_ends ? ends : nullptr);
   const ByVectors by(u, v, r);
   Modulation out;
   out.value = m.value;

@@ -53,20 +53,67 @@ Vec3 turned(const Candidate& c, const Vec3& slip, const Corners& from, const Cor
 
 }  // namespace
 
-bool Contact::Held::beside(const Held& other) const {
-  if (kind != PairKind::facet || other.kind != PairKind::facet || interaction != other.interaction)
-    return false;
-  for (std::size_t i = 1; i < 4; ++i)
-    for (std::size_t j = 1; j < 4; ++j)
-      if (point[i] == other.point[j]) return true;
-  return false;
-}
-
 void Contact::Held::keep(Archive& archive) {
   archive(point[0], point[1], point[2], point[3], interaction, kind);
   for (Vec3* v : {&slip, &pull}) archive((*v)[0], (*v)[1], (*v)[2]);
-  archive(gap, damped, slides, resists[0], resists[1], resists[2], resists[3]);
+  archive(gap, damped, slides);
 }
+
+bool Contact::Memory::used(std::uint32_t place) const {
+  return (lanes_used[place / lanes] >> place % lanes & 1) != 0;
+}
+
+Contact::Kept Contact::Memory::at(std::uint32_t place) const {
+  const BatchMemory& from = lane[place / lanes];
+  const auto k = place % lanes;
+  return {{from.slip[0][k], from.slip[1][k], from.slip[2][k]},
+          {from.pull[0][k], from.pull[1][k], from.pull[2][k]},
+          from.gap[k],
+          from.damped[k],
+          from.slides[k] != 0};
+}
+
+void Contact::put(BatchMemory& to, std::uint32_t k, const Kept& kept) {
+  for (int d = 0; d < 3; ++d) {
+    to.slip[d][k] = kept.slip[d];
+    to.pull[d][k] = kept.pull[d];
+  }
+  to.gap[k] = kept.gap;
+  to.damped[k] = kept.damped;
+  to.slides[k] = kept.slides ? 1 : 0;
+}
+
+void Contact::Memory::begin(std::size_t batches) {
+  by_lane = true;
+  lane.resize(batches);
+  lanes_used.assign(batches, 0);
+}
+
+template <class Visit>
+void Contact::each(const Memory& memory, Visit visit) const {
+  if (!memory.by_lane)
+    for (const Held& h : memory.list) visit(h);
+  else
+    for (const std::uint32_t i : by_first_)
+      if (memory.used(place_[i]))
+        visit(Held{memory.at(place_[i]), inner_[i].point, inner_[i].interaction, inner_[i].pair.kind});
+}
+
+void Contact::to_list(Memory& memory) const {
+  if (!memory.by_lane) return;
+  memory.list.clear();
+  each(memory, [&](const Held& h) { memory.list.push_back(h); });
+  memory.by_lane = false;
+}
+
+namespace {
+
+// Whether two facets have a common corner.
+bool are_beside(const std::array<std::int32_t, 4>& a, const std::array<std::int32_t, 4>& b) {
+  return std::find_first_of(a.begin() + 1, a.end(), b.begin() + 1, b.end()) != a.end();
+}
+
+}  // namespace
 
 // Balls and rods lie on many facets at once, each with a slip of its own.
 bool Contact::passes_on(PairKind kind, std::int32_t first, std::int32_t interaction) const {
@@ -75,37 +122,55 @@ bool Contact::passes_on(PairKind kind, std::int32_t first, std::int32_t interact
   return !rigid(first) || scene_->surfaces()[std::size_t(it.second)].shape == Shape::solid;
 }
 
-// The committed slip of a pair, or that of the nearest facet beside it; null: there is none.
-const Contact::Held* Contact::held_by(std::size_t slot) {
+// The committed slip of a pair, or that of the nearest facet beside it, without its forces.
+std::optional<Contact::Kept> Contact::held_by(std::size_t slot) {
   const Candidate& c = inner_[slot];
-  const Held sought{c.point, c.interaction, c.pair.kind};
   const bool passes = passes_on(c.pair.kind, c.point[0], c.interaction);
-  const Held* found = nullptr;
-  const auto look_at = [&](const Held& h) {
-    if (h.is(c)) found = &h;
-    if (h.is(c)) return true;
-    if (passes && h.beside(sought) && (found == nullptr || h.gap < found->gap)) found = &h;
-    return false;
+  const auto passed_on = [](const Kept& from) {
+    return Kept{from.slip, Vec3::Zero(), from.gap, 0, from.slides};
   };
-  const std::vector<Held>& all = held_.held;
-  if (held_.by_place) {
-    const std::size_t own = place_[slot];
-    if (held_.used[own] != 0) return &all[own];
-    if (!passes) return nullptr;
-    const std::uint32_t row = first_row_of(slot);
-    for (std::size_t i = first_place_[row]; i < first_place_[row + 1]; ++i)
-      if (held_.used[i] != 0) look_at(all[i]);
+  if (held_.by_lane) {
+    if (held_.used(place_[slot])) return held_.at(place_[slot]);
+    std::optional<Kept> found;
+    const std::uint32_t row = rows_of_[slot][0];
+    for (std::size_t k = first_place_[row]; passes && k < first_place_[row + 1]; ++k) {
+      const std::uint32_t i = by_first_[k];
+      const Candidate& other = inner_[i];
+      if (!held_.used(place_[i]) || other.pair.kind != PairKind::facet ||
+          other.interaction != c.interaction || !are_beside(c.point, other.point))
+        continue;
+      const Kept of_other = held_.at(place_[i]);
+      if (!found || of_other.gap < found->gap) found = passed_on(of_other);
+    }
     return found;
   }
+  const std::vector<Held>& all = held_.list;
   std::int32_t& known = known_[slot];
-  if (known == none) return nullptr;
-  if (known != unknown) return &all[std::size_t(known)];
-  const auto first =
-      std::partition_point(all.begin(), all.end(), [&](const Held& h) { return h.point[0] < c.point[0]; });
-  for (auto h = first; h != all.end() && h->point[0] == c.point[0]; ++h)
-    if (look_at(*h)) break;
-  known = found == nullptr ? none : std::int32_t(found - all.data());
-  return found;
+  if (known == unknown) {
+    known = none;
+    const auto first =
+        std::partition_point(all.begin(), all.end(), [&](const Held& h) { return h.point[0] < c.point[0]; });
+    for (auto h = first; h != all.end() && h->point[0] == c.point[0]; ++h) {
+      const auto number = std::int32_t(h - all.begin());
+      if (h->is(c)) {
+        known = number;
+        break;
+      }
+      if (passes && h->kind == PairKind::facet && h->interaction == c.interaction &&
+          are_beside(c.point, h->point) && (known == none || h->gap < all[std::size_t(known)].gap))
+        known = number;
+    }
+  }
+  if (known == none) return {};
+  const Held& found = all[std::size_t(known)];
+  return found.is(c) ? std::optional<Kept>(found) : passed_on(found);
+}
+
+void Contact::find_held(const BatchPairs& batch, unsigned of_lanes, BatchMemory& to) {
+  for (std::uint32_t lane = 0; lane < lanes; ++lane) {
+    if ((of_lanes >> lane & 1) == 0) continue;
+    put(to, lane, held_by(batch.slot[lane]).value_or(Kept()));
+  }
 }
 
 void Contact::find_slip(std::size_t i, std::span<const Vec3> x, const Way& way, Slip& slip) {
@@ -123,13 +188,11 @@ void Contact::find_slip(std::size_t i, std::span<const Vec3> x, const Way& way, 
   if (c.spot.any()) slip.moved[0] = c.spot.of(x) - c.spot.of(way.start);
   for (std::size_t k = c.spot.any() ? 1 : 0; k < 4; ++k)
     if (const auto p = c.point[k]; p >= 0) slip.moved[k] = x[std::size_t(p)] - way.start[std::size_t(p)];
-  if (const Held* held = held_by(i)) {
+  if (const auto held = held_by(i)) {
     slip.held = held->slip;
     slip.slides = held->slides;
-    if (held->is(c)) {
-      slip.pull = held->pull;
-      slip.damped = held->damped;
-    }
+    slip.pull = held->pull;
+    slip.damped = held->damped;
   }
   slip.loss = it.loss;
   slip.dt = way.dt;
@@ -202,83 +265,56 @@ std::array<double, 4> Contact::resists(const Candidate& c, const Force& force, c
   return out;
 }
 
-void Contact::Memory::clear_places(std::size_t count) {
-  by_place = true;
-  held.resize(count);
-  used.assign(count, 0);
-}
-
-void Contact::Memory::pack() {
-  if (!by_place) return;
-  std::size_t n = 0;
-  for (std::size_t i = 0; i < held.size(); ++i)
-    if (used[i] != 0) held[n++] = held[i];
-  held.resize(n);
-  by_place = false;
-}
-
-// The order of the places is that of the first corners, for each that of the pairs.
+// The order of the slips is that of the first corners, for each that of the pairs.
 void Contact::index_places() {
   first_place_.assign(touched_.size() + 1, 0);
-  for (std::size_t i = 0; i < inner_.size(); ++i) ++first_place_[first_row_of(i) + 1];
+  for (const auto& rows : rows_of_) ++first_place_[rows[0] + 1];
   for (std::size_t row = 0; row < touched_.size(); ++row) first_place_[row + 1] += first_place_[row];
   std::vector<std::uint32_t> next(first_place_.begin(), first_place_.end() - 1);
-  place_.resize(inner_.size());
-  for (std::size_t i = 0; i < inner_.size(); ++i) place_[i] = next[first_row_of(i)]++;
-}
-
-void Contact::hold(std::size_t slot) {
-  const Candidate& c = inner_[slot];
-  const Force& force = slots_[slot];
-  const std::size_t place = place_[slot];
-  tried_.used[place] = 1;
-  Held& held = tried_.held[place];  // field by field: a whole one would be cleared before
-  held.point = c.point;
-  held.interaction = c.interaction;
-  held.kind = c.pair.kind;
-  held.slides = force.slides;
-  held.gap = force.gap;
-  held.damped = force.damped;
-  held.slip = force.slip;
-  held.pull = force.pull;
-  held.resists = force.resists;
+  by_first_.resize(inner_.size());
+  for (std::size_t i = 0; i < inner_.size(); ++i) by_first_[next[rows_of_[i][0]]++] = std::uint32_t(i);
 }
 
 // Facets beside each other hold a point with the slip at the nearest of them: those are looked at in the
 // order of their gaps, equal ones in their own.
-void Contact::join(std::span<Held> of_one_point, const char* used) {
+void Contact::join(std::span<const std::uint32_t> slots) {
   struct Place {
-    double gap;
-    Held* of;
-    Vec3 slip;
-    bool slides;
+    std::uint32_t slot;
+    Kept kept;
   };
   thread_local std::vector<Place> nearest;
   nearest.clear();
-  for (std::size_t i = 0; i < of_one_point.size(); ++i) {
-    Held& h = of_one_point[i];
-    if (used[i] == 0 || h.kind != PairKind::facet) continue;
-    if (!passes_on(h.kind, h.point[0], h.interaction)) return;
+  for (const std::uint32_t i : slots) {
+    const Candidate& c = inner_[i];
+    if (c.pair.kind != PairKind::facet || !tried_.used(place_[i])) continue;
+    if (!passes_on(c.pair.kind, c.point[0], c.interaction)) return;
     auto at = nearest.size();
-    nearest.push_back({h.gap, &h, h.slip, h.slides});
-    for (; at > 0 && h.gap < nearest[at - 1].gap; --at) std::swap(nearest[at - 1], nearest[at]);
+    nearest.push_back({i, tried_.at(place_[i])});
+    for (; at > 0 && nearest[at].kept.gap < nearest[at - 1].kept.gap; --at)
+      std::swap(nearest[at - 1], nearest[at]);
   }
   for (const Place& own : nearest)
     for (const Place& other : nearest) {
-      if (!(other.gap < own.gap)) break;
-      if (!own.of->beside(*other.of)) continue;
-      own.of->slip = other.slip;
-      own.of->slides = other.slides;
+      if (!(other.kept.gap < own.kept.gap)) break;
+      const Candidate &one = inner_[own.slot], &two = inner_[other.slot];
+      if (one.interaction != two.interaction || !are_beside(one.point, two.point)) continue;
+      Kept joined = own.kept;
+      joined.slip = other.kept.slip;
+      joined.slides = other.kept.slides;
+      put(tried_.lane[place_[own.slot] / lanes], place_[own.slot] % lanes, joined);
       break;
     }
 }
 
-void Contact::keep_slip(std::size_t slot, const Corners& x, const Way& way) {
+void Contact::keep_slip(std::size_t slot, const Corners& x, const Way& way, Force& force) {
   const Candidate& c = inner_[slot];
-  Force& force = slots_[slot];
   if (!force.slip.isZero(0))
     force.slip = turned(c, force.slip, corners_of(c, way.start), x, of_body(c, way.turn));
   if (!way.planes.empty()) force.resists = resists(c, force, way);
+  const std::uint32_t place = place_[slot];
+  put(tried_.lane[place / lanes], place % lanes,
+      {force.slip, force.pull, force.gap, force.damped, force.slides});
+  tried_.lanes_used[place / lanes] |= 1u << place % lanes;
 }
 
 void Contact::share_slips() {
@@ -287,24 +323,8 @@ void Contact::share_slips() {
   for (std::size_t row = 0; row < touched_.size(); ++row) {
     if (at_point_[row].slips < 2) continue;
     const std::size_t first = first_place_[row];
-    join({tried_.held.data() + first, first_place_[row + 1] - first}, tried_.used.data() + first);
+    join({by_first_.data() + first, first_place_[row + 1] - first});
   }
-}
-
-void Contact::count_rubbing() {
-  rubbing_at_.assign(scene_->reference().size(), 0);
-  const auto count = [&](std::int32_t p, double resists) { rubbing_at_[std::size_t(p)] += resists; };
-  held_.each([&](const Held& h) {
-    for (std::size_t k = 0; k < 4; ++k)
-      if (h.point[k] < 0)
-        continue;
-      else if (!scene_->spots().is(h.point[k]))
-        count(h.point[k], h.resists[k]);
-      else
-        for (const std::int32_t p :
-             scene_->triangles()[std::size_t(scene_->spots().triangle_of(h.point[k]))].nodes)
-          count(p, h.resists[k]);
-  });
 }
 
 double Contact::crowd_at(std::size_t point) const {
@@ -314,7 +334,7 @@ double Contact::crowd_at(std::size_t point) const {
 Contact::Rubbing Contact::held_friction() const {
   Rubbing all;
   double largest = 0;
-  held_.each([&](const Held& h) {
+  each(held_, [&](const Held& h) {
     const double force = h.pull.norm();
     ++all.pairs;
     all.force += force;
@@ -332,18 +352,17 @@ Contact::Rubbing Contact::held_friction() const {
 void Contact::commit() {
   if (!has_tried_) return;
   std::swap(held_, tried_);
+  std::swap(rubbing_at_, tried_rubbing_);
   has_tried_ = false;
-  count_rubbing();
-  if (!held_.by_place) std::fill(known_.begin(), known_.end(), unknown);
+  if (!held_.by_lane) std::fill(known_.begin(), known_.end(), unknown);
 }
 
 void Contact::keep(Archive& archive) {
   Memory kept;
-  if (!archive.reading()) held_.each([&](const Held& h) { kept.held.push_back(h); });
-  archive(kept.held);
+  if (!archive.reading()) each(held_, [&](const Held& h) { kept.list.push_back(h); });
+  archive(kept.list, rubbing_at_);
   if (!archive.reading()) return;
   held_ = std::move(kept);
-  count_rubbing();
   has_tried_ = false;
   std::fill(known_.begin(), known_.end(), unknown);
 }
