@@ -225,7 +225,7 @@ void Contact::find_slip(std::size_t i, std::span<const Vec3> x, const Way& way, 
 // The same for batches; the kinds of each interaction in their order.
 std::vector<BatchLaw> Contact::laws_of_batches(const Way& way) const {
   std::vector<BatchLaw> out;
-  if (way.inverse_mass.empty() || !way.planes.empty() || !(way.dt > 0)) return out;
+  if (way.start.empty() || way.inverse_mass.empty() || !way.planes.empty() || !(way.dt > 0)) return out;
   for (const Interaction& it : scene_->interactions()) {
     BatchLaw row;
     const bool plain = it.across < 0 && it.film.viscous == 0 && !it.rigid;
