@@ -404,8 +404,8 @@ void add_border(const Pairs& pairs, PackMask where, Pack reach, Sums& sums) {
 
 // --- the kernel
 
-[[gnu::flatten]] void press_part(const BatchLaw& law, const BatchPairs& pairs, const BatchStep& step, int first,
-                BatchTouch& out) {
+[[gnu::flatten]] void press_part(const BatchLaw& law, const BatchPairs& pairs, const BatchStep& step,
+                                 int first, BatchTouch& out) {
   Pairs at(law, pairs, step, first);
   at.load_points(at.x, at.inverse_mass, step.points->x);
   const Pack reach = Pack(law.gap) * at.scale, allowed = reach + Pack(law.offset),
