@@ -11,7 +11,7 @@
 namespace fabricsh::mechanics {
 
 // Equation numbers of one node in the order u1 u2 u3 (in the node's frame) q1 q2: >= 0 unknown, held = -1,
-// driven <= -2, tied: follows other nodes (see Tied).
+// driven <= -2, tied: follows other nodes (see model::Follower).
 inline constexpr Index held = -1;
 inline constexpr Index tied = std::numeric_limits<Index>::min();
 // Whether a boundary condition states it: held or driven.
