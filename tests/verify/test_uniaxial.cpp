@@ -34,7 +34,7 @@ double backbone(const Case& c, double E) {
 
 std::string name(const Case& c) { return c.card.name + (c.axis == 1 ? " warp" : " weft"); }
 
-std::shared_ptr<Notices> quiet() { return std::make_shared<Notices>(); }
+std::shared_ptr<Notices> no_notices() { return std::make_shared<Notices>(); }
 
 }  // namespace
 
@@ -48,7 +48,7 @@ TEST_CASE("free ends: S = P(E), lateral ratio and unloading slope at every step,
       const double unload_to = (std::sqrt(1 + 2 * E_mid) - 1) * strip_length;
       s.unload_to = unload_to;
       s.step = 0.5 / steps;
-      run::Static a(make_strip(s), {.duration = 1, .step = s.step}, quiet());
+      run::Static a(make_strip(s), {.duration = 1, .step = s.step}, no_notices());
       a.every_step([&](run::Run& run) {
         const double t = run.time();
         if (t == 0) return;
@@ -73,7 +73,7 @@ TEST_CASE("clamped ends: all eight cases go through load and unload, over-estima
   for (const auto& c : all_cases()) {
     Strip s{c.card, c.axis, Grips::clamped, c.stroke};
     s.unload_to = 0;
-    run::Static a(make_strip(s), {.duration = 1, .step = 1.0 / 80}, quiet());
+    run::Static a(make_strip(s), {.duration = 1, .step = 1.0 / 80}, no_notices());
     double peak = 0;
     a.every_step([&](run::Run& run) {
       if (run.time() == 0.5) peak = stress(run, s, c.stroke);
@@ -100,7 +100,7 @@ TEST_CASE("clamped ends: all eight cases go through load and unload, over-estima
 TEST_CASE("Newton converges quadratically on a clamped strip") {
   const Case c = all_cases()[0];
   Strip s{c.card, c.axis, Grips::clamped, c.stroke};
-  run::Static a(make_strip(s), {.duration = 1, .step = 0.2}, quiet());
+  run::Static a(make_strip(s), {.duration = 1, .step = 0.2}, no_notices());
   a.solve();
   // In the last step: each residual below twenty times the square of the one before, until rounding.
   const auto& r = a.steps().back().residuals;
@@ -126,7 +126,7 @@ TEST_CASE("a test turned in space gives the same result") {
     std::vector<Vec3> moved[2];
     int which = 0;
     for (const auto& s : {flat, turned}) {
-      run::Static a(make_strip(s), {.duration = 1, .step = 0.1}, quiet());
+      run::Static a(make_strip(s), {.duration = 1, .step = 0.1}, no_notices());
       a.every_step(
           [&](run::Run& run) { forces[which].push_back((s.turn.transpose() * run.reaction("top")).y()); });
       a.solve();
@@ -148,7 +148,7 @@ TEST_CASE(
   s.unload_to = 15e-3;
   double last = 1;
   for (const int steps : {20, 40, 80}) {
-    run::Static a(make_strip(s), {.duration = 1, .step = 1.0 / steps}, quiet());
+    run::Static a(make_strip(s), {.duration = 1, .step = 1.0 / steps}, no_notices());
     a.solve();
     const auto e = a.energy();
     CHECK(e.error < 1e-12);
