@@ -145,8 +145,8 @@ void Contact::open_to(std::span<const double> share) {
 void Contact::scale_all() {
   for (auto* list : {&outer_, &inner_})
     for (Candidate& c : *list) scale(c);
-  for (std::size_t i = 0; i < inner_.size(); ++i)
-    pairs_[place_[i] / lanes].scale[place_[i] % lanes] = inner_[i].pair.scale;
+  for (BatchPairs& batch : pairs_)  // lanes that are not in use, too
+    for (std::size_t lane = 0; lane < lanes; ++lane) batch.scale[lane] = inner_[batch.slot[lane]].pair.scale;
 }
 
 // Only pairs that would be within reach at their whole lengths are looked at: every list has them.
