@@ -15,7 +15,7 @@ namespace fabricsh::mechanics {
 struct Bulge {
   std::array<Index, 3> nodes;
   double area;   // m2, without stress
-  double limit;  // Pa: cloth under more is held by its tension, which this volume does not know
+  double limit;  // Pa: under more the tension holds the cloth, of which this volume takes no account
   // N, for a share 1 / (1 + (p / limit)^2) of the pressure.
   double force_per_length(double pressure) const {
     return pressure * area / 8 / (1 + pressure * pressure / (limit * limit));

@@ -190,7 +190,7 @@ bool edges_are_held(const model::Model& model, const Freedoms& freedoms,
 
 // Pressure along the normal of the present surface: f_A = p sum_g N_A a1 x a2. It has a potential, p times
 // the volume that the surface sweeps, and a symmetric stiffness, where its edges stay or move in planes.
-// Triangles bulge beside (terms/bulges.hpp).
+// On triangles it also works on the volume under their arcs (terms/bulges.hpp).
 class Pressure final : public Term, public FollowerLoad {
  public:
   Pressure(const model::Model& model, const RestShape& rest, const Freedoms& freedoms) {
