@@ -84,10 +84,9 @@ void Contact::make_batches() {
   place_.resize(inner_.size());
   std::vector<std::uint32_t> slots;
   std::vector<std::int32_t> law(inner_.size());
-  const auto rank = [this](std::size_t i) {
-    return std::max(0.0, std::ceil(ranks * margin_[i] / skins_.inner));
-  };
+  std::vector<double> rank(inner_.size());
   for (std::size_t i = 0; i < inner_.size(); ++i) {
+    rank[i] = std::max(0.0, std::ceil(ranks * margin_[i] / skins_.inner));
     const auto kind = batch_kind(inner_[i]);
     law[i] = kind ? kinds * inner_[i].interaction + std::int32_t(*kind) : -1;
   }
@@ -96,7 +95,7 @@ void Contact::make_batches() {
     slots.resize(std::min(chunk, inner_.size() - from));
     for (std::size_t i = 0; i < slots.size(); ++i) slots[i] = std::uint32_t(from + i);
     std::stable_sort(slots.begin(), slots.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return law[a] != law[b] ? law[a] < law[b] : rank(a) < rank(b);
+      return law[a] != law[b] ? law[a] < law[b] : rank[a] < rank[b];
     });
     int lane = lanes;
     for (const std::uint32_t i : slots) {
