@@ -59,6 +59,9 @@ struct FieldRow {
   // An option that may change during a run: its place in the settings of a checkpoint, from 1; 0: it may not.
   // A place that has been released is not given to another one.
   int place = 0;
+  // An option on which results depend: a checkpoint of a run with another value than the initial one is of
+  // another method.
+  bool decides = false;
   // Layout in a card's text. beside: on the previous field's line; below: under it, inside a group; tall:
   // each field of a group on its own line; rare: omitted if it is the fallback; last: after all others.
   bool beside = false, below = false, tall = false, rare = false, last = false;
@@ -109,6 +112,9 @@ struct FieldOf : FieldRow {
   }
   FieldOf changes(int place_) const {
     return with([&](FieldOf& f) { f.place = place_; });
+  }
+  FieldOf decisive() const {
+    return with([](FieldOf& f) { f.decides = true; });
   }
   FieldOf ask(double low, double high, std::string question) const {
     return with([&](FieldOf& f) { f.cloth = {low, high}, f.question = std::move(question); });

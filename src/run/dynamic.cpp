@@ -184,7 +184,7 @@ std::string Dynamic::method() const {
        << ", scaled inertia " << scaled_ << ", line search " << o.line_search << ", force " << o.force
        << solver_text(o.solver);
   if (o.spectral_radius) text << ", spectral radius " << number(*o.spectral_radius);
-  if (o.error) text << ", error " << number(*o.error);
+  text << decided_text(dynamic_options(), o);
   if (o.until_rest)
     text << ", until rest " << number(o.until_rest->calm) << " for " << number(o.until_rest->window) << " s";
   if (o.linear != Symmetry::automatic) text << ", linear " << static_cast<int>(o.linear);

@@ -72,7 +72,8 @@ const std::vector<field::FieldOf<DynamicOptions>>& dynamic_options() {
           "error", &O::error, "", Range{0, 1, true, true},
           "implicit: steps are so short that none errs by more in the place of a node, over the size of the "
           "model; step= is then the largest, a twentieth of the duration unless given")
-          .or_by("steps as step= says"),
+          .or_by("steps as step= says")
+          .decisive(),
       linear_row<O>("implicit: "),
       damping_row(),
       rest_row(),

@@ -64,6 +64,21 @@ void keep_settings(Archive& archive, const std::vector<field::FieldOf<Options>>&
   }
 }
 
+// ", error 0.001": of the options on which results depend those that are not as they are at first.
+template <class Options>
+std::string decided_text(const std::vector<field::FieldOf<Options>>& rows, const Options& options) {
+  std::string text;
+  for (const auto& row : rows) {
+    const field::Value value = row.get ? row.get(options) : field::Value();
+    if (!row.decides || value == row.get(Options{})) continue;
+    text += ", " + row.name + " ";
+    if (const auto* x = std::get_if<double>(&value)) text += number(*x);
+    if (const auto* flag = std::get_if<bool>(&value)) text += *flag ? "true" : "false";
+    if (const auto* word = std::get_if<std::string>(&value)) text += *word;
+  }
+  return text;
+}
+
 // Error: with this step the run would not end.
 inline void check_step(const char* call, double step, double duration) {
   if (!(duration / step <= most_steps))

@@ -161,7 +161,7 @@ std::string Static::method() const {
        << static_cast<int>(options_.method) << ", linear " << static_cast<int>(options_.linear)
        << ", line search " << options_.line_search << ", stabilise " << number(options_.stabilise)
        << ", min_step " << number(options_.min_step) << ", path " << number(options_.path.value_or(0))
-       << solver_text(options_.solver);
+       << decided_text(static_options(), options_) << solver_text(options_.solver);
   return text.str();
 }
 
