@@ -65,6 +65,18 @@ function(fabricsh_folders room)
   set(names "${names}" PARENT_SCOPE)
 endfunction()
 
+# generated/mechanics/loads.hpp: the loads of a model that have a file of their own.
+function(fabricsh_loads)
+  file(GLOB files CONFIGURE_DEPENDS src/mechanics/terms/loads/*.cpp)
+  set(names)
+  foreach(file ${files})
+    get_filename_component(name ${file} NAME_WE)
+    string(APPEND names " X(${name})")
+  endforeach()
+  file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/generated/mechanics/loads.hpp CONTENT
+    "// The files of terms/loads, by the build.\n#pragma once\n#define FABRICSH_LOADS(X)${names}\n" @ONLY)
+endfunction()
+
 # generated/rheology/list.hpp: the rheological elements, one in each folder of the room. generated/card/laws.hpp:
 # the names of the laws that take the woven card, one in each folder of the room law; generated/law/laws.hpp: the
 # laws themselves.

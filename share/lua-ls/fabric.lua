@@ -2920,7 +2920,7 @@ function model:moment(set, components, options) end
 function model:move(set, components, options) end
 
 ---Loads elements with a pressure that follows the surface (its load stiffness is in the tangent).
----@param value? number|function|history Pa: pressure, positive along the shell normal
+---@param value number|function|history Pa: pressure, positive along the shell normal
 ---@param set? string name of a node set; the elements all of whose nodes are in it (default "all")
 ---@return model
 function model:pressure(value, set) end
@@ -3002,9 +3002,9 @@ function model:tearable(set, options) end
 function model:tie(kind, set, second, freedoms) end
 
 ---@class model_traction_fields.components
----@field x? number|function|history N/m^2 | N/m: history along x
----@field y? number|function|history N/m^2 | N/m: history along y
----@field z? number|function|history N/m^2 | N/m: history along z
+---@field x? number|function|history N/m^2 or N/m: history along x
+---@field y? number|function|history N/m^2 or N/m: history along y
+---@field z? number|function|history N/m^2 or N/m: history along z
 
 ---@class model_traction_fields.options
 ---@field frame? table {e1, e2}: directions of x and y in this call

@@ -29,8 +29,7 @@ Assembly::Assembly(const model::Model& model)
   if (Tears::possible(model)) make<Tears>(model, std::as_const(configuration_), cloth, dofs_);
   if (!model.all<model::Seam>().empty()) make<Seams>(model, std::as_const(configuration_), cloth, dofs_);
   make<Directors>(model, std::as_const(configuration_), cloth, dofs_);
-  for (auto& load : loads_of(model, cloth.mass(), cloth.mass_moment(), cloth.rest(), dofs_.freedoms()))
-    terms_.add(std::move(load));
+  for (auto& load : loads_of({model, cloth, dofs_.freedoms()})) terms_.add(std::move(load));
   if (Hinges::possible(model)) make<Hinges>(model, std::as_const(configuration_));
   Gas* const gas = model.all<model::GasPointer>().empty() ? nullptr : &make<Gas>(model);
   if (model.interactions().any()) {

@@ -42,20 +42,6 @@ const std::vector<field::FieldOf<CreaseGiven>>& crease_rows() {
   return rows;
 }
 
-const std::vector<field::FieldOf<EdgeBand>>& band_rows() {
-  using namespace field;
-  using B = EdgeBand;
-  static const std::vector<field::FieldOf<B>> rows{
-      text("set", &B::set, "the nodes of an edge"),
-      number("stiffness", &B::stiffness, "N", positive, "force per strain of the band"),
-      number("ease", &B::ease, "", Range{0, 1, false, true},
-             "by what share of the edge the band is shorter without force")
-          .or_else(0.0),
-      number("over", &B::over, "s", positive,
-             "time in which it becomes that short; without it, it is from the start")};
-  return rows;
-}
-
 const std::vector<field::FieldOf<Seam>>& seam_rows() {
   using namespace field;
   static const std::vector<field::FieldOf<Seam>> rows{

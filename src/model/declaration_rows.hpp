@@ -7,7 +7,6 @@ namespace fabricsh::model {
 
 const std::vector<field::FieldOf<StrengthGiven>>& strength_rows();
 const std::vector<field::FieldOf<CreaseGiven>>& crease_rows();
-const std::vector<field::FieldOf<EdgeBand>>& band_rows();
 const std::vector<field::FieldOf<Seam>>& seam_rows();
 const std::vector<field::FieldOf<GasGiven>>& gas_rows();
 const std::vector<field::FieldOf<ContactGiven>>& contact_rows();  // friction has several forms, and none here

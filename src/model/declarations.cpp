@@ -74,13 +74,13 @@ Support symmetry(const std::string& set, int axis) {
   return held;
 }
 
-void DeclarationCheck::set(const std::string& name) {
+void DeclarationCheck::set(const std::string& name, const char*) {
   const auto& nodes = mesh_.set(name);
   if (on_elements_ && mesh_.elements_in(nodes).empty())
     throw Error(call_ + ": set '" + name + "' holds no whole element");
 }
 
-void DeclarationCheck::components(const Components& value, const char*) {
+void DeclarationCheck::components(const Components& value, const char*, const char*) {
   if (!value[0] && !value[1] && !value[2])
     throw Error(call_ + ": expected at least one of x, y, z, got none");
 }
@@ -89,6 +89,20 @@ void DeclarationCheck::stiffness(const std::array<double, 3>& value, const char*
   for (const double k : value)
     if (!(k >= 0) || !std::isfinite(k))
       throw Error(call_ + ": expected stiffnesses of 0 or more in " + unit + ", got " + fabricsh::number(k));
+}
+
+void DeclarationCheck::number(const char* name, const std::optional<double>& value, const char*, double,
+                              const NumberRow& row) {
+  if (!value || *row.sentence == 0 || (row.range.holds(*value) && std::isfinite(*value))) return;
+  throw Error(call_ + ": field '" + name + "': expected " + number_words(row.range, row.unit) + ", got " +
+              fabricsh::number(*value));
+}
+
+void DeclarationCheck::vector(const char* name, const std::optional<Vec3>& value, const char*,
+                              const NumberRow& row) {
+  if (!value || *row.sentence == 0 || (row.range.holds(value->norm()) && value->allFinite())) return;
+  throw Error(call_ + ": field '" + name + "': expected " +
+              (row.range.is_positive() ? "a direction" : "finite numbers") + " {x, y, z}");
 }
 
 void check(const Model&, const InitialVelocity& velocity) {
@@ -145,8 +159,6 @@ void check(const Model& model, const Seam& seam) {
                   " J/m, which a seam of this stiffness stores at its strength, got " + number(*seam.energy));
   }
 }
-
-void check(const Model&, const EdgeBand& band) { field::require("band", band_rows(), band); }
 
 void check(const Model& model, const CreaseGiven& crease) {
   field::require("crease", crease_rows(), crease);

@@ -1,7 +1,9 @@
 // Whatever is declared of a model, one struct for each call of a deck. A struct has the name of its call and
 // tells its members to a visitor, with their names, units and words; from that come its checks, m:list(),
 // m:declared(), removal, the printed model, the times of kinks, the fingerprint in checkpoints and the notice
-// of a load that begins with a jump. A new load is a struct here, in Declarations, and a term.
+// of a load that begins with a jump. With a sentence and an example also its call is made from that: the
+// arguments, their checks and messages, reference and completion. A new load is a struct here, in
+// Declarations, and a term.
 #pragma once
 #include <array>
 #include <functional>
@@ -12,6 +14,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/range.hpp"
 #include "geometry/vec.hpp"
 #include "history/history.hpp"
 #include "mesh/mesh.hpp"
@@ -55,11 +58,19 @@ struct Party {
   RigidPointer body;  // null: a set of the cloth
 };
 
+// The argument of a call that gives a number: its sentence, unit and range.
+struct NumberRow {
+  const char* sentence = "";
+  const char* unit = "";
+  Range range = {};
+};
+
 // Parts of a declaration, in the order of m:list(). A visitor hides what it wants to hear by functions
 // of the same names and passes over the rest. `words` are those of m:list(), where # stands for the value;
-// without words the value is not listed.
+// without words the value is not listed. What follows words and units describes the argument of the call, for
+// calls that are made from tell(), and most visitors pass over it.
 struct DeclarationVisitor {
-  void set(const std::string&) {}
+  void set(const std::string&, const char* /*sentence*/ = "") {}
   void set(const std::string&, const std::string&) {}  // two edges
   void place(const char*) {}                           // in place of a set
   void sets(const std::vector<std::string>&) {}
@@ -67,16 +78,18 @@ struct DeclarationVisitor {
   void body(const RigidPointer&) {}
   void to(const RigidPointer&) {}  // the other end; null: the ground
   void freedoms(const FixedFreedoms&) {}
-  void components(const Components&, const char* /*unit*/) {}
+  void components(const Components&, const char* /*unit*/, const char* /*sentence*/ = "") {}
   void history(const char* /*name*/, const std::optional<History>&, const char* /*unit*/,
-               const char* /*words*/ = "#") {}
+               const char* /*words*/ = "#", const char* /*sentence*/ = "") {}
   void time(const char* /*name*/, const std::optional<double>&, const char* /*words*/,
-            const char* /*without*/ = "") {}  // s, at which a step must end
-  void number(const char* /*name*/, const std::optional<double>&, const char* /*words*/, double = 1) {}
+            const char* /*without*/ = "", const NumberRow& = {}) {}  // s, at which a step must end
+  void number(const char* /*name*/, const std::optional<double>&, const char* /*words*/, double = 1,
+              const NumberRow& = {}) {}
   void flag(const char* /*name*/, const std::optional<bool>&, const std::string& /*yes*/ = "",
             const std::string& /*no*/ = "") {}
   void text(const char* /*name*/, const std::string&, const std::string& /*words*/) {}
-  void vector(const char* /*name*/, const std::optional<Vec3>&, const char* /*words*/) {}
+  void vector(const char* /*name*/, const std::optional<Vec3>&, const char* /*words*/,
+              const NumberRow& /*range: of its length*/ = {}) {}
   void stiffness(const std::array<double, 3>&, const char* /*unit*/) {}
   void frame(const Mat3&) {}
 };
@@ -88,10 +101,10 @@ struct Support {
   Mat3 frame = global_frame();
   int symmetry =
       -1;  // 0, 1, 2: the set lies in a plane of symmetry normal to this global axis; -1: it does not
-  void tell(auto& v) const {
-    v.set(set);
-    v.freedoms(fixed);
-    v.frame(frame);
+  static void tell(auto& d, auto& v) {
+    v.set(d.set);
+    v.freedoms(d.fixed);
+    v.frame(d.frame);
   }
 };
 // In a plane of symmetry normal to axis 0, 1 or 2: that displacement and two rotations are fixed.
@@ -102,10 +115,10 @@ struct PrescribedMotion {
   std::string set;
   Components displacement;  // m, from the reference position, along the frame
   Mat3 frame = global_frame();
-  void tell(auto& v) const {
-    v.set(set);
-    v.components(displacement, "m");
-    v.frame(frame);
+  static void tell(auto& d, auto& v) {
+    v.set(d.set);
+    v.components(d.displacement, "m");
+    v.frame(d.frame);
   }
 };
 // Rigid rotation of directors, and with a centre also of nodes, about a fixed axis: d = R(angle) D, x = c + R
@@ -116,11 +129,11 @@ struct PrescribedTurn {
   Vec3 axis = Vec3::UnitZ();   // a model makes it a unit vector
   History angle;               // degrees
   std::optional<Vec3> centre;  // m
-  void tell(auto& v) const {
-    v.set(set);
-    v.history("angle", angle, "degrees");
-    v.vector("axis", axis, " about #");
-    v.vector("centre", centre, " through #");
+  static void tell(auto& d, auto& v) {
+    v.set(d.set);
+    v.history("angle", d.angle, "degrees");
+    v.vector("axis", d.axis, " about #");
+    v.vector("centre", d.centre, " through #");
   }
 };
 struct GroundSpring {
@@ -129,10 +142,10 @@ struct GroundSpring {
   std::array<double, 3>
       stiffness{};  // N/m along the frame, to ground, total of the set, distributed like a force
   Mat3 frame = global_frame();
-  void tell(auto& v) const {
-    v.set(set);
-    v.frame(frame);
-    v.stiffness(stiffness, "N/m");
+  static void tell(auto& d, auto& v) {
+    v.set(d.set);
+    v.frame(d.frame);
+    v.stiffness(d.stiffness, "N/m");
   }
 };
 
@@ -147,10 +160,10 @@ struct Zone {
   std::uint64_t seed = 1;  // of the scatter of strengths
   std::string path = {};   // a set of nodes: yarns break there only; empty: everywhere in the zone
   bool keep = false;
-  void tell(auto& v) const {
-    v.set(set);
+  static void tell(auto& d, auto& v) {
+    v.set(d.set);
     v.text("", "its joints may open", "#");
-    v.text("path", path, path.empty() ? "" : "; yarns break at the nodes of # only");
+    v.text("path", d.path, d.path.empty() ? "" : "; yarns break at the nodes of # only");
   }
 };
 
@@ -163,25 +176,34 @@ struct StrengthGiven {
   double factor = 1;       // mean over the set
   double modulus = 0;      // of Weibull, with which it differs from element to element; 0: it does not
   std::uint64_t seed = 1;  // of that
-  void tell(auto& v) const {
-    v.set(set);
-    v.number("factor", factor, "# times the card's");
-    v.number("modulus", modulus, modulus > 0 ? "Weibull modulus #" : "");
+  static void tell(auto& d, auto& v) {
+    v.set(d.set);
+    v.number("factor", d.factor, "# times the card's");
+    v.number("modulus", d.modulus, d.modulus > 0 ? "Weibull modulus #" : "");
   }
 };
 
 // A band along an edge of cloth: elastic in a hem, or a cord that is drawn tight.
 struct EdgeBand {
   static constexpr const char* call() { return "band"; }
+  static constexpr bool by_name = true;
+  static constexpr const char* sentence =
+      "Puts a band along an edge: elastic in a hem, or with a high stiffness a cord that is drawn tight. It "
+      "pulls and never pushes.";
+  static constexpr const char* example =
+      "m:band{ set='bottom', stiffness=20, ease=0.2, over=0.1 }\nassert(m:list()[1].kind == 'band')";
   std::string set;                  // nodes of an edge
   double stiffness = 0;             // N, force per strain of the band
   double ease = 0;                  // by what share of the edge the band is shorter
   std::optional<double> over = {};  // s, in which it becomes that short; empty: it is from the start
-  void tell(auto& v) const {
-    v.set(set);
-    v.number("stiffness", stiffness, "# N");
-    v.number("ease", ease, "# % shorter", 100);
-    v.time("over", over, " over # s");
+  static void tell(auto& d, auto& v) {
+    v.set(d.set, "the nodes of an edge");
+    v.number("stiffness", d.stiffness, "# N", 1, NumberRow{"force per strain of the band", "N", positive});
+    v.number(
+        "ease", d.ease, "# % shorter", 100,
+        NumberRow{"by what share of the edge the band is shorter without force", "", {0, 1, false, true}});
+    v.time("over", d.over, " over # s", "",
+           NumberRow{"time in which it becomes that short; without it, it is from the start", "s", positive});
   }
 };
 
@@ -196,68 +218,98 @@ struct Tie {
   TieKind kind;
   std::string set, partner;  // partner: only for periodic, and the name of a body for rigid
   FixedFreedoms freedoms;    // along global axes; empty for a rigid set
-  void tell(auto& v) const {
-    v.set(set);
-    v.text("tie", tie_words.at(static_cast<std::size_t>(kind)), partner.empty() ? "#" : "# with " + partner);
-    v.text("partner", partner, "");
-    v.freedoms(freedoms);
+  static void tell(auto& d, auto& v) {
+    v.set(d.set);
+    v.text("tie", tie_words.at(static_cast<std::size_t>(d.kind)),
+           d.partner.empty() ? "#" : "# with " + d.partner);
+    v.text("partner", d.partner, "");
+    v.freedoms(d.freedoms);
+  }
+};
+
+// A load on a body at its centre: a force, or a moment about it, along global axes.
+struct BodyLoad {
+  const char* call() const { return moment ? "moment" : "force"; }
+  RigidPointer body;
+  Components total = {};  // N or N m
+  bool moment = false;
+  static void tell(auto& d, auto& v) {
+    v.body(d.body);
+    v.components(d.total, d.moment ? "N m" : "N");
   }
 };
 
 struct ForceLoad {
   static constexpr const char* call() { return "force"; }
   static constexpr bool is_load = true;
+  static constexpr const char* sentence =
+      "Loads a node set with a total force; a single node takes it whole. Loads a rigid body at its centre "
+      "(dynamic runs need its mass), which then moves in the directions that m:fix does not hold.";
+  static constexpr const char* example = "m:force('top', { y=fabric.ramp(10, 1) })";
+  static BodyLoad of_body(RigidPointer body) { return {std::move(body)}; }
   std::string set;
   Components total;  // N, distributed by tributary length (edges) or area; a single node gets all of it
   Mat3 frame = global_frame();
-  void tell(auto& v) const {
-    v.set(set);
-    v.components(total, "N");
-    v.frame(frame);
+  static void tell(auto& d, auto& v) {
+    v.set(d.set);
+    v.components(d.total, "N", "{x=, y=, z=}: the total force, shared by length or area");
+    v.frame(d.frame);
   }
 };
 struct MomentLoad {
   static constexpr const char* call() { return "moment"; }
   static constexpr bool is_load = true;
+  static constexpr const char* sentence =
+      "Loads the directors of a node set with a moment, shared by length or area; or a rigid body about its "
+      "centre.";
+  static constexpr const char* example = "m:moment('top', { x=fabric.ramp(1e-3, 1) })";
+  static BodyLoad of_body(RigidPointer body) { return {std::move(body), {}, true}; }
   std::string set;
   Components total;  // N m about the axes of the frame, which stay fixed in space; distributed like a force
   Mat3 frame = global_frame();
-  void tell(auto& v) const {
-    v.set(set);
-    v.components(total, "N m");
-    v.frame(frame);
+  static void tell(auto& d, auto& v) {
+    v.set(d.set);
+    v.components(d.total, "N m", "{x=, y=, z=}: the total moment about axes that stay fixed in space");
+    v.frame(d.frame);
   }
 };
 struct TractionLoad {
   static constexpr const char* call() { return "traction"; }
   static constexpr bool is_load = true;
+  static constexpr const char* sentence =
+      "Loads a node set with a dead traction on its reference area, or a line load on its reference edges.";
+  static constexpr const char* example = "m:traction('top', { y=100 })";
   std::string set;
   Components intensity;  // dead load: N/m^2 of reference area if the set has whole elements, else N/m of edge
   Mat3 frame = global_frame();
-  void tell(auto& v) const {
-    v.set(set);
-    v.components(intensity, "N/m^2 or N/m");
-    v.frame(frame);
+  static void tell(auto& d, auto& v) {
+    v.set(d.set);
+    v.components(d.intensity, "N/m^2 or N/m",
+                 "{x=, y=, z=}: per area where the set holds whole elements, else per edge length");
+    v.frame(d.frame);
   }
 };
 struct PressureLoad {
   static constexpr const char* call() { return "pressure"; }
   static constexpr bool is_load = true;
   static constexpr bool on_elements = true;
-  std::string set;
-  History value;  // Pa, along the shell normal, which follows the surface
-  void tell(auto& v) const {
-    v.set(set);
-    v.history("value", value, "Pa");
+  static constexpr const char* sentence =
+      "Loads elements with a pressure that follows the surface (its load stiffness is in the tangent).";
+  static constexpr const char* example = "m:pressure(fabric.ramp(50, 1))";
+  std::string set = "all";
+  History value = {};  // Pa, along the shell normal, which follows the surface
+  static void tell(auto& d, auto& v) {
+    v.set(d.set, "name of a node set; the elements all of whose nodes are in it");
+    v.history("value", d.value, "Pa", "#", "pressure, positive along the shell normal");
   }
 };
 // The last one declared replaces those before.
 struct Gravity {
   static constexpr const char* call() { return "gravity"; }
   Components acceleration;  // m/s^2
-  void tell(auto& v) const {
+  static void tell(auto& d, auto& v) {
     v.set("all");
-    v.components(acceleration, "m/s^2");
+    v.components(d.acceleration, "m/s^2");
   }
 };
 
@@ -278,13 +330,13 @@ struct InitialVelocity {
   Vec3 centre = Vec3::Zero();  // m
   std::function<RigidVelocity(const Vec3& X)> place = {};
   RigidVelocity at(const Vec3& X) const { return place ? place(X) : RigidVelocity{linear, spin, centre}; }
-  void tell(auto& v) const {
-    v.set(set);
-    v.flag("by_place", static_cast<bool>(place), "function of place");
-    if (place) return;
-    v.vector("linear", linear, "# m/s");
-    v.vector("spin", in_degrees(spin), spin.isZero() ? "" : "spin # degrees/s");
-    v.vector("centre", centre, spin.isZero() ? "" : " about #");
+  static void tell(auto& d, auto& v) {
+    v.set(d.set);
+    v.flag("by_place", static_cast<bool>(d.place), "function of place");
+    if (d.place) return;
+    v.vector("linear", d.linear, "# m/s");
+    v.vector("spin", in_degrees(d.spin), d.spin.isZero() ? "" : "spin # degrees/s");
+    v.vector("centre", d.centre, d.spin.isZero() ? "" : " about #");
   }
 };
 
@@ -298,24 +350,13 @@ struct BodyMotion {
   RigidPointer body;
   Components displacement;  // m, from the declared position, global
   std::optional<BodyTurn> turn;
-  void tell(auto& v) const {
-    v.body(body);
-    v.components(displacement, "m");
-    if (!turn) return;
-    v.history("angle", turn->angle, "degrees", "turn #");
-    v.vector("axis", turn->axis, " about #");
-    v.vector("centre", turn->centre, "");
-  }
-};
-// A load on a body at its centre: a force, or a moment about it, along global axes.
-struct BodyLoad {
-  const char* call() const { return moment ? "moment" : "force"; }
-  RigidPointer body;
-  Components total;  // N or N m
-  bool moment = false;
-  void tell(auto& v) const {
-    v.body(body);
-    v.components(total, moment ? "N m" : "N");
+  static void tell(auto& d, auto& v) {
+    v.body(d.body);
+    v.components(d.displacement, "m");
+    if (!d.turn) return;
+    v.history("angle", d.turn->angle, "degrees", "turn #");
+    v.vector("axis", d.turn->axis, " about #");
+    v.vector("centre", d.turn->centre, "");
   }
 };
 // Ties the centre of a body to the ground or to the centre of another body, along global axes: a spring, or a
@@ -327,11 +368,11 @@ struct BodySpring {
   bool damper = false;
   RigidPointer to;                 // null: the ground
   std::optional<Vec3> place = {};  // m, of the centre when a spring to the ground is slack; default at time 0
-  void tell(auto& v) const {
-    v.body(body);
-    v.stiffness({stiffness[0], stiffness[1], stiffness[2]}, damper ? "N s/m" : "N/m");
-    v.vector("slack", place, to ? "" : ", slack at # m");
-    v.to(to);
+  static void tell(auto& d, auto& v) {
+    v.body(d.body);
+    v.stiffness({d.stiffness[0], d.stiffness[1], d.stiffness[2]}, d.damper ? "N s/m" : "N/m");
+    v.vector("slack", d.place, d.to ? "" : ", slack at # m");
+    v.to(d.to);
   }
 };
 // Directions in which the centre of a body is held, and axes about which it does not turn, global.
@@ -339,9 +380,9 @@ struct BodySupport {
   static constexpr const char* call() { return "fix"; }
   RigidPointer body;
   std::array<bool, 3> moves{}, turns{};  // whether held
-  void tell(auto& v) const {
-    v.body(body);
-    v.freedoms({moves, turns, false});
+  static void tell(auto& d, auto& v) {
+    v.body(d.body);
+    v.freedoms({d.moves, d.turns, false});
   }
 };
 struct BodyVelocity {  // initial velocity of a free body
@@ -349,10 +390,10 @@ struct BodyVelocity {  // initial velocity of a free body
   RigidPointer body;
   Vec3 linear = Vec3::Zero();  // m/s
   Vec3 spin = Vec3::Zero();    // rad/s
-  void tell(auto& v) const {
-    v.body(body);
-    v.vector("linear", linear, "# m/s");
-    v.vector("spin", in_degrees(spin), "spin # degrees/s");
+  static void tell(auto& d, auto& v) {
+    v.body(d.body);
+    v.vector("linear", d.linear, "# m/s");
+    v.vector("spin", in_degrees(d.spin), "spin # degrees/s");
   }
 };
 
@@ -375,19 +416,19 @@ struct ContactGiven {
   std::optional<double> viscosity = {}, film = {};                         // Pa s, m
   double film_speed = 0, film_exponent = 1;                                // m/s; above 0 to 1
   double film_drag() const { return viscosity ? *viscosity / *film : 0; }  // Pa s/m
-  void tell(auto& v) const {
-    v.sides(between);
-    v.number("friction", friction, across ? "friction # along the warp" : "friction #");
-    v.number("static_friction", sticking, "static #");
-    v.number("weft_friction", across, "# across");
-    v.number("film_viscosity", viscosity, "film of # Pa s");
-    v.number("film_thickness", film, "# m");
-    if (film_speed > 0) v.number("film_speed", film_speed, "thinner above # m/s");
-    if (film_speed > 0) v.number("film_exponent", film_exponent, "exponent #");
-    v.number("thickness", thickness, "thickness # m");
-    v.number("stiffness", stiffness, "stiffness # Pa/m");
-    v.number("restitution", restitution, restitution != usual_restitution ? "restitution #" : "");
-    v.number("settle", settle, "settles over # s");
+  static void tell(auto& d, auto& v) {
+    v.sides(d.between);
+    v.number("friction", d.friction, d.across ? "friction # along the warp" : "friction #");
+    v.number("static_friction", d.sticking, "static #");
+    v.number("weft_friction", d.across, "# across");
+    v.number("film_viscosity", d.viscosity, "film of # Pa s");
+    v.number("film_thickness", d.film, "# m");
+    if (d.film_speed > 0) v.number("film_speed", d.film_speed, "thinner above # m/s");
+    if (d.film_speed > 0) v.number("film_exponent", d.film_exponent, "exponent #");
+    v.number("thickness", d.thickness, "thickness # m");
+    v.number("stiffness", d.stiffness, "stiffness # Pa/m");
+    v.number("restitution", d.restitution, d.restitution != usual_restitution ? "restitution #" : "");
+    v.number("settle", d.settle, "settles over # s");
   }
 };
 
@@ -427,6 +468,11 @@ const D& plain(const D& declaration) {
 inline const GasGiven& plain(const GasPointer& gas) { return *gas; }
 
 template <class D>
+void tell(const D& declaration, auto& visitor) {
+  std::decay_t<decltype(plain(declaration))>::tell(plain(declaration), visitor);
+}
+
+template <class D>
 constexpr bool is_load = requires {
   D::is_load;
 };
@@ -438,7 +484,7 @@ void tell_loads(const Declarations& declarations, Visitor& visitor) {
     if constexpr (is_load<D>)
       for (const D& load : all) {
         visitor.about(load);
-        load.tell(visitor);
+        D::tell(load, visitor);
       }
   });
 }
@@ -448,9 +494,17 @@ class DeclarationCheck : public DeclarationVisitor {
  public:
   DeclarationCheck(const mesh::Mesh& mesh, std::string call, bool on_elements)
       : mesh_(mesh), call_(std::move(call)), on_elements_(on_elements) {}
-  void set(const std::string& name);
-  void components(const Components& value, const char* unit);
+  void set(const std::string& name, const char* = "");
+  void components(const Components& value, const char* unit, const char* = "");
   void stiffness(const std::array<double, 3>& value, const char* unit);
+  void number(const char* name, const std::optional<double>& value, const char* = "", double = 1,
+              const NumberRow& row = {});
+  void time(const char* name, const std::optional<double>& value, const char* = "", const char* = "",
+            const NumberRow& row = {}) {
+    number(name, value, "", 1, row);
+  }
+  void vector(const char* name, const std::optional<Vec3>& value, const char* = "",
+              const NumberRow& row = {});
 
  private:
   const mesh::Mesh& mesh_;
@@ -459,12 +513,12 @@ class DeclarationCheck : public DeclarationVisitor {
 };
 
 // Errors: an unknown set, or one without a whole element for what is of elements; no component given; a
-// stiffness below 0.
+// stiffness below 0; a number out of its row's range, or a vector whose length is.
 template <class D>
 void check_values(const mesh::Mesh& mesh, const D& declaration) {
   constexpr bool on_elements = requires { D::on_elements; };
   DeclarationCheck check(mesh, declaration.call(), on_elements);
-  declaration.tell(check);
+  D::tell(declaration, check);
 }
 
 // Further errors of single kinds.
@@ -476,8 +530,6 @@ void check(const Model&, const Zone&);             // an unknown path
 void check(const Model&, const StrengthGiven&);
 // Those of edges_of().
 void check(const Model&, const CreaseGiven&);
-// A stiffness, ease or time out of range.
-void check(const Model&, const EdgeBand&);
 // A time, ease, stiffness, strength or energy out of range; strength without energy, or energy without it.
 void check(const Model&, const Seam&);
 // A degree of freedom that this kind does not tie; no freedom given; a rigid set of one node; a periodic tie

@@ -136,28 +136,24 @@ struct TellPart : DeclarationVisitor {
   explicit TellPart(PartCollector& to) : part(to) {}
   PartCollector& part;
   using DeclarationVisitor::set;
-  void set(const std::string& name) { part.add_set(name); }
+  void set(const std::string& name, const char* = "") { part.add_set(name); }
   void freedoms(const FixedFreedoms& value) { part.add_freedoms(value); }
-  void components(const Components& value, const char*) { part.add_components(value); }
-  void history(const char*, const std::optional<History>& h, const char*, const char* = "") {
+  void components(const Components& value, auto...) { part.add_components(value); }
+  void history(const char*, const std::optional<History>& h, auto...) {
     if (h) part.add_history(*h);
   }
-  void number(const char*, const std::optional<double>& value, const char*, double = 1) {
-    part.add(value.value_or(-1));
-  }
-  void time(const char*, const std::optional<double>& value, const char*, const char* = "") {
-    part.add(value.value_or(-1));
-  }
-  void flag(const char*, const std::optional<bool>& value, const std::string& = "", const std::string& = "") {
+  void number(const char*, const std::optional<double>& value, auto...) { part.add(value.value_or(-1)); }
+  void time(const char*, const std::optional<double>& value, auto...) { part.add(value.value_or(-1)); }
+  void flag(const char*, const std::optional<bool>& value, auto...) {
     part.add(value ? static_cast<int>(*value) : -1);
   }
-  void text(const char*, const std::string& value, const std::string&) { part.add(fabricsh::hash(value)); }
-  void vector(const char*, const std::optional<Vec3>& v, const char*) {
+  void text(const char*, const std::string& value, auto...) { part.add(fabricsh::hash(value)); }
+  void vector(const char*, const std::optional<Vec3>& v, auto...) {
     part.add(v.has_value());
     if (v) part.add_vector(*v);
   }
   void frame(const Mat3& value) { part.add_frame(value); }
-  void stiffness(const std::array<double, 3>& value, const char*) {
+  void stiffness(const std::array<double, 3>& value, auto...) {
     for (const double k : value) part.add(k);
   }
 };
@@ -165,7 +161,7 @@ struct TellPart : DeclarationVisitor {
 template <class D>
 void add_all(PartCollector& part, const Model& model) {
   TellPart told(part);
-  for (const D& one : model.all<D>()) one.tell(told);
+  for (const D& one : model.all<D>()) D::tell(one, told);
 }
 
 void add_loads(PartCollector& part, const Model& model) {
@@ -322,7 +318,7 @@ void add_later_kinds(const Model& model, const Add& add) {
     if (++kind <= first_kinds || all.empty()) return;
     add(plain(all.front()).call(), "", [&](PartCollector& part) {
       TellPart told(part);
-      for (const auto& one : all) plain(one).tell(told);
+      for (const auto& one : all) tell(one, told);
     });
   });
 }

@@ -48,19 +48,19 @@ struct GasGiven {
   double specific() const { return constant / molar; }     // J/(kg K)
   double ratio() const { return cp / (cp - specific()); }  // of specific heats
   std::string name() const;                                // "of set 'all'"
-  void tell(auto& v) const {
-    v.sets(sets);
-    v.number("mass", mass, "# kg");
-    v.number("initial", initial, mass ? "" : "# Pa at the start");
-    v.number("temperature", temperature, "");
-    v.number("exponent", exponent, "exponent #");
-    v.number("outside", outside, "");
-    v.history("inflow", inflow, "kg/s", "inflow #");
-    v.number("vents", static_cast<double>(vents.size()),
-             vents.empty()       ? ""
-             : vents.size() == 1 ? "# vent"
-                                 : "# vents");
-    v.flag("leaks", static_cast<bool>(leakage), "leakage " + leakage_words);
+  static void tell(auto& d, auto& v) {
+    v.sets(d.sets);
+    v.number("mass", d.mass, "# kg");
+    v.number("initial", d.initial, d.mass ? "" : "# Pa at the start");
+    v.number("temperature", d.temperature, "");
+    v.number("exponent", d.exponent, "exponent #");
+    v.number("outside", d.outside, "");
+    v.history("inflow", d.inflow, "kg/s", "inflow #");
+    v.number("vents", static_cast<double>(d.vents.size()),
+             d.vents.empty()       ? ""
+             : d.vents.size() == 1 ? "# vent"
+                                   : "# vents");
+    v.flag("leaks", static_cast<bool>(d.leakage), "leakage " + d.leakage_words);
   }
 };
 

@@ -84,13 +84,13 @@ namespace {
 // The times of all kinks.
 struct KinksOf : DeclarationVisitor {
   std::vector<double> all;
-  void history(const char*, const std::optional<History>& h, const char*, const char* = "") {
+  void history(const char*, const std::optional<History>& h, auto...) {
     if (h) all.insert(all.end(), h->kinks().begin(), h->kinks().end());
   }
-  void components(const Components& value, const char* unit) {
-    for (const auto& h : value) history("", h, unit);
+  void components(const Components& value, auto...) {
+    for (const auto& h : value) history("", h);
   }
-  void time(const char*, const std::optional<double>& at, const char*, const char* = "") {
+  void time(const char*, const std::optional<double>& at, auto...) {
     if (at) all.push_back(*at);
   }
 };
@@ -100,7 +100,7 @@ struct KinksOf : DeclarationVisitor {
 std::vector<double> Model::kinks() const {
   KinksOf kinks;
   declarations_.each_kind([&kinks](const auto& all) {
-    for (const auto& one : all) plain(one).tell(kinks);
+    for (const auto& one : all) tell(one, kinks);
   });
   for (const auto& body : interactions().bodies())
     if (body->moving() != nullptr)

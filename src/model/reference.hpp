@@ -39,10 +39,10 @@ struct CreaseGiven {
   std::vector<Vec3> line;                // m
   double angle = 0;                      // degrees
   std::optional<double> stiffness = {};  // N/rad, that is N m/rad per metre of crease; none: it is no hinge
-  void tell(auto& v) const {
-    set.empty() ? v.place("line") : v.set(set);
-    v.number("angle", angle, "at rest at # degrees");
-    v.number("stiffness", stiffness, "# N/rad");
+  static void tell(auto& d, auto& v) {
+    d.set.empty() ? v.place("line") : v.set(d.set);
+    v.number("angle", d.angle, "at rest at # degrees");
+    v.number("stiffness", d.stiffness, "# N/rad");
   }
 };
 

@@ -25,14 +25,14 @@ struct Seam {
   std::optional<double> strength = {};   // N/m
   std::optional<double> energy = {};     // J/m, of breaking a metre of it
   std::string name() const { return "of '" + first + "' and '" + second + "'"; }
-  void tell(auto& v) const {
-    v.set(first, second);
-    v.time("over", over, "over # s", "from the start");
-    v.flag("hinge", hinge, "a hinge", "bends as one piece");
-    v.flag("reverse", reverse, "reversed", "not reversed");
-    v.number("stiffness", stiffness, "stiffness # N/m^2");
-    v.number("strength", strength, "strength # N/m");
-    v.number("energy", energy, "# J/m");
+  static void tell(auto& d, auto& v) {
+    v.set(d.first, d.second);
+    v.time("over", d.over, "over # s", "from the start");
+    v.flag("hinge", d.hinge, "a hinge", "bends as one piece");
+    v.flag("reverse", d.reverse, "reversed", "not reversed");
+    v.number("stiffness", d.stiffness, "stiffness # N/m^2");
+    v.number("strength", d.strength, "strength # N/m");
+    v.number("energy", d.energy, "# J/m");
   }
 };
 

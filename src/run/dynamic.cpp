@@ -86,11 +86,11 @@ struct Driven : model::DeclarationVisitor {
   double begin, end;
   bool any;
   Driven(double from, double to, bool at_once) : begin(from), end(to), any(at_once) {}
-  void history(const char*, const std::optional<history::History>& h, const char*, const char* = "") {
+  void history(const char*, const std::optional<history::History>& h, auto...) {
     if (h) any = any || h->value((begin + end) / 2) != h->value(begin) || h->value(end) != h->value(begin);
   }
-  void components(const model::Components& value, const char* unit) {
-    for (const auto& h : value) history("", h, unit);
+  void components(const model::Components& value, auto...) {
+    for (const auto& h : value) history("", h);
   }
 };
 
@@ -104,7 +104,7 @@ bool driven(const Run& run, double look) {
       if constexpr (std::is_same_v<D, model::GasPointer>)
         seen.any = seen.any || (one->inflow && one->inflow->value(seen.end) != 0);
       else
-        one.tell(seen);
+        D::tell(one, seen);
   });
   for (const auto& body : model.interactions().bodies())
     if (const auto* shapes = body->moving(); shapes != nullptr && !shapes->times.empty())

@@ -67,8 +67,10 @@ class LoadJumps : public model::DeclarationVisitor {
   void about(const Load& load) {
     what_ = std::string("the ") + load.call() + " on '" + load.set + "'";
   }
-  void components(const model::Components& value, const char* unit) { found_.at(what_, value, unit); }
-  void history(const char*, const std::optional<model::History>& h, const char* unit, const char* = "") {
+  void components(const model::Components& value, const char* unit, auto...) {
+    found_.at(what_, value, unit);
+  }
+  void history(const char*, const std::optional<model::History>& h, const char* unit, auto...) {
     if (h) found_.at(what_, "", *h, unit);
   }
 

@@ -37,9 +37,11 @@ struct Told : model::DeclarationVisitor {
   void about(const Load& load) {
     words += load.call();
   }
-  void set(const std::string& name) { words += " " + name + ":"; }
-  void components(const model::Components&, const char* unit) { words += std::string(" ") + unit + ";"; }
-  void history(const char* name, const std::optional<history::History>&, const char* unit, const char* = "") {
+  void set(const std::string& name, auto...) { words += " " + name + ":"; }
+  void components(const model::Components&, const char* unit, auto...) {
+    words += std::string(" ") + unit + ";";
+  }
+  void history(const char* name, const std::optional<history::History>&, const char* unit, auto...) {
     words += std::string(" ") + name + " " + unit + ";";
   }
   void frame(const Mat3&) { words += " frame;"; }

@@ -28,7 +28,7 @@ class Rows : public model::DeclarationVisitor {
     if (open_) lua_rawseti(L_, -2, ++count_);
     open_ = false;
   }
-  void set(const std::string& name) { put(L_, "set", name); }
+  void set(const std::string& name, auto...) { put(L_, "set", name); }
   void set(const std::string& first, const std::string& second) {
     set(first);
     put(L_, "partner", second);
@@ -52,34 +52,30 @@ class Rows : public model::DeclarationVisitor {
   void to(const model::RigidPointer& other) {
     if (other) put(L_, "to", given_.name_of(*other));
   }
-  void text(const char* name, const std::string& value, const std::string& = "") {
+  void text(const char* name, const std::string& value, auto...) {
     if (*name != 0 && !value.empty()) put(L_, name, value);
   }
-  void number(const char* name, const std::optional<double>& value, const char* = "", double = 1) {
+  void number(const char* name, const std::optional<double>& value, auto...) {
     if (value) put(L_, name, *value);
   }
-  void time(const char* name, const std::optional<double>& value, const char*, const char* = "") {
-    number(name, value);
+  void time(const char* name, const std::optional<double>& value, auto...) { number(name, value); }
+  void flag(const char* name, const std::optional<bool>& value, auto...) {
+    if (value) put(L_, name, *value);
   }
-  void flag(const char* name, const std::optional<bool>& value, const std::string& = "",
-            const std::string& = "") {
-    if (!value) return;
-    put(L_, name, *value);
-  }
-  void vector(const char* name, const std::optional<Vec3>& v, const char* = "") {
+  void vector(const char* name, const std::optional<Vec3>& v, auto...) {
     if (!v) return;
     push_vector_of(L_, *v);
     lua_setfield(L_, -2, name);
   }
-  void history(const char* name, const std::optional<model::History>& h, const char*, const char* = "") {
+  void history(const char* name, const std::optional<model::History>& h, auto...) {
     if (!h) return;
     push_object(L_, std::make_shared<model::History>(*h));
     lua_setfield(L_, -2, name);
   }
-  void components(const model::Components& given, const char* unit) {
-    for (std::size_t i = 0; i < 3; ++i) history(axes[i], given[i], unit);
+  void components(const model::Components& given, auto...) {
+    for (std::size_t i = 0; i < 3; ++i) history(axes[i], given[i]);
   }
-  void stiffness(const std::array<double, 3>& value, const char*) {
+  void stiffness(const std::array<double, 3>& value, auto...) {
     for (std::size_t i = 0; i < 3; ++i)
       if (value[i] != 0) number(axes[i], value[i]);
   }
@@ -151,7 +147,7 @@ int declared(Call& call) {
   model->declarations().each_kind([&rows](const auto& kind) {
     for (const auto& one : kind) {
       rows.row(model::plain(one).call());
-      model::plain(one).tell(rows);
+      model::tell(one, rows);
     }
   });
   rows.close();

@@ -96,7 +96,7 @@ class ListWords : public model::DeclarationVisitor {
  public:
   explicit ListWords(const Model& model) : given_(model.interactions()) {}
   std::string where, words, along;
-  void set(const std::string& name) { where = name; }
+  void set(const std::string& name, auto...) { where = name; }
   void set(const std::string& first, const std::string& second) { where = first + " to " + second; }
   void place(const char* name) { where = name; }
   void sets(const std::vector<std::string>& names) {
@@ -112,16 +112,19 @@ class ListWords : public model::DeclarationVisitor {
     if (other) add(" to " + given_.name_of(*other));
   }
   void freedoms(const model::FixedFreedoms& value) { add(freedom_words(value)); }
-  void components(const model::Components& value, const char* unit) { add(component_words(value, unit)); }
+  void components(const model::Components& value, const char* unit, auto...) {
+    add(component_words(value, unit));
+  }
   void history(const char*, const std::optional<model::History>& value, const char* unit,
-               const char* phrase = "#") {
+               const char* phrase = "#", auto...) {
     if (value) add(phrase, history_words(*value, unit));
   }
   void time(const char* name, const std::optional<double>& value, const char* phrase,
-            const char* without = "") {
+            const char* without = "", auto...) {
     value ? number(name, value, phrase) : add(without);
   }
-  void number(const char*, const std::optional<double>& value, const char* phrase, double scale = 1) {
+  void number(const char*, const std::optional<double>& value, const char* phrase, double scale = 1,
+              auto...) {
     if (value) add(phrase, brief_number(scale * *value));
   }
   void flag(const char*, const std::optional<bool>& value, const std::string& yes = "",
@@ -129,7 +132,7 @@ class ListWords : public model::DeclarationVisitor {
     if (value) add(*value ? yes : no);
   }
   void text(const char*, const std::string& value, const std::string& phrase) { add(phrase, value); }
-  void vector(const char*, const std::optional<Vec3>& value, const char* phrase) {
+  void vector(const char*, const std::optional<Vec3>& value, const char* phrase, auto...) {
     if (value) add(phrase, vector_words(*value));
   }
   void stiffness(const std::array<double, 3>& value, const char* unit) {
@@ -158,7 +161,7 @@ std::vector<Declared> declared(const Model& m) {
   m.declarations().each_kind([&]<class D>(const std::vector<D>& kind) {
     for (std::size_t i = 0; i < kind.size(); ++i) {
       ListWords told(m);
-      model::plain(kind[i]).tell(told);
+      model::tell(kind[i], told);
       all.push_back({model::plain(kind[i]).call(), told.where, told.words + told.along,
                      [i](Model& model) { model.remove<D>(i); }});
     }

@@ -1,5 +1,4 @@
-// Loads and supports of fabric.model other than fix, move and force: moment, traction, pressure, spring,
-// turn, symmetry; plies.
+// What acts on a model by calls of a form of their own: springs and dampers, turns, velocities, symmetry.
 #include <numbers>
 
 #include "base/number.hpp"
@@ -12,27 +11,6 @@
 namespace fabricsh::script {
 
 namespace {
-
-int moment(Call& call) {
-  if (auto body = call.object<const model::Rigid>("set")) {
-    model::BodyLoad load = read_body_load(call, std::move(body));
-    load.moment = true;
-    return declare(call, std::move(load));
-  }
-  return declare(call, model::MomentLoad{call.text("set"), read_components(call), read_frame(call)});
-}
-
-int traction(Call& call) {
-  return declare(call, model::TractionLoad{call.text("set"), read_components(call), read_frame(call)});
-}
-
-int pressure(Call& call) {
-  call.push("value");
-  model::History value =
-      read_history(call.session(), call.L(), -1, "pressure '" + call.text("set") + "': argument 'value'");
-  lua_pop(call.L(), 1);
-  return declare(call, model::PressureLoad{call.text("set"), std::move(value)});
-}
 
 std::array<double, 3> read_stiffness(const Call& call, const char* field) {
   const Fields given = call.fields(field);
@@ -187,28 +165,6 @@ Argument loaded_set_row() { return value_("set", text, "name of a node set"); }
 std::vector<Entry> loads_entries() {
   const std::string sample = sample_model();
   return {
-      {"model:moment()",
-       {set_or_body_row(),
-        components_row("N m", "{x=, y=, z=}: the total moment about axes that stay fixed in space"),
-        frame_row()},
-       "Loads the directors of a node set with a moment, shared by length or area; or a rigid body about its "
-       "centre.",
-       sample + "m:moment('top', { x=fabric.ramp(1e-3, 1) })",
-       moment},
-      {"model:traction()",
-       {loaded_set_row(),
-        components_row("N/m^2 | N/m",
-                       "{x=, y=, z=}: per area where the set holds whole elements, else per edge length"),
-        frame_row()},
-       "Loads a node set with a dead traction on its reference area, or a line load on its reference edges.",
-       sample + "m:traction('top', { y=100 })",
-       traction},
-      {"model:pressure()",
-       {history_("value", "Pa", "pressure, positive along the shell normal"),
-        value_("set", text, "name of a node set; the elements all of whose nodes are in it").or_else("all")},
-       "Loads elements with a pressure that follows the surface (its load stiffness is in the tangent).",
-       sample + "m:pressure(fabric.ramp(50, 1))",
-       pressure},
       {"model:spring()",
        {set_or_body_row(),
         axis_rows("stiffness", "N/m",
@@ -261,6 +217,7 @@ std::vector<Entry> loads_entries() {
 
 void bind_loads(Session& session) {
   install(session, loads_entries());
+  bind_told(session);
   bind_ties(session);
   bind_seams(session);
   bind_creases(session);

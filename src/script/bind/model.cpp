@@ -36,12 +36,12 @@ Mat3 read_frame(const Call& call) {
 
 int return_self(const Call& call) { return call.itself(); }
 
-namespace {
-
-// Histories of x, y, z, those that are given; `what` begins the messages about a field.
-model::Components read_axes(const Call& call, const std::string& what) {
+// Histories of x, y, z, those that are given.
+model::Components read_components(const Call& call) {
   model::Components values;
   const Fields given = call.fields("components");
+  const std::string what =
+      call.is("set", LUA_TSTRING) ? last_word(call.entry().name) + " '" + call.text("set") + "': " : "";
   const char* const axes[] = {"x", "y", "z"};
   for (std::size_t i = 0; i < 3; ++i) {
     if (given.push(axes[i]) != LUA_TNIL)
@@ -49,18 +49,6 @@ model::Components read_axes(const Call& call, const std::string& what) {
     lua_pop(call.L(), 1);
   }
   return values;
-}
-
-}  // namespace
-
-model::Components read_components(const Call& call) {
-  return read_axes(call, last_word(call.entry().name) + " '" + call.text("set") + "': ");
-}
-
-model::BodyLoad read_body_load(const Call& call, model::RigidPointer body) {
-  if (call.has("options"))
-    call.refuse("options", "a rigid body is loaded along global axes: expected nothing");
-  return {std::move(body), read_axes(call, "")};
 }
 
 std::string sample_model() {
@@ -120,7 +108,7 @@ void ask_about_motion(const Call& call, const model::Components& components) {
 
 // Sets position and rotation of a rigid body.
 int move_body(Call& call, model::RigidPointer body) {
-  model::BodyMotion motion{std::move(body), read_axes(call, ""), {}};
+  model::BodyMotion motion{std::move(body), read_components(call), {}};
   const Fields given = call.fields("components");
   if (call.has("options")) call.refuse("options", "a rigid body moves along global axes: expected nothing");
   if (given.has("turn")) {
@@ -163,12 +151,6 @@ int move(Call& call) {
   auto components = read_components(call);
   ask_about_motion(call, components);
   return declare(call, model::PrescribedMotion{call.text("set"), std::move(components), read_frame(call)});
-}
-
-int force(Call& call) {
-  if (auto body = call.object<const model::Rigid>("set"))
-    return declare(call, read_body_load(call, std::move(body)));
-  return declare(call, model::ForceLoad{call.text("set"), read_components(call), read_frame(call)});
 }
 
 int gravity(Call& call) {
@@ -228,13 +210,6 @@ std::vector<Entry> model_entries() {
        "fabric.history, fabric.ramp).",
        sample + "m:move('top', { y=fabric.ramp(0.018, 1) })",
        move},
-      {"model:force()",
-       {set_or_body_row(), components_row("N", "{x=, y=, z=}: the total force, shared by length or area"),
-        frame_row()},
-       "Loads a node set with a total force; a single node takes it whole. Loads a rigid body at its centre "
-       "(dynamic runs need its mass), which then moves in the directions that m:fix does not hold.",
-       sample + "m:force('top', { y=fabric.ramp(10, 1) })",
-       force},
       {"model:gravity()",
        {Argument{"acceleration", table, "m/s^2", everything, "{gx, gy, gz}, each a history"}},
        "Lets gravity act on the whole cloth, and on rigid bodies that have a mass and forces place.",

@@ -12,7 +12,6 @@ model::Components read_components(const Call& call);  // of argument "components
 Mat3 read_frame(const Call& call);                    // of argument "options", field frame
 Argument components_row(const char* unit, const char* sentence);
 Argument frame_row();
-model::BodyLoad read_body_load(const Call& call, model::RigidPointer body);  // of "components"
 Argument set_or_body_row();
 std::vector<Argument> model_rows();  // of fabric.model: its bodies, each with a card or plies and regions
 int make_model(Call& call);          // pushes the model
@@ -28,6 +27,7 @@ int declare(const Call& call, Declaration declaration) {
   return return_self(call);
 }
 void bind_loads(Session& session);
+void bind_told(Session& session);
 void bind_declared(Session& session);
 void bind_declarations(Session& session);
 void bind_ties(Session& session);

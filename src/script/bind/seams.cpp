@@ -1,4 +1,4 @@
-// Seams of a model, and bands along its edges.
+// Seams of a model.
 #include "model/declaration_rows.hpp"
 #include "script/bind/model.hpp"
 #include "script/bind/rooms.hpp"
@@ -49,12 +49,6 @@ int seam(Call& call) {
   return declare(call, std::move(seam));
 }
 
-int band_of(Call& call) {
-  model::EdgeBand band;
-  read_rows(call, model::band_rows(), band);
-  return declare(call, std::move(band));
-}
-
 std::vector<Entry> seams_entries() {
   Argument given = fields_("seam", arguments_of(model::seam_rows()),
                            "{ first, second, ... }: the sets of the nodes of two edges");
@@ -73,15 +67,6 @@ std::vector<Entry> seams_entries() {
        "m:seam{ 'front.right', 'back.left', over=0.1 }\n"
        "assert(m:list()[3].kind == 'seam')",
        seam},
-      {"model:band{}", arguments_of(model::band_rows()),
-       "Puts a band along an edge: elastic in a hem, or with a high stiffness a cord that is drawn tight. It "
-       "pulls and never pushes.",
-       "local fabric = require 'fabric'\n"
-       "local mesh = fabric.mesh.rectangle{ width=0.1, height=0.05, nx=4, ny=2 }\n"
-       "local m = fabric.model{ mesh=mesh, card=fabric.card 'blend', warp=90 }\n"
-       "m:band{ set='bottom', stiffness=20, ease=0.2, over=0.1 }\n"
-       "assert(m:list()[1].kind == 'band')",
-       band_of},
   };
 }
 

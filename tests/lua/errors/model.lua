@@ -76,7 +76,9 @@ wrong("model:move", "model:move('top', {  }, { frame=5 })",
 -- model:pressure
 wrong("model:pressure", "model:pressure('1')",
   "deck.lua:1: pressure: argument 'value': expected a number in Pa or a function or a history, got '1'")
-wrong("model:pressure", "model:pressure(nil, 7)",
+wrong("model:pressure", "model:pressure()",
+  "deck.lua:1: pressure: argument 'value': expected a number in Pa or a function or a history, got nil (missing, or a misspelt variable)")
+wrong("model:pressure", "model:pressure(5, 7)",
   "deck.lua:1: pressure: argument 'set': expected a string, got 7")
 
 -- model:spring
@@ -113,7 +115,7 @@ wrong("model:traction", "model:traction(7)",
 wrong("model:traction", "model:traction('top', 5)",
   "deck.lua:1: traction: argument 'components': expected a table {x, y, z}, got 5")
 wrong("model:traction", "model:traction('top', { x='1' })",
-  "deck.lua:1: traction: field 'components.x': expected a number in N/m^2 | N/m or a function or a history, got '1'")
+  "deck.lua:1: traction: field 'components.x': expected a number in N/m^2 or N/m or a function or a history, got '1'")
 wrong("model:traction", "model:traction('top', {  }, { frame=5 })",
   "deck.lua:1: traction: field 'options.frame': expected a table {e1, e2}, got 5")
 
