@@ -2758,6 +2758,17 @@ function mesh:write(file) end
 ---@return model
 function model:band(fields) end
 
+---@class model_centrifuge_fields
+---@field speed number|function|history degrees/s: of turning
+---@field axis number[] {x, y, z}: direction of the axis
+---@field set? string name of a set of nodes, with their mass (default "all")
+---@field centre? number[] {x, y, z}, m: a point of the axis; default {0, 0, 0}
+
+---Loads cloth with centrifugal forces, as in a frame that turns steadily: mass times distance from the axis times the square of the speed. They follow the cloth (their stiffness is in the tangent). Forces of Coriolis and of a changing speed are not among them.
+---@param fields model_centrifuge_fields
+---@return model
+function model:centrifuge(fields) end
+
 ---The suitability of the mesh for this cloth, as two lines for each region: how yarns cross its elements, and how large folds are beside elements, by weight and on bodies that give way.
 ---@return model
 function model:check() end

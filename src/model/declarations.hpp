@@ -303,6 +303,27 @@ struct PressureLoad {
     v.history("value", d.value, "Pa", "#", "pressure, positive along the shell normal");
   }
 };
+struct CentrifugalLoad {
+  static constexpr const char* call() { return "centrifuge"; }
+  static constexpr bool is_load = true, by_name = true;
+  static constexpr const char* sentence =
+      "Loads cloth with centrifugal forces, as in a frame that turns steadily: mass times distance from the "
+      "axis times the square of the speed. They follow the cloth (their stiffness is in the tangent). Forces "
+      "of Coriolis and of a changing speed are not among them.";
+  static constexpr const char* example =
+      "m:fix('bottom', 'x y z'):centrifuge{ speed=fabric.ramp(3600, 1), axis={0, 0, 1} }";
+  std::string set = "all";
+  History speed = {};               // degrees/s
+  Vec3 axis = Vec3::UnitZ();        // of any nonzero length
+  std::optional<Vec3> centre = {};  // m, default the origin
+  static void tell(auto& d, auto& v) {
+    v.set(d.set, "name of a set of nodes, with their mass");
+    v.history("speed", d.speed, "degrees/s", "#", "of turning");
+    v.vector("axis", d.axis, " about #", NumberRow{"{x, y, z}: direction of the axis", "", positive});
+    v.vector("centre", d.centre, " through #",
+             NumberRow{"{x, y, z}, m: a point of the axis; default {0, 0, 0}"});
+  }
+};
 // The last one declared replaces those before.
 struct Gravity {
   static constexpr const char* call() { return "gravity"; }
@@ -450,13 +471,14 @@ class Declarations {
   }
 
  private:
-  std::tuple<
-      std::vector<Support>, std::vector<PrescribedMotion>, std::vector<PrescribedTurn>,
-      std::vector<GroundSpring>, std::vector<Zone>, std::vector<StrengthGiven>, std::vector<CreaseGiven>,
-      std::vector<EdgeBand>, std::vector<Seam>, std::vector<Tie>, std::vector<ForceLoad>,
-      std::vector<MomentLoad>, std::vector<TractionLoad>, std::vector<PressureLoad>, std::vector<GasPointer>,
-      std::vector<Gravity>, std::vector<InitialVelocity>, std::vector<BodyMotion>, std::vector<BodyLoad>,
-      std::vector<BodySpring>, std::vector<BodySupport>, std::vector<BodyVelocity>, std::vector<ContactGiven>>
+  std::tuple<std::vector<Support>, std::vector<PrescribedMotion>, std::vector<PrescribedTurn>,
+             std::vector<GroundSpring>, std::vector<Zone>, std::vector<StrengthGiven>,
+             std::vector<CreaseGiven>, std::vector<EdgeBand>, std::vector<Seam>, std::vector<Tie>,
+             std::vector<ForceLoad>, std::vector<MomentLoad>, std::vector<TractionLoad>,
+             std::vector<PressureLoad>, std::vector<GasPointer>, std::vector<Gravity>,
+             std::vector<InitialVelocity>, std::vector<BodyMotion>, std::vector<BodyLoad>,
+             std::vector<BodySpring>, std::vector<BodySupport>, std::vector<BodyVelocity>,
+             std::vector<ContactGiven>, std::vector<CentrifugalLoad>>
       lists_;
 };
 
