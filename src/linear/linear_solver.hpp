@@ -30,10 +30,6 @@ class LinearSolver {
   }
   virtual bool solve(const Matrix& A, std::span<const double> b, std::span<double> x) = 0;
   virtual LinearReport report() const = 0;
-  // Whether the factorisation of the next matrix depends on the outcome of the last
-  // one. A checkpoint stores this flag, so that a restarted run computes the same results bit for bit.
-  virtual bool doubtful() const { return false; }
-  virtual void set_doubtful(bool) {}
   std::int64_t analyses() const { return analyses_; }  // symbolic phases so far
 
  protected:

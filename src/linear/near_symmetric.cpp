@@ -65,8 +65,6 @@ class NearSymmetric final : public LinearSolver {
   }
 
   LinearReport report() const override { return by_whole_ ? whole_->report() : half_->report(); }
-  bool doubtful() const override { return half_->doubtful(); }
-  void set_doubtful(bool doubtful) override { half_->set_doubtful(doubtful); }
 
  private:
   bool by_whole(const Matrix& A) {

@@ -42,8 +42,6 @@ class WithRanks final : public LinearSolver {
     whole.negative_pivots = std::max<Index>(0, whole.negative_pivots + extra_);
     return whole;
   }
-  bool doubtful() const override { return sparse_->doubtful(); }
-  void set_doubtful(bool doubtful) override { sparse_->set_doubtful(doubtful); }
 
  private:
   static Eigen::VectorXd along(const FewRanks& ranks, std::span<const double> x) {

@@ -483,7 +483,6 @@ void Implicit::memory(Archive& archive) {
   }
   archive(now_, control_, newmark_);
   problem_.keep(archive);
-  newton_.keep(archive);
   if (archive.reading()) take_scheme();
 }
 

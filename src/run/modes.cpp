@@ -274,7 +274,6 @@ struct Shifted {
 };
 
 bool is_definite(Shifted& shifted) {
-  shifted.solver->set_doubtful(false);
   return shifted.solver->factorise(shifted.A) && shifted.solver->report().negative_pivots == 0;
 }
 

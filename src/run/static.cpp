@@ -751,10 +751,6 @@ void Static::take(const mechanics::Transfer& change, const std::vector<double>&)
 void Static::memory(Archive& archive) {
   archive(now_);
   problem_->keep(archive);
-  if (stable_) stable_->keep(archive);
-  if (newton_) newton_->keep(archive);
-  if (descent_) descent_->keep(archive);
-  if (helper_) helper_->keep(archive);
   if (arc_) arc_->keep(archive);
 }
 

@@ -37,7 +37,6 @@ Eigen::MatrixXd Static::stiffness_of_bodies(const linear::Matrix& K) {
 // bodies, cloth following them, has no negative eigenvalue.
 solver::Stability Static::judge_bodies(const linear::Matrix& K) {
   constexpr double kNothing = 1e-9;  // of the largest: of what turns or rolls freely
-  judging_->set_doubtful(false);
   if (K.size() > 0 && !judging_->factorise(K)) return solver::Stability::unchecked;
   const Eigen::MatrixXd A = stiffness_of_bodies(K);
   if (A.size() == 0 || !A.allFinite()) return solver::Stability::unchecked;
@@ -53,7 +52,6 @@ std::string Static::loose_bodies() {
   if (!places_bodies_ || contact == nullptr || !contact->bodies().any_free()) return {};
   if (!judging_) judging_ = make_solver(options_.solver, !takes_unsymmetric());
   linear::Matrix K;
-  judging_->set_doubtful(false);
   if (problem_->tangent(K) != Answer::ok || (K.size() > 0 && !judging_->factorise(K))) return {};
   const Eigen::MatrixXd A = stiffness_of_bodies(K);
   if (A.size() == 0 || !A.allFinite()) return {};

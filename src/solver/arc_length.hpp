@@ -7,6 +7,7 @@
 //   dt = -((|D|^2 - L^2) / 2 + D . delta_r) / (D . delta_t)      D: the step's increment so far
 // and where a stretch of time ends the constraint is t = landing.
 #pragma once
+#include "base/archive.hpp"
 #include "solver/line_search.hpp"
 #include "solver/newton.hpp"
 
@@ -51,10 +52,7 @@ class ArcLength {
   void turn(Change change) {
     if (!direction_.empty()) change(direction_);
   }
-  void keep(Archive& archive) {
-    archive(direction_);
-    keep_doubt(archive, *linear_);
-  }
+  void keep(Archive& archive) { archive(direction_); }
 
  private:
   struct ArcStep {  // of the predictor or of one correction

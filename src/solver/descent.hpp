@@ -17,7 +17,6 @@ class Descent {
   // solves; residuals: relative, of the steps that were taken.
   NewtonResult solve(Problem& problem, const NewtonOptions& options);
   NewtonResult go_on(Problem& problem, const NewtonOptions& options);  // from the iterate saved last
-  void keep(Archive& archive) { keep_doubt(archive, *linear_); }
 
  private:
   std::unique_ptr<LinearSolver> linear_;

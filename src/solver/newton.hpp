@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "base/answer.hpp"
-#include "base/archive.hpp"
 #include "linear/linear_solver.hpp"
 #include "linear/vector.hpp"
 #include "solver/stable.hpp"
@@ -109,18 +108,11 @@ struct NewtonResult {
   int left_unstable = 0;  // unstable equilibria that were left to the side of less energy
 };
 
-inline void keep_doubt(Archive& archive, LinearSolver& linear) {
-  bool doubtful = linear.doubtful();
-  archive(doubtful);
-  linear.set_doubtful(doubtful);
-}
-
 class Newton {
  public:
   explicit Newton(std::unique_ptr<LinearSolver> linear) : linear_(std::move(linear)) {}
   NewtonResult solve(Problem& problem, const NewtonOptions& options);    // from the committed configuration
   NewtonResult correct(Problem& problem, const NewtonOptions& options);  // from the trial configuration
-  void keep(Archive& archive) { keep_doubt(archive, *linear_); }
 
  private:
   Answer predict(Problem& problem);  // with the motion of the supports in r_

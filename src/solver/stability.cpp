@@ -124,7 +124,6 @@ Mode lowest_mode(const linear::Matrix& K, std::span<const double> D, double, con
 
 bool StabilityCheck::definite(const linear::Matrix& K, linear::LinearSolver& linear) {
   ++factorisations_;
-  linear.set_doubtful(false);  // Cholesky's factors are the question
   const bool done = linear.factorise(K);
   negative_ = linear.report().negative_pivots;
   return done && negative_ == 0;
@@ -151,7 +150,6 @@ Stability StabilityCheck::of(const linear::Matrix& K, std::span<const double> D)
   const bool unsymmetric = linear::symmetric_part(K, D, S_) > kSymmetric;
   if (!own_) own_ = linear::with_ranks(linear::make_symmetric_solver());
   const Stability part = by_symmetric_part(S_, D, *own_);
-  own_->set_doubtful(false);
   if (!unsymmetric || (judge_ == Judge::work && part == Stability::stable)) return part;
   // A negative determinant means a direction in which the shape leaves its place by itself.
   ++factorisations_;

@@ -32,7 +32,6 @@ class TrustRegion {
   // options.line_search every step within the trust region is accepted.
   NewtonResult solve(Problem& problem, const NewtonOptions& options);
   NewtonResult correct(Problem& problem, const NewtonOptions& options);  // from the trial configuration
-  void keep(Archive& archive) { keep_doubt(archive, *linear_); }
 
  private:
   std::unique_ptr<LinearSolver> linear_;
