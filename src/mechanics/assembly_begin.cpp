@@ -7,31 +7,30 @@
 
 namespace fabricsh::mechanics {
 
+// same_contact: whether both have the same pairs of surfaces with the same laws, so that slips and overlaps
+// of the one are those of the other.
 void Assembly::begin_from(const Assembly& other, bool same_contact) {
   auto& there = const_cast<Assembly&>(other);  // an archive that is written changes nothing
-  const auto carry = [&](const auto& keep) {
+  const auto carry = [](auto& from, auto& to, const auto& keep) {
     Archive out;
-    keep(there, out);
+    keep(from, out);
     Archive in(out.bytes());
-    keep(*this, in);
+    keep(to, in);
   };
   if (dofs_.joints().any()) {
-    carry([](Assembly& a, Archive& archive) { a.keep_joints(archive); });
+    carry(there, *this, [](Assembly& a, Archive& archive) { a.keep_joints(archive); });
     renumbered();
   }
   if (!dofs_.seams().empty()) {
-    carry([](Assembly& a, Archive& archive) { a.keep_seams(archive); });
+    carry(there, *this, [](Assembly& a, Archive& archive) { a.keep_seams(archive); });
     renumbered();
   }
-  carry([](Assembly& a, Archive& archive) { a.configuration_.keep(archive); });
+  carry(there, *this, [](Assembly& a, Archive& archive) { a.configuration_.keep(archive); });
   for (const auto& term : terms_)
     for (const auto& twin : there.terms_) {
       if (std::string_view(twin->name()) != term->name()) continue;
       if (!same_contact && dynamic_cast<const Contacts*>(term.get()) != nullptr) continue;
-      Archive out;
-      twin->keep(out);
-      Archive in(out.bytes());
-      term->keep(in);
+      carry(*twin, *term, [](Term& one, Archive& archive) { one.keep(archive); });
     }
   dofs_.hold_here();
   configuration_.commit(configuration_.time());  // with the frames of directors that may turn less freely

@@ -60,7 +60,7 @@ void mark_ties(const model::Model& model, Freedoms& f) {
   for (const auto& follower : ties.followers) {
     auto& equation = f.nodes[follower.node].equation;
     equation[follower.component] = tied;
-    if (follower.component == 3) equation[4] = tied;
+    if (follower.component == 3) equation[4] = tied;  // a director follows with both of its turns
   }
   f.followers = std::move(ties.followers);
   if (!ties.bodies.empty()) f.body_of.assign(f.nodes.size(), -1);

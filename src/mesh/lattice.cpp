@@ -41,6 +41,7 @@ void check_product(const char* call, const char* fields, Index a, Index b) {
                 " cells, got " + std::to_string(a) + " x " + std::to_string(b));
 }
 
+// Exact at multiples of 90 degrees, so that nodes on axes have no rounding beside them.
 Vec3 direction(double degrees) {
   const double quarter = std::round(degrees / 90);
   const double rest = (degrees - 90 * quarter) * (std::numbers::pi / 180);

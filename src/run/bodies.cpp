@@ -13,6 +13,7 @@ BodyState body_state(const Readings& run, const model::Rigid& body) {
   return {state.place, state.velocity, state.spin, -bodies.readings().force(i), bodies.readings().held(i)};
 }
 
+// Of the pressures and slips on a skin, which facets alone have.
 mechanics::OnSkin on_skin(const Readings& run, const model::Rigid& body) {
   const std::size_t i = run.body_number(body);
   if (body.facets() == nullptr)

@@ -22,7 +22,7 @@ ArcLength::ArcStep ArcLength::predictor(const PathProblem& problem, const ArcOpt
   result.length = arc.length;
   double dt = speed > 0 && arc.length > 0 ? arc.length / speed : arc.largest_step;
   dt = std::min(dt, arc.largest_step);
-  const double opening = problem.opening(delta_t_);
+  const double opening = problem.opening(delta_t_);  // of what tears
   const bool back =
       !direction_.empty() && (opening != 0 ? opening : problem.product(direction_, delta_t_)) < 0;
   if (!back) dt = std::min(dt, arc.landing - arc.time);
@@ -88,7 +88,8 @@ ArcResult ArcLength::solve(PathProblem& problem, const NewtonOptions& options, c
     ArcStep step = i == 0 ? predictor(problem, arc, result) : correction(problem, arc, result);
     if (!step.possible) return stop(NewtonStatus::diverged);
     // Histories may have a kink at the landing: no iterate goes beyond it, and no tiny remainder is left.
-    const double left = 1e-6 * (arc.landing - arc.time);
+    constexpr double kRemainder = 1e-6;  // of the way to the landing: a step that small has no direction
+    const double left = kRemainder * (arc.landing - arc.time);
     if (result.landed || result.time + step.time >= arc.landing - left) {
       result.landed = true;
       step.time = arc.landing - result.time;
