@@ -15,7 +15,8 @@ std::vector<Vec3> reference_directors(const mesh::Mesh& mesh) {
   for (std::size_t i = 0; i < normals.size(); ++i)
     if (!(normals[i].norm() > 0))
       throw Error("mesh: node " + std::to_string(i + 1) +
-                  " has no normal: its elements are degenerate, or fold onto each other");
+                  " has no normal: its elements are degenerate, or fold onto each other (mesh:check() names "
+                  "all such nodes)");
   return normals;
 }
 

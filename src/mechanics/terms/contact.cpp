@@ -60,6 +60,8 @@ Outcome Contacts::add_forces(const law::Step& step, const Trial& trial, Forces& 
   const std::size_t nodes = surfaces_.nodes();
   if (s.blocked) {
     Outcome passed{Answer::cut, -1, "surfaces that touch would pass through each other"};
+    if (const auto pair = s.pairs.nearest(s.x); pair.point[0] >= 0)
+      passed.why += ": " + surfaces_.words(pair.point);
     for (std::size_t n = 0; n < nodes && passed.element < 0; ++n)
       if (!s.force[n].allFinite()) passed.element = cloth_.element_at(static_cast<Index>(n));
     return passed;
