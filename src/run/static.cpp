@@ -427,17 +427,25 @@ bool Static::rescue(double size, StepReport& report) {
   if (descent_ == nullptr && relaxation_ == nullptr) return false;  // along an arc
   if (options_.method != Method::either && options_.method != Method::automatic) return false;
   // A part that loads move freely does so in relaxation, too, without end, and a free motion is a forgotten
-  // support. A turn about one axis, on which no load works, is that of a body as round as its loads.
+  // support. A turn about one axis, on which no load works, is that of a body as round as its loads; one that
+  // loads with a potential drive ends where they have least of it, as of a strip that hangs.
+  Mechanism free;
   if (options_.method == Method::automatic && step_.last.status == solver::NewtonStatus::singular) {
-    const Mechanism free = find_mechanism(*model_, *assembly_, {size, duration_});
-    if (free.ways != 1 || !free.words.starts_with("turn ") || free.driven) return false;
+    free = find_mechanism(*model_, *assembly_, {size, duration_});
+    if (free.ways != 1 || !free.words.starts_with("turn ")) return false;
+    if (free.driven && !(descent_ && assembly_->terms().symmetric())) return false;
   }
   relaxing_ = true;
   problem_->set_time(size);
   const Diagnosis before = step_;
   if (finish(relax({options_.tolerance, options_.max_iterations, options_.line_search, problem_->size()}),
-             size, report))
+             size, report)) {
+    if (free.driven && !warned("relaxed"))
+      warn("relaxed", "static: the supports leave the sheet free to " + free.words +
+                          ", and the loads drive it: it was relaxed to where they leave it, at time " +
+                          number(size) + " s");
     return true;
+  }
   if (options_.method == Method::either) return false;
   rollback();  // as if it had not been tried
   step_ = before;

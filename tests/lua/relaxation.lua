@@ -49,6 +49,20 @@ do
   assert(#a.steps == 4, #a.steps)
 end
 
+-- A strip pinned along one edge, whose weight turns it: Newton's method has no first step from the flat sheet, and the run goes by itself to where it hangs.
+for _, ramped in ipairs { false, true } do
+  for _, triangles in ipairs { false, true } do
+    local card = fabric.card("blend", { bending = "estimated" })
+    local mesh = fabric.mesh.rectangle { width = 0.2, height = 0.05, nx = 8, ny = 2, triangles = triangles }
+    local m = fabric.model { mesh = mesh, card = card, warp = 0 }
+    m:fix("left", "x y z"):gravity { 0, 0, ramped and fabric.ramp(-9.81, 1) or -9.81 }
+    local a = fabric.static { model = m, duration = 1, step = 0.5 }:solve()
+    local corner = a:node(#mesh.nodes)
+    check("a pinned strip hangs", corner.z, -0.2, { relative = 1e-3 })
+    check("below its edge", corner.x, 0, { absolute = 1e-6 })
+  end
+end
+
 -- Options without effect are reported, in one line a reason; values that are the usual ones are not.
 do
   local function talk_of(deck)
