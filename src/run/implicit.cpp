@@ -32,6 +32,9 @@ constexpr double kTooMuch = 0.2;  // share of the ledger's limit from which on h
 // times.
 constexpr double kErrorOfStep = 0.1;
 constexpr int kMostHalvings = 3;
+// Of the energy that a driven step makes: what half of it makes at most if that error is one of the step's
+// size. It falls with the cube of the size, and more slowly where yarns switch.
+constexpr double kFallsByHalf = 0.4;
 // Strong damping takes energy of a turning, too, in each turn four times pi squared over the steps in it.
 // Where the cloth turns by more than this in a step, 400 steps a turn, shorter steps go first; then by
 // halves, down to a part of it.
@@ -387,11 +390,11 @@ bool Implicit::takes_back() {
   if (loss_falls() && leave_hht(which == Try::first && !repeatable_.start.empty())) return true;
   if (repeatable_.start.empty() || which == Try::first_again) return false;
   const EnergyAccount now = energy();
-  const double made = (now.surplus() - repeatable_.surplus) / ledger_scale(now);
-  if (repeatable_.settling) return shortens(std::max(0.0, made), kSettlingHalvings);
+  const double energy_made = now.surplus() - repeatable_.surplus, made = energy_made / ledger_scale(now);
+  if (repeatable_.settling) return shortens(std::max(0.0, made), energy_made, kSettlingHalvings);
   if (which == Try::first) {
     const bool may_damp = chooses_scheme() && now_.damping != Damping::strong && repeatable_.halved == 0;
-    if (!(made > options_.ledger_limit && may_damp)) return shortens(made, kMostHalvings);
+    if (!(made > options_.ledger_limit && may_damp)) return shortens(made, energy_made, kMostHalvings);
     return_to_start(Try::first);
     if (const std::string text = shorten_for_turning(); !text.empty()) {
       warn("ledger", "dynamic: a step after time " + number(committed_time()) + " s would have made " +
@@ -400,15 +403,15 @@ bool Implicit::takes_back() {
       return true;
     }
     repeatable_.made = made;
+    repeatable_.energy = energy_made;
     repeatable_.which = Try::damped;
     damp(Damping::strong);
     return true;
   }
   if (!(made < repeatable_.made / 2)) {
     const double end = committed_time();
-    const bool young = is_young();
-    return_to_start(young ? Try::first_again : Try::first);
-    if (!young) halve(end);
+    return_to_start(Try::first);
+    halve(end);
     return true;
   }
   warn("ledger", "dynamic: a step to time " + number(committed_time()) + " s would have made " +
@@ -440,11 +443,20 @@ bool Implicit::leave_hht(bool repeat) {
   return repeat;
 }
 
-// Where stiff elements turn far within a step, its error falls with its size.
-bool Implicit::shortens(double error, int most) {
+// Where stiff elements turn far within a step, its error falls with its size; so it does where a support goes
+// so far that the force on it is no line. The work of one that begins to move with a jump is no better known
+// in half the step, which is then made whole. error: over the ledger's scale; energy: the same in J.
+bool Implicit::shortens(double error, double energy, int most) {
   const int halved = std::exchange(repeatable_.halved, 0);
   if (!(std::abs(error) > kErrorOfStep * options_.ledger_limit) || halved == most) return false;
-  if (is_young() && !repeatable_.settling) return false;
+  if (is_young() && !repeatable_.settling) {
+    if (halved == 0 && !(error > options_.ledger_limit)) return false;
+    if (halved > 0 && !(energy < kFallsByHalf * repeatable_.energy)) {
+      return_to_start(Repeatable::Try::first_again);
+      return true;
+    }
+  }
+  repeatable_.energy = energy;
   const double end = committed_time();
   return_to_start(Repeatable::Try::first);
   halve(end, halved);

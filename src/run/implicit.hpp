@@ -70,6 +70,7 @@ class Implicit final : public Dynamic {
     double step = 0;               // s, for which it began
     std::string start;             // the state before it; empty: it is not taken back
     double surplus = 0, made = 0;  // J, of the ledger before it; its first try's share of the ledger's scale
+    double energy = 0;             // J, that its last try without more damping made
     bool settling = false;         // whether directors settle in it
     Try which = Try::first;
     int halved = 0;  // times, for its error of the ledger
@@ -77,7 +78,7 @@ class Implicit final : public Dynamic {
   void mark_repeatable();
   bool repeats() const { return repeatable_.which != Repeatable::Try::first || repeatable_.halved > 0; }
   void return_to_start(Repeatable::Try next);
-  bool shortens(double error, int most);  // at most so many times
+  bool shortens(double error, double energy, int most);  // at most so many times
   void halve(double end, int halved = 0);
 };
 
