@@ -268,9 +268,18 @@ void EquilibriumProblem::close(linear::Matrix& K) {
   const auto& scheme = newmark_->scheme();
   const auto on = assembly_.terms().on_mass();
   const double dt = motion_.dt();
-  const double c =
-      (on.acceleration / scheme.beta / dt + weight() * on.velocity * scheme.gamma / scheme.beta) / dt;
-  const double of_body = 2 * (on.acceleration / scheme.gamma / dt + weight() * on.velocity) / dt;
+  add_mass(K, (on.acceleration / scheme.beta / dt + weight() * on.velocity * scheme.gamma / scheme.beta) / dt,
+           2 * (on.acceleration / scheme.gamma / dt + weight() * on.velocity) / dt);
+}
+
+void EquilibriumProblem::add_inertia(linear::Matrix& K, double times) {
+  if (newmark_ == nullptr) return;
+  const double dt = motion_.dt(), part = times * assembly_.terms().on_mass().acceleration / dt / dt;
+  add_mass(K, part / newmark_->scheme().beta, 2 * part / newmark_->scheme().gamma);
+}
+
+// The mass matrix c times, that of rigid bodies of_body times.
+void EquilibriumProblem::add_mass(linear::Matrix& K, double c, double of_body) {
   std::vector<double> on_x = newmark_->inertia().mass(), on_d = newmark_->inertia().rotary();
   for (std::size_t n = 0; n < on_x.size(); ++n) {
     const double factor =

@@ -74,11 +74,13 @@ class EquilibriumProblem final : public solver::PathProblem {
   double force_scale() const override;
 
  private:
+  void add_mass(linear::Matrix& K, double c, double of_body);
   // --- the rest of it
   double limit(std::span<const double> delta) override { return assembly_.limit(delta, targets_); }
   bool finish_direction(const Solve& solve, std::span<double> delta) override {
     return assembly_.finish_direction(solve, weight(), delta);
   }
+  void add_inertia(linear::Matrix& K, double times) override;
   Answer extrapolated_tangent(linear::Matrix& K) override;
   bool has_branches() const override { return newmark_ != nullptr; }
   Answer tangent_on_branches(linear::Matrix& K, std::span<double> r) override;

@@ -11,8 +11,9 @@ using linear::all_finite;
 using linear::dot;
 
 namespace {
-constexpr int kMostOnBranches = 12;  // iterations
-constexpr double kLittle = 0.05;     // rad, a turn that leads nowhere else
+constexpr int kMostOnBranches = 20;  // iterations
+constexpr double kFurthest = 0.3;    // rad, the turn in one of them
+constexpr double kMostInertia = 100;
 }  // namespace
 
 const char* describe(NewtonStatus status) {
@@ -78,12 +79,11 @@ NewtonResult failed(Answer answer) {
 }
 
 // Whether the iterations on branches end near a solution: the residual is small, and swings, as where lines
-// of branches lead to each other in turn, or as many iterations are made as are permitted.
+// of branches lead to each other in turn.
 bool ends_near(std::span<const double> residuals) {
   constexpr double kNear = 1e-3, kFalls = 0.25;
   const std::size_t n = residuals.size();
-  return n >= 3 && residuals[n - 1] < kNear &&
-         (n == kMostOnBranches || residuals[n - 1] > kFalls * residuals[n - 3]);
+  return n >= 3 && residuals[n - 1] < kNear && residuals[n - 1] > kFalls * residuals[n - 3];
 }
 }  // namespace
 
@@ -99,11 +99,11 @@ NewtonResult Newton::solve(Problem& problem, const NewtonOptions& options) {
   if (!problem.has_branches() || !options.line_search) return iterate(problem, options, true);
   const NewtonResult followed = follow_branches(problem, options);
   if (followed.status == NewtonStatus::converged) return followed;
-  // Branches as they are: from there, where that is near, or in a step that begins anew.
-  const bool near = ends_near(followed.residuals);
-  if (!near)
+  // Branches as they are: from there, or, where there are no forces, in a step that begins anew.
+  const bool there = followed.status == NewtonStatus::too_many_iterations;
+  if (!there)
     if (const Answer answer = predict(problem); answer != Answer::ok) return failed(answer);
-  NewtonResult result = near ? correct(problem, options) : iterate(problem, options, true);
+  NewtonResult result = there ? correct(problem, options) : iterate(problem, options, true);
   result.iterations += followed.iterations;
   return result;
 }
@@ -122,29 +122,47 @@ std::optional<NewtonStatus> Newton::judge(Problem& problem, std::span<const doub
   return std::nullopt;
 }
 
-// Stresses that are linear about the strains predicted need no line search: what a turn stretches falsely,
-// and where a yarn goes beyond its branch, the next direction takes back.
-NewtonResult Newton::follow_branches(Problem& problem, const NewtonOptions& options) {
-  NewtonResult result;
-  double furthest = 0;
-  for (int i = 0; i < std::min(kMostOnBranches, options.max_iterations) && direction(problem); ++i) {
+// Where parts buckle within the step a direction turns too far. The matrix then gets more inertia, as that of
+// a shorter step has.
+bool Newton::bring_within(double furthest, Problem& problem, NewtonResult& result) {
+  double turn = problem.turn_of(delta_);
+  for (double inertia = 1; turn > furthest && inertia < kMostInertia; inertia *= 4) {
+    problem.add_inertia(K_, 3 * inertia);
+    if (!direction(problem)) return false;
     ++result.iterations;
     result.negative_pivots = linear_->report().negative_pivots;
-    const double turn = problem.turn_of(delta_);
-    if (i == 0) furthest = std::max(turn, kLittle);
-    const double fraction = turn <= furthest ? problem.limit(delta_) : 0;
-    if (!(fraction > 0)) break;
+    turn = problem.turn_of(delta_);
+  }
+  if (turn > furthest)
+    for (double& d : delta_) d *= furthest / turn;
+  return true;
+}
+
+// Stresses that are linear about the strains predicted need no line search: what a turn stretches falsely,
+// and where a yarn goes beyond its branch, the next direction takes back. Ends with too many iterations at a
+// trial configuration from which others can go on, with law_failed where there is none.
+NewtonResult Newton::follow_branches(Problem& problem, const NewtonOptions& options) {
+  NewtonResult result;
+  const auto failed = [&result] {
+    result.status = NewtonStatus::law_failed;
+    return result;
+  };
+  for (int i = 0; i < std::min(kMostOnBranches, options.max_iterations); ++i) {
+    if (!direction(problem)) return failed();
+    ++result.iterations;
+    result.negative_pivots = linear_->report().negative_pivots;
+    const double fraction = bring_within(kFurthest, problem, result) ? problem.limit(delta_) : 0;
+    if (!(fraction > 0)) return failed();
     problem.apply_increment(delta_, fraction);
-    if (checked(problem.residual(trial_r_), trial_r_) != Answer::ok) break;
+    if (checked(problem.residual(trial_r_), trial_r_) != Answer::ok) return failed();
     const std::optional<NewtonStatus> judged = judge(problem, trial_r_, options.tolerance, result);
-    if (judged == NewtonStatus::converged) {
-      problem.accept();
-      result.status = *judged;
-    }
+    if (judged && judged != NewtonStatus::converged) return failed();
+    if (judged) result.status = *judged;
     if (judged || ends_near(result.residuals)) break;
-    if (checked(problem.tangent_on_branches(K_, r_), r_) != Answer::ok) break;
+    if (checked(problem.tangent_on_branches(K_, r_), r_) != Answer::ok) return failed();
     problem.accept();
   }
+  if (result.status == NewtonStatus::converged) problem.accept();
   return result;
 }
 

@@ -53,6 +53,8 @@ class Problem {
   // branch that it had in the last such tangent, or in predict(), or on the neighbouring one.
   virtual bool has_branches() const { return false; }
   virtual Answer tangent_on_branches(Matrix& K, std::span<double> /*r*/) { return tangent(K); }
+  // Adds `times` the inertia to K, which then is more like that of a shorter step in time.
+  virtual void add_inertia(Matrix& /*K*/, double /*times*/) {}
   // rad: the largest turn that a step along delta makes, of a director, or of a mean edge by its end.
   virtual double turn_of(std::span<const double> delta) const = 0;
   virtual void save_iterate() = 0;     // stores the iterate
@@ -116,6 +118,7 @@ class Newton {
 
  private:
   Answer predict(Problem& problem);  // with the motion of the supports in r_
+  bool bring_within(double furthest, Problem& problem, NewtonResult& result);
   NewtonResult follow_branches(Problem& problem, const NewtonOptions& options);
   NewtonResult iterate(Problem& problem, const NewtonOptions& options, bool predicted);
   std::optional<NewtonStatus> judge(Problem& problem, std::span<const double> r, double tolerance,
