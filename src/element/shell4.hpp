@@ -8,10 +8,21 @@
 // Generalised covariant strains at an in-plane point, where a_i = sum N_A,i x_A, and b_i are
 // derivatives of the directors, with edge differences lengthened from the chord to the arc:
 //   c(z) = eps + z kappa + z^2 rho in the order (c11, c22, 2 c12);
-//   kappa ~ sym(a.b),  rho ~ b.b / 2;  shear g_i = 2 c_i3 from the four edge midpoints; eps from an assumed
-//   field: stretches on edge chords, tied so that a warped element does not lock (MITC4+ [ko2017]), and the
-//   four enhanced strains of [simo1990; andelfinger1993], eliminated with a constant tangent: they are a
-//   fixed multiple of the deviation from a homogeneous strain. See share/doc/verification.md.
+//   kappa ~ sym(a.b),  rho ~ b.b / 2;  shear g_i = 2 c_i3 from the four edge midpoints, eased as below; eps
+//   from an assumed field: stretches on edge chords, tied so that a warped element does not lock (MITC4+
+//   [ko2017]), and the four enhanced strains of [simo1990; andelfinger1993], eliminated with a constant
+//   tangent: they are a fixed multiple of the deviation from a homogeneous strain. See
+//   share/doc/verification.md.
+//
+// An edge bends as a circle, and sheets much more limp in bending than in shear would lock: between two held
+// rotations sum (theta_i + theta_j) h / 2 = w_j - w_i along any line of edges. A part c of the residual
+// flexibility in bending of [macneal1978] is in series with the shear S of two opposite edges,
+//   1 / S -> 1 / S + c h^2 / (12 B),
+// h: the mean of their lengths, B: of virgin cloth along them. c = 1 is right for a beam that bends by forces
+// at its nodes; a plate, where part of the shear force is of the twist, would be too soft (7.5 % clamped on 8
+// x 8). c = 1/8 for the mean of the two edges, 1/100 for their difference, which is the twist's: more of it
+// would soften free edges in torsion. See share/doc/verification.md. Mean and difference of the shears are
+// multiplied by sqrt(p / (c + p)), p = 12 B / (S h^2), as in shell3.hpp: S is that of the section.
 //
 // Yarns that cross an element obliquely would lock it: their strain eps_f = m_f.eps m_f (f: warp, weft)
 // varies along them, and in cloth only shear, which is far softer, could hold such a change of tension along
@@ -38,20 +49,20 @@ inline constexpr int shell4_dofs = 20;  // per node: u1 u2 u3, q1 q2 with delta 
 inline constexpr int kSamples = 8, kEnhanced = 4;  // of the assumed membrane strain field
 
 // Reference geometry of one element, as the kernels read it; entry i of lane l at [i * lanes + l].
-//   edge shears (t/8)(X_j - X_i).(D_i + D_j): edges 4-3, 1-2, 2-3, 1-4
-//   membrane samples: c11 on the first two edges, c22 on the others; c11, c22, 2 c12 in the middle; q
-//   distortion: components of X_d = sum xi eta X / 4 on the middle's base vectors
-//   modes: the enhanced strains from the samples, 4 x 8, row-major
-//   easing: for warp and weft, the share of the variation of their strain within the element that is left,
-//   less one: 0 leaves the strain as it is, -1 takes its mean everywhere
-//   then per in-plane point: kappa (3), rho (3) of the reference;
-//   then per in-plane point and thickness point: T11 T12 T21 T22 q1 q2 s w
+//   edge shears (t/8)(X_j - X_i).(D_i + D_j), eased: edges 4-3, 1-2, 2-3, 1-4
+//   levers: the shear of an edge over its product of chord and director (t/2, eased), and over that of the
+//   edge opposite; for the first two edges and the others membrane samples: c11 on the first two edges, c22
+//   on the others; c11, c22, 2 c12 in the middle; q distortion: components of X_d = sum xi eta X / 4 on the
+//   middle's base vectors modes: the enhanced strains from the samples, 4 x 8, row-major easing: for warp and
+//   weft, the share of the variation of their strain within the element that is left, less one: 0 leaves the
+//   strain as it is, -1 takes its mean everywhere then per in-plane point: kappa (3), rho (3) of the
+//   reference; then per in-plane point and thickness point: T11 T12 T21 T22 q1 q2 s w
 // where T_ij takes covariant to material components (T_ij = G^j . m_i), q_j = G^j . m_3, s = G^3 . m_3, w =
 // weight J, m^3.
 struct Shell4Layout {
   explicit Shell4Layout(int thickness_points) : points(thickness_points) {}
   int points;
-  static constexpr int samples = 4, distortion = samples + kSamples, modes = distortion + 2,
+  static constexpr int levers = 4, samples = 8, distortion = samples + kSamples, modes = distortion + 2,
                        easing = modes + kEnhanced * kSamples, head = easing + 2, strains = 6, transform = 8;
   int reference(int g) const { return head + strains * g; }
   int point(int g, int k) const { return head + strains * gauss_points + transform * (points * g + k); }

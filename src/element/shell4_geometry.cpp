@@ -222,68 +222,7 @@ void put_membrane(const Edges& e, const Mat3& C, int held, const std::function<v
     for (int k = 0; k < kSamples; ++k) put(Shell4Layout::modes + kSamples * i + k, modes(i, k));
 }
 
-// Share left of the deviation of a yarn's strain from its mean, less one. phi: the yarn's angle in (xi,
-// eta) to the element's sides, as the mean over the points of sin^2(2 phi); stiffness: of the yarn over
-// shear.
-double eased(double oblique, double stiffness) {
-  const double excess = stiffness / kHeldByShear - 1;
-  if (!(excess > 0) || oblique < 1e-20) return 0;
-  return 1 / std::sqrt(1 + oblique * excess) - 1;
-}
-
-}  // namespace
-
-DegenerateElement::DegenerateElement(double jacobian)
-    : Error("is degenerate or inverted: its Jacobian is " + number(jacobian) +
-            ", expected a positive number") {}
-
-void shell4_geometry(const section::Section& section, const std::array<Vec3, 4>& X,
-                     const std::array<Vec3, 4>& D, const WarpAt& warp, double* geometry, int lane,
-                     int stride) {
-  shell4_rest_geometry(section, {X, D}, {X, D}, warp, geometry, lane, stride);
-}
-
-void shell4_rest_geometry(const section::Section& section, const Placed<4>& reference, const Placed<4>& free,
-                          const WarpAt& warp, double* geometry, int lane, int stride) {
-  const auto& [X, D] = reference;
-  const Shell4Layout at(static_cast<int>(section.points.size()));
-  const auto put = [&](int i, double v) { geometry[i * stride + lane] = v; };
-  const Edges edges = edges_of(X, D);
-  const Edges free_edges = edges_of(free.X, free.D);
-  for (int e = 0; e < 4; ++e)
-    put(e, section.thickness / 4 * free_edges.chord[e].dot(free.D[kEdge[e][0]] + free.D[kEdge[e][1]]));
-  static const double g = 1 / std::sqrt(3.0);
-  const double px[4] = {-g, g, g, -g}, py[4] = {-g, -g, g, g};
-  double oblique[2] = {0, 0};
-  for (int p = 0; p < gauss_points; ++p) {
-    const PointFrame frame = frame_at(edges, X, D, px[p], py[p]),
-                     bent = frame_at(free_edges, free.X, free.D, px[p], py[p]);
-    const auto kappa = metric(bent.A1, bent.A2, bent.B1, bent.B2),
-               rho = metric(bent.B1, bent.B2, bent.B1, bent.B2);
-    for (int i = 0; i < 3; ++i) {
-      put(at.reference(p) + i, kappa[i]);
-      put(at.reference(p) + 3 + i, rho[i] / 2);
-    }
-    PointColumns columns(section, frame, warp);
-    for (std::size_t k = 0; k < section.points.size(); ++k) {
-      const auto column = columns(k, 1.0);
-      for (int i = 0; i < 8; ++i) put(at.point(p, static_cast<int>(k)) + i, column[i]);
-      for (int f = 0; f < 2 && k == 0; ++f) {
-        const double by_xi = column[2 * f], by_eta = column[2 * f + 1];
-        const double sine = 2 * by_xi * by_eta / (by_xi * by_xi + by_eta * by_eta);
-        oblique[f] += sine * sine / gauss_points;
-      }
-    }
-  }
-  for (int f = 0; f < 2; ++f) put(Shell4Layout::easing + f, eased(oblique[f], section.yarns_over_shear[f]));
-  const PointFrame middle = frame_at(edges, X, D, 0, 0);
-  const int held = held_mode(section, edges, PointColumns(section, middle, warp)(0, 1.0));
-  put_membrane(edges, weighing_tangent(section, middle, warp), held, put);
-}
-
-namespace {
-
-// Stiffness of virgin cloth at an in-plane point, per area of the triangle's coordinates: in bending about
+// Stiffness of virgin cloth at an in-plane point, per area of its coordinates: in bending about
 // its neutral surface, on (kappa11, kappa22, 2 kappa12), and of the transverse shear, on (g1, g2).
 struct VirginStiffness {
   Mat3 bending = Mat3::Zero();
@@ -319,7 +258,7 @@ Mat3 in_plane_transform(const std::array<double, 8>& t) {
 
 VirginStiffness virgin_stiffness(const section::Section& section, const PointFrame& middle,
                                  const WarpAt& warp) {
-  // The least extent of the triangle: the law has been found to bear those along the yarns.
+  // The least extent of the triangle of A1, A2: the law has been found to bear those along the yarns.
   const double longest = std::max({middle.A1.norm(), middle.A2.norm(), (middle.A2 - middle.A1).norm()});
   const double size = middle.A1.cross(middle.A2).norm() / longest;
   VirginStiffness sum;
@@ -356,8 +295,9 @@ Vec3 bend_along(const Vec3& A1, const Vec3& A2, const Vec3& edge) {
   return Vec3(a * a, b * b, 2 * a * b) / edge.squaredNorm();
 }
 
-// p of an edge (see shell3.hpp); infinite without a stiffness of either kind, so that no parabola is added.
-double shear_over_bending(const VirginStiffness& of, const section::Section& section, const Vec3& A1,
+// p of an edge (see shell3.hpp); infinite without a stiffness of either kind, so that the shear is left
+// whole.
+double bending_over_shear(const VirginStiffness& of, const section::Section& section, const Vec3& A1,
                           const Vec3& A2, const Vec3& edge) {
   const double l2 = edge.squaredNorm(), a = A1.dot(edge), b = A2.dot(edge);
   const Vec3 kappa = bend_along(A1, A2, edge);
@@ -369,7 +309,93 @@ double shear_over_bending(const VirginStiffness& of, const section::Section& sec
   return 12 * B / (S * l2);
 }
 
+// The share of an edge's shear that is left to it where a part of the flexibility of its bending is added.
+double share_of(double bending_over_shear, double part = 1) {
+  return std::isinf(bending_over_shear) ? 1 : bending_over_shear / (part + bending_over_shear);
+}
+
+// The parts that quadrilaterals have of it: for the mean of two edges, and for their difference.
+constexpr double kMeanPart = 1.0 / 8, kVaryingPart = 1.0 / 100;
+
+// Share left of the deviation of a yarn's strain from its mean, less one. phi: the yarn's angle in (xi,
+// eta) to the element's sides, as the mean over the points of sin^2(2 phi); stiffness: of the yarn over
+// shear.
+double eased(double oblique, double stiffness) {
+  const double excess = stiffness / kHeldByShear - 1;
+  if (!(excess > 0) || oblique < 1e-20) return 0;
+  return 1 / std::sqrt(1 + oblique * excess) - 1;
+}
+
+// Writes the levers and the reference shears of the edges.
+void put_shears(const section::Section& section, const PointFrame& middle, const WarpAt& warp,
+                const Edges& free, const std::array<Vec3, 4>& D,
+                const std::function<void(int, double)>& put) {
+  const VirginStiffness stiffness = virgin_stiffness(section, middle, warp);
+  for (int along = 0; along < 2; ++along) {
+    const Vec3 line = 2 * (along == 0 ? middle.A1 : middle.A2);
+    const double p = bending_over_shear(stiffness, section, middle.A1, middle.A2, line);
+    const double mean = std::sqrt(share_of(p, kMeanPart)), varying = std::sqrt(share_of(p, kVaryingPart));
+    const double own = section.thickness / 4 * (mean + varying),
+                 other = section.thickness / 4 * (mean - varying);
+    put(Shell4Layout::levers + along, own);
+    put(Shell4Layout::levers + 2 + along, other);
+    double product[2];
+    for (int e = 0; e < 2; ++e) {
+      const auto& [i, j] = kEdge[2 * along + e];
+      product[e] = free.chord[2 * along + e].dot(D[i] + D[j]) / 2;
+    }
+    for (int e = 0; e < 2; ++e) put(2 * along + e, own * product[e] + other * product[1 - e]);
+  }
+}
+
 }  // namespace
+
+DegenerateElement::DegenerateElement(double jacobian)
+    : Error("is degenerate or inverted: its Jacobian is " + number(jacobian) +
+            ", expected a positive number") {}
+
+void shell4_geometry(const section::Section& section, const std::array<Vec3, 4>& X,
+                     const std::array<Vec3, 4>& D, const WarpAt& warp, double* geometry, int lane,
+                     int stride) {
+  shell4_rest_geometry(section, {X, D}, {X, D}, warp, geometry, lane, stride);
+}
+
+void shell4_rest_geometry(const section::Section& section, const Placed<4>& reference, const Placed<4>& free,
+                          const WarpAt& warp, double* geometry, int lane, int stride) {
+  const auto& [X, D] = reference;
+  const Shell4Layout at(static_cast<int>(section.points.size()));
+  const auto put = [&](int i, double v) { geometry[i * stride + lane] = v; };
+  const Edges edges = edges_of(X, D);
+  const Edges free_edges = edges_of(free.X, free.D);
+  static const double g = 1 / std::sqrt(3.0);
+  const double px[4] = {-g, g, g, -g}, py[4] = {-g, -g, g, g};
+  double oblique[2] = {0, 0};
+  for (int p = 0; p < gauss_points; ++p) {
+    const PointFrame frame = frame_at(edges, X, D, px[p], py[p]),
+                     bent = frame_at(free_edges, free.X, free.D, px[p], py[p]);
+    const auto kappa = metric(bent.A1, bent.A2, bent.B1, bent.B2),
+               rho = metric(bent.B1, bent.B2, bent.B1, bent.B2);
+    for (int i = 0; i < 3; ++i) {
+      put(at.reference(p) + i, kappa[i]);
+      put(at.reference(p) + 3 + i, rho[i] / 2);
+    }
+    PointColumns columns(section, frame, warp);
+    for (std::size_t k = 0; k < section.points.size(); ++k) {
+      const auto column = columns(k, 1.0);
+      for (int i = 0; i < 8; ++i) put(at.point(p, static_cast<int>(k)) + i, column[i]);
+      for (int f = 0; f < 2 && k == 0; ++f) {
+        const double by_xi = column[2 * f], by_eta = column[2 * f + 1];
+        const double sine = 2 * by_xi * by_eta / (by_xi * by_xi + by_eta * by_eta);
+        oblique[f] += sine * sine / gauss_points;
+      }
+    }
+  }
+  for (int f = 0; f < 2; ++f) put(Shell4Layout::easing + f, eased(oblique[f], section.yarns_over_shear[f]));
+  const PointFrame middle = frame_at(edges, X, D, 0, 0);
+  put_shears(section, middle, warp, free_edges, free.D, put);
+  const int held = held_mode(section, edges, PointColumns(section, middle, warp)(0, 1.0));
+  put_membrane(edges, weighing_tangent(section, middle, warp), held, put);
+}
 
 double shell3_rigidity(const section::Section& section, const std::array<Vec3, 3>& X,
                        const std::array<Vec3, 3>& D, const WarpAt& warp) {
@@ -415,9 +441,9 @@ void shell3_rest_geometry(const section::Section& section, const Placed<3>& refe
   const VirginStiffness stiffness = virgin_stiffness(section, middle, warp);
   for (int e = 0; e < 3; ++e) {
     const Vec3 along = X[edge[e][1]] - X[edge[e][0]];
-    const double p = shear_over_bending(stiffness, section, A1, A2, along);
+    const double p = bending_over_shear(stiffness, section, A1, A2, along);
     const double bend = -3 / ((1 + p) * section.thickness * along.squaredNorm());
-    put(Shell3Layout::shares + e, std::isinf(p) ? 1 : p / (1 + p));
+    put(Shell3Layout::shares + e, share_of(p));
     put(Shell3Layout::bends + e, bend * A1.dot(along));
     put(Shell3Layout::bends + 3 + e, bend * A2.dot(along));
   }

@@ -18,8 +18,9 @@ unsigned force_of(const section::Section& section, const law::Step& step, const 
                   double* f) {
   const Kinematics k = kinematics(batch);
   const Shell4Layout layout(static_cast<int>(section.points.size()));
+  const Levers levers(batch.geometry);
   Pack gamma[4];
-  edge_shears(k, batch.geometry, section.thickness, gamma);
+  edge_shears(k, batch.geometry, levers, gamma);
   const Membrane m = membrane<sharing>(k, batch.geometry);
   InPlane p[gauss_points];
   Resultants r[gauss_points];
@@ -39,9 +40,8 @@ unsigned force_of(const section::Section& section, const law::Step& step, const 
   if (easing.any) ease_resultants(easing, r);
   ConjugateForces forces;
   clear(forces);
-  _Pragma("GCC unroll 4") for (int g = 0; g < gauss_points; ++g)
-      add_force<sharing>(p[g], r[g], section.thickness, g, forces);
-  close<sharing>(m, batch.geometry, forces);
+  _Pragma("GCC unroll 4") for (int g = 0; g < gauss_points; ++g) add_force<sharing>(p[g], r[g], g, forces);
+  close<sharing>(m, batch.geometry, levers, forces);
   store_forces(on_nodes(k, forces), f);
   return failed;
 }
@@ -129,7 +129,7 @@ struct EasedColumns {
 
 // eased: the columns of the membrane strains, null where they are not eased.
 inline void position_columns(const Kinematics& k, const InPlane& p, const SampleColumns& s,
-                             const EasedColumns* eased, double thickness, int g, Columns4& B) {
+                             const EasedColumns* eased, const Levers& levers, int g, Columns4& B) {
   for (int c = 0; c < kX; ++c) {
     if (eased == nullptr)
       membrane_at(p.axis_transform, g, s.sample[c], s.mode[c], B.x[c] + kEps);
@@ -140,7 +140,7 @@ inline void position_columns(const Kinematics& k, const InPlane& p, const Sample
   const V3 none{zero, zero, zero};
   V3 shear[2][2] = {{none, none}, {none, none}};  // derivatives of g1, g2 by middle and twist
   for (int i = 0; i < 4; ++i) {
-    const V3 v = Pack(tie(g, i) * thickness / 2) * k.edge[i].mean;
+    const V3 v = levers.weight(g, i) * k.edge[i].mean;
     shear[i / 2][0] += v;
     shear[i / 2][1] += Pack(kTwist[i]) * v;
   }
@@ -155,10 +155,10 @@ inline void position_columns(const Kinematics& k, const InPlane& p, const Sample
     }
 }
 
-inline void rotation_columns(const Kinematics& k, const InPlane& p, const Rotations& q, double thickness,
+inline void rotation_columns(const Kinematics& k, const InPlane& p, const Rotations& q, const Levers& levers,
                              int g, Columns4& B) {
   for (int e = 0; e < 4; ++e) {
-    const Pack w(tie(g, e)), h(tie(g, e) * thickness / 2);
+    const Pack w(tie(g, e)), h = levers.weight(g, e);
     const int along = e / 2;  // for b1 or b2
     const V3 a[2] = {w * p.a1, w * p.a2}, b[2] = {w * p.b1, w * p.b2}, chord = h * k.edge[e].chord;
     for (int c = 0; c < 4; ++c) {
@@ -303,14 +303,16 @@ inline void add_edge_geometric(const Kinematics& k, const Geometric& s, const Co
 }
 
 // Takes from the samples and edge shears what is quadratic in the step from the nodes before.
-inline void linearise(const Kinematics& before, const Kinematics& k, const double* geometry, double thickness,
-                      Membrane& m, Pack gamma[4]) {
-  const Pack half(0.5), h(thickness / 2);
+inline void linearise(const Kinematics& before, const Kinematics& k, const double* geometry,
+                      const Levers& levers, Membrane& m, Pack gamma[4]) {
+  const Pack half(0.5);
+  Pack products[4];
   for (int e = 0; e < 4; ++e) {
     const V3 chord = k.edge[e].chord - before.edge[e].chord;
     m.strain[e] -= half * dot(chord, chord);
-    gamma[e] -= h * dot(chord, k.edge[e].mean - before.edge[e].mean);
+    products[e] = dot(chord, k.edge[e].mean - before.edge[e].mean);
   }
+  for (int e = 0; e < 4; ++e) gamma[e] -= levers.of(products, e);
   const V3 mid1 = k.mid1 - before.mid1, mid2 = k.mid2 - before.mid2;
   m.strain[4] -= half * dot(mid1, mid1);
   m.strain[5] -= half * dot(mid2, mid2);
@@ -344,15 +346,16 @@ unsigned tangent_of(const section::Section& section, const law::Step& step, cons
   const Kinematics k = kinematics(batch);
   const Rotations q = rotations(k, batch.b);
   const Shell4Layout layout(static_cast<int>(section.points.size()));
+  const Levers levers(batch.geometry);
   Pack gamma[4];
-  edge_shears(k, batch.geometry, section.thickness, gamma);
+  edge_shears(k, batch.geometry, levers, gamma);
   Membrane m = membrane(k, batch.geometry);
   const bool extrapolated = batch.before_x != nullptr, linear = extrapolated && branches_of(batch) != nullptr;
   const Kinematics before = extrapolated ? kinematics(before_step(batch)) : k;
   InPlane whole[gauss_points];
   for (int g = 0; g < gauss_points && linear; ++g)
     whole[g] = in_plane(k, batch.geometry + layout.reference(g) * lanes, m, gamma, g);
-  if (extrapolated) linearise(before, k, batch.geometry, section.thickness, m, gamma);
+  if (extrapolated) linearise(before, k, batch.geometry, levers, m, gamma);
   const SampleColumns samples = sample_columns(k, m, batch.geometry);
   ConjugateForces forces, on_line;
   clear(forces);
@@ -386,16 +389,16 @@ unsigned tangent_of(const section::Section& section, const law::Step& step, cons
       Resultants moved = r;
       add_change<symmetric>(stiffness, p, whole[g], moved);
       if (easing.any) take_membrane(moved, eased_on_line[g]);
-      add_force(p, moved, section.thickness, g, on_line);
+      add_force(p, moved, g, on_line);
       // The stiffness of the stresses is that of the law's own: beyond its branch a line may press hard.
       failed |=
           integrate(section, step, batch, batch.geometry + layout.point(g, 0) * lanes, p, g, r, nullptr);
     }
     if (easing.any) take_membrane(r, eased_away[g]);
-    add_force(p, r, section.thickness, g, forces);
+    add_force(p, r, g, forces);
     add_geometric(r, g, geometric);
-    position_columns(k, p, samples, easing.any ? &columns : nullptr, section.thickness, g, B);
-    rotation_columns(k, p, q, section.thickness, g, B);
+    position_columns(k, p, samples, easing.any ? &columns : nullptr, levers, g, B);
+    rotation_columns(k, p, q, levers, g, B);
     add_material(B, stiffness, K);
   }
   if (easing.any) {
@@ -406,8 +409,8 @@ unsigned tangent_of(const section::Section& section, const law::Step& step, cons
       for (int g = 0; g < gauss_points; ++g) add_membrane(eased[g], eased_on_line[g], g, on_line);
     }
   }
-  close(m, batch.geometry, forces);
-  if (linear) close(m, batch.geometry, on_line);
+  close(m, batch.geometry, levers, forces);
+  if (linear) close(m, batch.geometry, levers, on_line);
   mirror(K);
   if (!batch.law_only) {
     add_membrane_geometric(m, forces, samples, K);
@@ -439,8 +442,9 @@ template <class Visit>
 inline void at_points(const section::Section& section, const Shell4Batch& batch, Visit visit) {
   const Kinematics k = kinematics(batch);
   const Shell4Layout layout(static_cast<int>(section.points.size()));
+  const Levers levers(batch.geometry);
   Pack gamma[4];
-  edge_shears(k, batch.geometry, section.thickness, gamma);
+  edge_shears(k, batch.geometry, levers, gamma);
   const Membrane m = membrane(k, batch.geometry);
   InPlane p[gauss_points];
   for (int g = 0; g < gauss_points; ++g)

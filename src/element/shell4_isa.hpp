@@ -240,10 +240,28 @@ struct InPlane : Strains {
   AxisTransform axis_transform;
 };
 
-// Shears 2 c_i3 at the midpoints of the edges.
-inline void edge_shears(const Kinematics& k, const double* geometry, double thickness, Pack gamma[4]) {
-  for (int e = 0; e < 4; ++e)
-    gamma[e] = Pack(thickness / 2) * dot(k.edge[e].chord, k.edge[e].mean) - load(geometry + e * lanes);
+// The shears of the edges over chord.mean: own times that of the edge, and other times that of the edge
+// opposite.
+struct Levers {
+  Pack own[2], other[2];
+  explicit Levers(const double* geometry) {
+    for (int d = 0; d < 2; ++d) {
+      own[d] = load(geometry + (Shell4Layout::levers + d) * lanes);
+      other[d] = load(geometry + (Shell4Layout::levers + 2 + d) * lanes);
+    }
+  }
+  Pack of(const Pack v[4], int e) const { return own[e / 2] * v[e] + other[e / 2] * v[e ^ 1]; }
+  // The weight of chord.mean of an edge in the shear at in-plane point g.
+  Pack weight(int g, int e) const {
+    return Pack(tie(g, e)) * own[e / 2] + Pack(tie(g, e ^ 1)) * other[e / 2];
+  }
+};
+
+// Shears 2 c_i3 at the midpoints of the edges, eased.
+inline void edge_shears(const Kinematics& k, const double* geometry, const Levers& levers, Pack gamma[4]) {
+  Pack products[4];
+  for (int e = 0; e < 4; ++e) products[e] = dot(k.edge[e].chord, k.edge[e].mean);
+  for (int e = 0; e < 4; ++e) gamma[e] = levers.of(products, e) - load(geometry + e * lanes);
 }
 
 template <Sharing sharing = Sharing::none>
@@ -396,7 +414,7 @@ inline void ease_alike(const SharedEasing& e, Pack* const (&v)[gauss_points]) {
 }
 
 // Sums of the resultants over all points, work-conjugate to the samples and enhanced modes, to mid1 mid2
-// twist (without the membrane part), to beta of the edges, and to the shears of the edges (times t / 2).
+// twist (without the membrane part), to beta of the edges, and to chord.mean of the edges.
 struct ConjugateForces {
   Pack sample[kSamples], mode[kEnhanced];
   V3 x[3], beta[4];
@@ -434,7 +452,7 @@ inline void add_membrane(const InPlane& p, const Resultants& q, int g, Conjugate
 }
 
 template <Sharing sharing = Sharing::none>
-inline void add_force(const InPlane& p, const Resultants& r, double thickness, int g, ConjugateForces& f) {
+inline void add_force(const InPlane& p, const Resultants& r, int g, ConjugateForces& f) {
   add_membrane<sharing>(p, r, g, f);
   const V3 on_a1 = r.M[0] * p.b1 + r.M[2] * p.b2, on_a2 = r.M[2] * p.b1 + r.M[1] * p.b2;
   f.x[0] += on_a1;
@@ -444,13 +462,14 @@ inline void add_force(const InPlane& p, const Resultants& r, double thickness, i
   const V3 on_b2 = r.M[2] * p.a1 + r.M[1] * p.a2 + r.K[2] * p.b1 + r.K[1] * p.b2;
   for (int e = 0; e < 4; ++e) {
     f.beta[e] += Pack(tie(g, e)) * (e < 2 ? on_b1 : on_b2);
-    f.shear[e] += Pack(tie(g, e) * thickness / 2) * r.Q[e / 2];
+    f.shear[e] += Pack(tie(g, e)) * r.Q[e / 2];
   }
 }
 
-// After all points: adds the forces of the modes to the samples, and those of q to the others.
+// After all points: adds the forces of the modes to the samples, and those of q to the others; takes those of
+// the shears to chord.mean.
 template <Sharing sharing = Sharing::none>
-inline void close(const Membrane& m, const double* geometry, ConjugateForces& f) {
+inline void close(const Membrane& m, const double* geometry, const Levers& levers, ConjugateForces& f) {
   for (int i = 0; i < kEnhanced; ++i)
     for (int k = 0; k < (sharing == Sharing::element ? 4 : kSamples); ++k) {
       const int chord =
@@ -459,6 +478,8 @@ inline void close(const Membrane& m, const double* geometry, ConjugateForces& f)
       f.sample[k] += chord == k ? n : -n;
     }
   for (int k = 0; k < 7; ++k) f.sample[k] += f.sample[7] * m.slope[k];
+  const Pack shear[4] = {f.shear[0], f.shear[1], f.shear[2], f.shear[3]};
+  for (int e = 0; e < 4; ++e) f.shear[e] = levers.of(shear, e);
 }
 
 struct NodeForces {

@@ -16,7 +16,7 @@ local function said(m, step)
 end
 
 -- Sheared sheets: the diagonal wrinkles, and wrinkles again.
-for _, step in ipairs { 0.5, 0.1 } do
+for _, step in ipairs { 0.1, 0.05 } do
   local mesh = fabric.mesh.rectangle { width = 170 * mm, height = 170 * mm, nx = 8, ny = 8 }
   local m = fabric.model { mesh = mesh, card = fabric.card("blend", { bending = "estimated" }), warp = 0 }
   m:fix("bottom", "x y z rotation"):fix("top", "y z rotation"):move("top", { x = fabric.ramp(8 * mm, 1) })

@@ -2,12 +2,12 @@
 -- has chosen a scheme; the choice belongs to the state of the run.
 local fabric = require "fabric"
 local function falls(options)
-  local mesh = fabric.mesh.rectangle { width = 0.2, height = 0.2, nx = 6, ny = 6 }
+  local mesh = fabric.mesh.rectangle { width = 0.2, height = 0.2, nx = 8, ny = 8 }
   mesh:set("middle", function(x, y) return math.abs(x - 0.1) < 1e-6 and math.abs(y - 0.1) < 1e-6 end)
   local card = fabric.card("muslin", { bending = "estimated" })
   local m = fabric.model { mesh = mesh, card = card, points = 1, warp = 0 }
   m:gravity { 0, 0, -9.81 }:fix("middle", "x y z rotation")
-  return fabric.dynamic { model = m, duration = 0.2, scheme = "implicit", step = 2e-3, damping = { mass = 5 }, hht = options.hht, gamma = options.gamma }
+  return fabric.dynamic { model = m, duration = 0.2, scheme = "implicit", step = 2e-3, hht = options.hht, gamma = options.gamma }
 end
 local function begins(run)
   for _, w in ipairs(run.warnings) do

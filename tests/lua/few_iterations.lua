@@ -10,7 +10,7 @@ local function drape(o)
   local m = fabric.model { mesh = mesh, card = card, warp = 0 }
   local ball = fabric.rigid.sphere { radius = 40 * mm, centre = { 5 * mm, 0, -40.3 * mm } }
   m:gravity { 0, 0, -9.81 }:contact { between = { ball, "all" }, friction = o.friction }
-  local a = fabric.dynamic { model = m, duration = 0.12, scheme = o.scheme, step = o.step, damping = { mass = 20 } }
+  local a = fabric.dynamic { model = m, duration = 0.12, scheme = o.scheme, step = o.step, damping = { mass = 10 } }
   a:solve()
   local iterations = 0
   for _, s in ipairs(a.steps) do iterations = iterations + (s.iterations or 0) end

@@ -21,7 +21,7 @@ end
 
 for _, case in ipairs {
   { scheme = "explicit", angle = 100, time = 0.2 }, { scheme = "explicit", angle = 100, time = 0.2, triangles = true },
-  { scheme = "implicit", angle = 110 }, { scheme = "implicit", angle = 110, triangles = true },
+  { scheme = "implicit", angle = 80 }, { scheme = "implicit", angle = 90 }, { scheme = "implicit", angle = 110, triangles = true },
   { scheme = "implicit", angle = 80, triangles = true }, { scheme = "implicit", angle = 125, triangles = true },
   { scheme = "implicit", angle = 125, triangles = true, step = 0.04 },
   { scheme = "static", angle = 90 }, { scheme = "static", angle = 95, triangles = true },

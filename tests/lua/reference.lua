@@ -87,18 +87,27 @@ for _, tri in ipairs { false, true } do
   end
 
   -- A flat sheet placed as a quarter of a cylinder: free of moments where it is placed, or flat with the energy B k^2 / 2.
-  local R, n = 0.08, 20
-  local long = sheet(tri, n, 3, R * pi / 2, 0.04)
-  local roll = moved(long, function(x, y)  -- with the lengths of the chords
-    local k = 2 * R * math.sin(pi / 4 / n) / (R * pi / 2 / n)
-    return R / k * math.sin(x / R), y, R / k * math.cos(x / R)
-  end)
+  local R = 0.08
+  local function rolled(n)
+    local long = sheet(tri, n, 3, R * pi / 2, 0.04)
+    return moved(long, function(x, y)  -- with the lengths of the chords
+      local k = 2 * R * math.sin(pi / 4 / n) / (R * pi / 2 / n)
+      return R / k * math.sin(x / R), y, R / k * math.cos(x / R)
+    end), long
+  end
+  local roll, long = rolled(20)
   local plain = card:with { poisson = 0 }
   local _, placed = stored(fabric.model { mesh = roll, card = plain, reference = long, rest = "as placed", warp = 0 })
   check("rolled, at rest as placed" .. of, 1 + 1e4 * placed, 1, 1e-9)
   local length = R * pi / 2
   local own = settled(fabric.model { mesh = roll, card = plain, reference = long, warp = 0 })
-  check("rolled, at rest flat" .. of, own, B / R ^ 2 / 2 * length * 0.04, tri and 0.04 or 0.005)
+  -- Without moments at its ends the sheet is unbent there, in quadrilaterals over a part of an element: an error of first order, which is taken out.
+  local all = own
+  if not tri then
+    local finer, flat_of = rolled(40)
+    all = 2 * settled(fabric.model { mesh = finer, card = plain, reference = flat_of, warp = 0 }) - own
+  end
+  check("rolled, at rest flat" .. of, all, B / R ^ 2 / 2 * length * 0.04, tri and 0.04 or 0.005)
   local flattened = settled(fabric.model { mesh = roll, card = plain, rest = "flat", warp = { 1, 0, -0.001 } })
   check("cut as a roll, at rest flat" .. of, flattened, own, 0.01)
 end

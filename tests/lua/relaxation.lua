@@ -23,7 +23,7 @@ do
     local mesh = fabric.mesh.annulus { inner = 0.09, outer = 0.15, around = 28, across = 3 }
     mesh:map(function(x, y, z)
       local r = math.sqrt(x * x + y * y)
-      return x, y, z + 1e-3 * ((r - 0.09) / 0.06) ^ 2 * math.cos(6 * math.atan(y, x))
+      return x, y, z + 1e-3 * ((r - 0.09) / 0.06) ^ 2 * math.cos(7 * math.atan(y, x))
     end)
     local model = fabric.model { mesh = mesh, card = card, warp = 0 }
     model:fix("inner", "x y z rotation"):gravity { 0, 0, function(t) return t > 0.1 and -9.81 or 0 end }

@@ -35,7 +35,7 @@ assert(slow.S[2] < fast.S[2] and slow.S[2] > fabric.point(elastic):uniaxial(45, 
 local mesh = fabric.mesh.rectangle { width = 0.1, height = 0.1, nx = 1, ny = 1 }
 local gamma = 0.04
 local function sheared(of, history)
-  return fabric.model { mesh = mesh, card = of }:fix("all", "y rotation"):fix("bottom", "x z"):move("top", { x = history })
+  return fabric.model { mesh = mesh, card = of }:fix("all", "y z rotation"):fix("bottom", "x"):move("top", { x = history })
 end
 local function held(of, method, step)
   local history = fabric.history { { 0, 0 }, { 0.1, 0.1 * gamma }, { 2, 0.1 * gamma } }

@@ -11,7 +11,7 @@ using namespace fabricsh::test;
 
 namespace {
 
-constexpr double kYoung = 2e6, kNu = 0.3, kThickness = 0.2;
+constexpr double kYoung = 2e6, kNu = 0.3, kThickness = 0.2, kG = 5.0 / 6 * kYoung / (2 * (1 + kNu));
 
 card::Card plate() {
   card::Card c;
@@ -47,11 +47,12 @@ struct Patch {
   double energy;  // J, u K u / 2
 };
 
-Patch run(const Field& field, const Mat3& turn, bool moments) {
-  auto mesh = std::make_shared<mesh::Mesh>(distorted());
+Patch run(const Field& field, const Mat3& turn, bool moments, const mesh::Mesh& patch_of, int points) {
+  auto mesh = std::make_shared<mesh::Mesh>(patch_of);
   const auto flat = mesh->nodes;
   mesh->map([&](const Vec3& X) { return Vec3(turn * X); });
   model::Options options;
+  options.points = points;
   options.warp = [&](const Vec3&) { return model::Direction(Vec3(turn * Vec3::UnitX())); };
   model::Model m(mesh, plate(), options);
   mechanics::Assembly a(m);
@@ -91,10 +92,11 @@ Patch run(const Field& field, const Mat3& turn, bool moments) {
   return patch;
 }
 
-void check(const Field& field, double energy, bool moments = true) {
+void check(const Field& field, double energy, bool moments = true, const mesh::Mesh& mesh = distorted(),
+           int points = 3) {
   for (const Mat3& turn :
        {Mat3(Mat3::Identity()), Eigen::AngleAxisd(1.1, Vec3(1, -2, 0.7).normalized()).toRotationMatrix()}) {
-    const Patch p = run(field, turn, moments);
+    const Patch p = run(field, turn, moments, mesh, points);
     INFO("force inside " << p.inside << ", energy " << p.energy << " wanted " << energy);
     CHECK(p.inside < 1e-12);
     CHECK(std::abs(p.energy / energy - 1) < 1e-12);
@@ -133,10 +135,21 @@ TEST_CASE("patch: constant curvature on a distorted mesh") {
         bending * plane(k1, k2, k12));
 }
 
-// A constant shear force needs couples all over the plate, so that only forces vanish inside.
+// A constant shear force needs couples all over the plate, so that only forces vanish inside. A sheet with
+// one point through the thickness does not bend, and its shear is that of the section.
 TEST_CASE("patch: constant transverse shear on a distorted mesh") {
-  const double G = 5.0 / 6 * kYoung / (2 * (1 + kNu));
   for (const auto& [g1, g2] : {std::array{1e-3, 0.0}, {0.0, 1e-3}, {4e-4, -3e-4}})
     check([g1 = g1, g2 = g2](const Vec3&) { return std::pair(Vec3(0, 0, 0), Vec3(g1, g2, 0)); },
-          kThickness * G * (g1 * g1 + g2 * g2) / 2, false);
+          kThickness * kG * (g1 * g1 + g2 * g2) / 2, false, distorted(), 1);
+}
+
+// In series with the shear of one that bends is an eighth of h^2 / (12 B).
+TEST_CASE("patch: constant transverse shear of squares that bend") {
+  const double B = kYoung * kThickness * kThickness * kThickness / (12 * (1 - kNu * kNu)),
+               S = kThickness * kG;
+  for (const int n : {4, 8, 16})
+    for (const auto& [g1, g2] : {std::array{1e-3, 0.0}, {0.0, 1e-3}, {4e-4, -3e-4}})
+      check([g1 = g1, g2 = g2](const Vec3&) { return std::pair(Vec3(0, 0, 0), Vec3(g1, g2, 0)); },
+            (g1 * g1 + g2 * g2) / 2 / (1 / S + 1.0 / (8 * n * n) / (12 * B)), false,
+            mesh::rectangle(1, 1, n, n));
 }

@@ -198,11 +198,11 @@ for _, how in ipairs { { "explicit" }, { "implicit", 1e-4 }, { "implicit", 1e-5 
 end
 
 -- In statics a strip that is drawn over a floor comes loose at the static and goes on at the kinetic friction. The nodes of quadrilaterals do not
--- press in proportion to their areas, so that some come loose before others.
+-- press in proportion to their areas, so that some come loose before others: less so with one point through the thickness, whose shear holds the strip flat.
 for _, triangles in ipairs { false, true } do
   local t, rho = 0.5e-3, 420
   local mesh = fabric.mesh.rectangle { width = 0.03, height = 0.02, nx = 3, ny = 2, triangles = triangles, origin = { 0, 0, t / 2 - 1e-6 } }
-  local m = fabric.model { mesh = mesh, card = cloth(t, rho), warp = 0 }
+  local m = fabric.model { mesh = mesh, card = cloth(t, rho), points = 1, warp = 0 }
   m:fix("all", "rotation"):fix("all", "y"):gravity { 0, 0, -g }
   m:contact { between = { fabric.rigid.plane { point = { 0, 0, 0 }, normal = { 0, 0, 1 } }, "all" }, friction = { static = 0.5, kinetic = 0.3 }, stiffness = 3e8 }
   m:move("all", { x = fabric.history { { 0, 0 }, { 1, 4e-8 } } })
