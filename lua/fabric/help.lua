@@ -311,7 +311,7 @@ define {
   positional = true,
   arguments = { { name = "topic", kind = "any", optional = true, sentence = "a function, an object, a name, or words to look for; nothing: an overview" } },
   sentence = "Prints the arguments of a function, the contents and methods of an object, or all entries and pages that contain the given words.",
-  example = "local fabric = require 'fabric'\nfabric.help(fabric.ramp)\nfabric.help 'shear'",
+  example = "fabric.help(fabric.ramp)\nfabric.help 'shear'",
   run = function(...)
     local missing = select("#", ...) > 0 and (...) == nil
     print(missing and "nil: nothing has that name, or nothing yet; help() shows what there is" or table.concat(about(...), "\n"))

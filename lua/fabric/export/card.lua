@@ -152,8 +152,7 @@ define {
   sentence = "A card as a material of another solver, its curves in that solver's measures of strain and stress. Returns text, material, report "
     .. "(text), losses: a row for each path {path, worst, rms, work: per cent of the card's own peak stress and work, where, peak, strain, ours, "
     .. "theirs}, lost: the same by path (warp, weft, biaxial, bias, \"cyclic warp\", \"cyclic weft\", \"cyclic shear\"), and sentences on what no row shows.",
-  example = "local fabric = require 'fabric'\n"
-    .. "local r = fabric.export.card{ card=fabric.card 'blend', to='abaqus' }\n"
+  example = "local r = fabric.export.card{ card=fabric.card 'blend', to='abaqus' }\n"
     .. "assert(r.text:find '*FABRIC' and r.lost.warp.worst < 0.1 and r.lost.biaxial.worst > 1)",
   run = run,
 }

@@ -386,8 +386,7 @@ define {
   },
   sentence = "A woven card out of another solver's material: its curves as measured points, its unloading as a modulus. Returns card, report (text), losses and "
     .. "lost (as fabric.export.card, the file's law beside the card's), notes. A material that no card follows within `misfit` is refused.",
-  example = "local fabric = require 'fabric'\n"
-    .. "local path = os.tmpname()..'.rad'\n"
+  example = "local path = os.tmpname()..'.rad'\n"
     .. "fabric.export.card{ card=fabric.card 'blend', to='openradioss', file=path }\n"
     .. "local r = fabric.import.card{ file=path, thickness=0.38e-3, poisson={0.25, 0.42} }\n"
     .. "os.remove(path)\n"

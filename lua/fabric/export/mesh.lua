@@ -14,7 +14,7 @@ define {
     { name = "run", of = "analysis", optional = true, sentence = "of that mesh: nodes where they are now; default: the reference shape" },
   },
   sentence = "Writes a mesh as mesh:write does, or its deformed shape as analysis:write does. Returns the file's name.",
-  example = "local fabric = require 'fabric'\nlocal path = os.tmpname()..'.obj'\n"
+  example = "local path = os.tmpname()..'.obj'\n"
     .. "fabric.export.mesh{ mesh=fabric.mesh.rectangle{ width=1, height=1, nx=2, ny=2 }, file=path }\n"
     .. "assert(#fabric.mesh.read(path).nodes == 9)\nos.remove(path)",
   run = run,

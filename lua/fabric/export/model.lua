@@ -46,8 +46,7 @@ define {
   sentence = "A model as a deck of another solver: nodes, elements, sets, supports, loads, section and material. Returns text, material, card (what "
     .. "fabric.export.card returns, with the losses), and notes on what the deck states differently (functions of time, with the difference). Histories are written with all their points and digits (LS-DYNA, OpenRadioss: those that 20 columns hold). Abaqus and CalculiX: shells S4 and *STATIC with NLGEOM for "
     .. "*ELASTIC, membranes and *DYNAMIC, EXPLICIT for *FABRIC.",
-  example = "local fabric = require 'fabric'\n"
-    .. "local mesh = fabric.mesh.rectangle{ width=0.0254, height=0.0762, nx=3, ny=9 }\n"
+  example = "local mesh = fabric.mesh.rectangle{ width=0.0254, height=0.0762, nx=3, ny=9 }\n"
     .. "local m = fabric.model{ mesh=mesh, card=fabric.card 'blend', warp=90 }\n"
     .. "m:fix('bottom', 'x y z rotation'):move('top', { y=fabric.ramp(0.01, 1) })\n"
     .. "local r = fabric.export.model{ model=m, warp=90, to='ls-dyna' }\n"

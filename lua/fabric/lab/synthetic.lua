@@ -156,8 +156,7 @@ define {
   retired = { "force_noise", "calibration", "displacement_noise", "position_noise", "scatter", "slack", "pitch" },
   sentence = "Pulls of a card's cloth as a laboratory would have recorded them: a list of specimens {record={displacement, force}, "
     .. "photographs={markers, force, displacement, warp}}.",
-  example = "local fabric = require 'fabric'\n"
-    .. "local s = fabric.lab.synthetic{ card=fabric.card 'blend', specimens=1, rows=20 }\n"
+  example = "local s = fabric.lab.synthetic{ card=fabric.card 'blend', specimens=1, rows=20 }\n"
     .. "assert(#s[1].record.force > 20 and s[1].photographs.markers.frames == 60)",
   run = synthetic,
 }

@@ -180,8 +180,7 @@ define {
   },
   sentence = "An arm, a leg or a finger: two tapered round parts with a joint that bends, closed, with round ends. Returns a rigid body, which stands (and m:move may move it) where bend is a number, "
     .. "and the list of the meshes of its shapes, whose sets are upper, joint, lower, joint_inner and joint_outer.",
-  example = "local fabric = require 'fabric'\n"
-    .. "local arm, shapes = fabric.rigid.limb{ upper=0.28, lower=0.25, radii={0.05, 0.042, 0.03}, bend=fabric.ramp(90, 0.5), duration=0.5 }\n"
+  example = "local arm, shapes = fabric.rigid.limb{ upper=0.28, lower=0.25, radii={0.05, 0.042, 0.03}, bend=fabric.ramp(90, 0.5), duration=0.5 }\n"
     .. "assert(#shapes == 33 and #shapes[1]:set 'joint' > 0)",
   run = run,
 }

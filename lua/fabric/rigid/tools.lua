@@ -333,7 +333,7 @@ define {
   arguments = lists.joined(outline_rows, { punch_edge, height_row }, own_rows),
   sentence = "A punch for forming, its lowest point at `at`: a hemisphere with its shaft (a rod, round without facets), a box with radii, a double dome, or a block whose wall forms an L "
     .. "or, with its upper face, a Z profile along y; there `at` is the sharp corner of lower face and wall.",
-  example = "local fabric = require 'fabric'\nlocal mm = fabric.units.mm\n"
+  example = "local mm = fabric.units.mm\n"
     .. "local punch = fabric.rigid.punch{ radius=50*mm }\n"
     .. "local box = fabric.rigid.punch{ shape='box', size={60*mm, 40*mm}, corner=10*mm, edge=5*mm }",
   run = function(t) return (tools.punch(t)) end,
@@ -351,7 +351,7 @@ define {
     { name = "name", kind = "text", optional = true, sentence = "for messages and files; default the shape's" },
   },
   sentence = "A dome or a double dome as a punch: fabric.rigid.punch of these shapes.",
-  example = "local fabric = require 'fabric'\nlocal mm = fabric.units.mm\nlocal dome = fabric.rigid.dome{ radius=60*mm, length=110*mm, waist=40*mm }",
+  example = "local mm = fabric.units.mm\nlocal dome = fabric.rigid.dome{ radius=60*mm, length=110*mm, waist=40*mm }",
   run = function(t)
     t.shape = t.length and "double dome" or "hemisphere"
     t.waist = t.length and (t.waist or t.radius)
@@ -369,7 +369,7 @@ define {
   }, own_rows),
   sentence = "A plate with an opening for forming, its face at `at`: a die, or facing down a blank holder. shape, radius, size, corner, length and waist are those of the opening. "
     .. "For an L or Z profile a block whose wall goes down from `at`, the sharp corner of its face, of a Z to a floor.",
-  example = "local fabric = require 'fabric'\nlocal mm = fabric.units.mm\nlocal die = fabric.rigid.die{ radius=55*mm, edge=6*mm, outer=150*mm }",
+  example = "local mm = fabric.units.mm\nlocal die = fabric.rigid.die{ radius=55*mm, edge=6*mm, outer=150*mm }",
   run = function(t) return (tools.die(t)) end,
 }
 

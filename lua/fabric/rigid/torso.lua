@@ -91,8 +91,7 @@ define {
   },
   sentence = "A trunk, hips, a leg that stays straight or a dress form: a closed surface through elliptical sections, smooth and without bulges between them, with round ends. Returns a rigid body, "
     .. "which stands (and m:move may move it), and its mesh.",
-  example = "local fabric = require 'fabric'\n"
-    .. "local hips, mesh = fabric.rigid.torso{ sections={ {0, 0.17, 0.12}, {0.1, 0.16, 0.11}, {0.25, 0.13, 0.1} } }\n"
+  example = "local hips, mesh = fabric.rigid.torso{ sections={ {0, 0.17, 0.12}, {0.1, 0.16, 0.11}, {0.25, 0.13, 0.1} } }\n"
     .. "assert(mesh:check().ok)",
   run = run,
 }

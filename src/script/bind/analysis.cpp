@@ -59,8 +59,7 @@ void say_beginning(Call& call, const run::Run& run) {
 }
 
 std::string sample_run() {
-  return "local fabric = require 'fabric'\n"
-         "local mesh = fabric.mesh.rectangle{ width=0.0254, height=0.0762, nx=1, ny=3 }\n"
+  return "local mesh = fabric.mesh.rectangle{ width=0.0254, height=0.0762, nx=1, ny=3 }\n"
          "local m = fabric.model{ mesh=mesh, card=fabric.card 'blend', warp=90 }\n"
          "m:fix('all', 'z rotation'):fix('bottom', 'x y'):fix('top', 'x'):move('top', { y=fabric.ramp(0.018, "
          "1) })\n"

@@ -323,7 +323,7 @@ Argument card_or_name_row() {
 }
 
 constexpr const char* woven_example =
-    "local fabric = require 'fabric'\nlocal u = fabric.units\n"
+    "local u = fabric.units\n"
     "local card = fabric.woven{ name='blend', density=590, thickness=0.38*u.mm,\n"
     "  warp={ loading=fabric.poly({8, 826}, u.MPa), unloading=864*u.MPa, poisson=0.25 },\n"
     "  weft={ loading=fabric.poly({37, 1650}, u.MPa), unloading=1080*u.MPa, poisson=0.42 },\n"
@@ -356,7 +356,7 @@ std::vector<Entry> card_entries() {
        {card_or_name_row(), card_options()},
        "A shipped card by name, or the card that a Lua file returns, or a card of the deck's own; with "
        "options.",
-       "local fabric = require 'fabric'\nassert(fabric.card 'denim'.name == 'denim')\n"
+       "assert(fabric.card 'denim'.name == 'denim')\n"
        "assert(fabric.card('denim', { bending='estimated' }).bending.warp[1] > 0)",
        card_by_name},
       {"fabric.cards()", {}, "Names of the shipped cards.", "assert(#require 'fabric'.cards() >= 4)", cards},

@@ -1,5 +1,4 @@
 // fabric.rigid.*, model:contact, and reading both from a run.
-#include <array>
 #include <numbers>
 
 #include "model/declaration_rows.hpp"
@@ -7,7 +6,6 @@
 #include "run/bodies.hpp"
 #include "script/bind/mesh.hpp"
 #include "script/bind/model.hpp"
-#include "script/bind/rooms.hpp"
 #include "script/bind/run.hpp"
 #include "script/call/words.hpp"
 #include "script/values/field_rows.hpp"
@@ -51,9 +49,7 @@ int disc(Call& call) {
 }
 
 int surface(Call& call) {
-  if (call.has("mesh") == call.has("file"))
-    call.refuse("mesh", std::string("expected either a mesh or file=, got ") +
-                            (call.has("mesh") ? "both" : "neither"));
+  call.want_one_of("mesh", "file", "expected either a mesh or file=");
   const bool closed = call.flag("closed");
   return make(call, call.has("mesh") ? model::facets_of(*call.object<mesh::Mesh>("mesh"), closed)
                                      : model::facets_of(read_mesh_file(call, call.text("file")), closed));
@@ -61,9 +57,7 @@ int surface(Call& call) {
 
 // Reads the shapes of a moving surface from files or meshes.
 std::vector<model::Facets> read_shapes(const Call& call) {
-  if (call.has("files") == call.has("meshes"))
-    call.refuse("files", std::string("expected either files or meshes={...}, got ") +
-                             (call.has("files") ? "both" : "neither"));
+  call.want_one_of("files", "meshes", "expected either files or meshes={...}");
   const char* const field = call.has("files") ? "files" : "meshes";
   lua_State* L = call.L();
   const bool closed = call.flag("closed");
@@ -149,9 +143,7 @@ Argument friction_row() {
 }
 
 int contact(Call& call) {
-  if (call.has("self") == call.has("between"))
-    call.refuse("between", std::string("expected either between={...} or self=, got ") +
-                               (call.has("self") ? "both" : "neither"));
+  call.want_one_of("between", "self", "expected either between={...} or self=");
   model::ContactGiven given;
   if (call.has("self")) {
     given.between.push_back({call.text("self"), nullptr});
@@ -224,24 +216,23 @@ Argument mass_row() {
 Argument name_row() { return value_("name?", text, "for messages and files; default the shape's"); }
 
 std::vector<Entry> body_rows() {
-  const std::string use = "local fabric = require 'fabric'\n";
   return {
       {"fabric.rigid.sphere{}",
        {number_("radius", "m", positive, "of the ball"), place_row("centre", "at time 0"), mass_row(),
         name_row()},
        "A rigid ball that cloth may touch: fixed, moved (m:move), or free, with a mass.",
-       use + "local ball = fabric.rigid.sphere{ radius=0.03, centre={0.1, 0.1, 0.031}, mass=0.1 }",
+       "local ball = fabric.rigid.sphere{ radius=0.03, centre={0.1, 0.1, 0.031}, mass=0.1 }",
        sphere},
       {"fabric.rigid.plane{}",
        {place_row("point", "of the plane"), direction_row("out of the solid, towards the cloth"), name_row()},
        "A rigid plane: all that lies behind it is solid.",
-       use + "local floor = fabric.rigid.plane{ point={0, 0, -0.1}, normal={0, 0, 1} }",
+       "local floor = fabric.rigid.plane{ point={0, 0, -0.1}, normal={0, 0, 1} }",
        plane},
       {"fabric.rigid.cylinder{}",
        {number_("radius", "m", positive, "of the rod"), place_row("from", "one end of its axis"),
         place_row("to", "the other end"), mass_row(), name_row()},
        "A rigid rod, whose ends are round.",
-       use + "local rod = fabric.rigid.cylinder{ radius=0.01, from={-0.1, 0, 0}, to={0.1, 0, 0} }",
+       "local rod = fabric.rigid.cylinder{ radius=0.01, from={-0.1, 0, 0}, to={0.1, 0, 0} }",
        cylinder},
       {"fabric.rigid.disc{}",
        {number_("radius", "m", positive, "over all"), place_row("centre", "of the disc"),
@@ -249,16 +240,16 @@ std::vector<Entry> body_rows() {
         number_("edge", "m", positive, "radius of its rounded edge: half of its thickness"), mass_row(),
         name_row()},
        "A rigid flat disc with a rounded edge, such as the pedestal of a drape tester.",
-       use + "local support = fabric.rigid.disc{ radius=0.09, centre={0, 0, -0.003}, normal={0, 0, 1}, "
-             "edge=0.002 }",
+       "local support = fabric.rigid.disc{ radius=0.09, centre={0, 0, -0.003}, normal={0, 0, 1}, "
+       "edge=0.002 }",
        disc},
       {"fabric.rigid.surface{}",
        {object_("mesh?", "mesh", "its facets, counter-clockwise from outside"),
         value_("file?", text, "a mesh file in its place"),
         flag_("closed", "the surface bounds a solid; a hole in it is an error"), mass_row(), name_row()},
        "A rigid surface of triangles; quadrilaterals are cut along their shorter diagonal.",
-       use + "local ridge = fabric.rigid.surface{ mesh=fabric.mesh.rectangle{ width=0.1, height=0.1, nx=2, "
-             "ny=2 } }",
+       "local ridge = fabric.rigid.surface{ mesh=fabric.mesh.rectangle{ width=0.1, height=0.1, nx=2, "
+       "ny=2 } }",
        surface},
       {"fabric.rigid.motion{}",
        {value_("files?", table, "{ 'file', ... }: mesh files with the same facets at other places"),
@@ -270,9 +261,9 @@ std::vector<Entry> body_rows() {
         name_row()},
        "A rigid surface that moves from shape to shape, each vertex in straight lines; before the first time "
        "and after the last it is at rest. Friction acts with the speed of the surface where it touches.",
-       use + "local function at(z) return fabric.mesh.rectangle{ width=0.1, height=0.1, nx=2, ny=2 "
-             "}:map(function(x, y) return x, y, z end) end\n"
-             "local press = fabric.rigid.motion{ meshes={ at(0.01), at(0.005) }, times={0, 1} }",
+       "local function at(z) return fabric.mesh.rectangle{ width=0.1, height=0.1, nx=2, ny=2 "
+       "}:map(function(x, y) return x, y, z end) end\n"
+       "local press = fabric.rigid.motion{ meshes={ at(0.01), at(0.005) }, times={0, 1} }",
        motion},
   };
 }

@@ -30,7 +30,6 @@ std::vector<Entry> creases_entries() {
         value_("set?", text, "the nodes of a line of edges, in place of the line"), rows[0], rows[1]},
        "Makes a crease: a line along which the sheet is at rest at an angle. The elements beside it are as "
        "stiff as elsewhere. Creases that all have a stiffness may cross.",
-       "local fabric = require 'fabric'\n"
        "local mesh = fabric.mesh.rectangle{ width=0.1, height=0.05, nx=4, ny=2 }\n"
        "local m = fabric.model{ mesh=mesh, card=fabric.card 'blend', warp=90 }\n"
        "m:crease{ line={ {0.05, 0, 0}, {0.05, 0.05, 0} }, angle=90 }\n"

@@ -32,7 +32,7 @@ std::vector<Entry> files_entries() {
       {"card:write()",
        {value_("path", text, "of the Lua file")},
        "Writes the card as a Lua file that reads back equal; the old file stays until the new one is whole.",
-       "local fabric = require 'fabric'\nlocal path = os.tmpname()..'.lua'\nlocal card = fabric.card 'duck'\n"
+       "local path = os.tmpname()..'.lua'\nlocal card = fabric.card 'duck'\n"
        "card:write(path)\nassert(fabric.card(path) == card)\nos.remove(path)",
        write_card},
   };

@@ -172,7 +172,6 @@ int gas_text(lua_State* L) { return push_text(L, "<gas " + to_object<const GasGi
 std::vector<Entry> gas_entries() {
   const auto rows = arguments_of(model::gas_rows());
   const std::string bag =
-      "local fabric = require 'fabric'\n"
       "local mesh = fabric.mesh.cylinder{ radius=0.05, length=0.2, around=12, along=6 }\n"
       "local m = fabric.model{ mesh=mesh, card=fabric.card 'blend', warp={0, 0, 1} }\n"
       "m:fix('bottom', 'x y z'):fix('top', 'x y z')\n"

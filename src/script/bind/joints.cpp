@@ -98,8 +98,7 @@ std::vector<Argument> along_rows() {
 }
 
 std::string sample(const std::string& end) {
-  return "local fabric = require 'fabric'\n"
-         "local mesh = fabric.mesh.rectangle{ width=0.05, height=0.1, nx=2, ny=4 }\n"
+  return "local mesh = fabric.mesh.rectangle{ width=0.05, height=0.1, nx=2, ny=4 }\n"
          "local m = fabric.model{ mesh=mesh, card=fabric.card 'blend', warp=90 }\n"
          "m:fix('all', 'z rotation'):fix('bottom', 'x y'):tearable 'all'\n" +
          end;
@@ -140,7 +139,6 @@ std::vector<Entry> joints_entries() {
         integer_("seed", {0, 9007199254740992.0}, "of that").or_else(1)},
        "The strength of yarns that soften (see damage of a card) where it is not that of the card: weakened "
        "lines, scatter. Where sets overlap, the factors multiply.",
-       "local fabric = require 'fabric'\n"
        "local mesh = fabric.mesh.rectangle{ width=0.05, height=0.1, nx=10, ny=20 }\n"
        "local card = fabric.card('blend'):with{ damage={ warp={ strength=15e3, energy=60 } } }\n"
        "local m = fabric.model{ mesh=mesh, card=card, warp=90 }\n"

@@ -272,7 +272,6 @@ int elements_text(lua_State* L) {
 }
 
 constexpr const char* sample_deck =
-    "local fabric = require 'fabric'\n"
     "local mesh = fabric.mesh.rectangle{ width=0.0254, height=0.0762, nx=3, ny=9 }\n";
 
 std::vector<Entry> mesh_entries() {

@@ -142,9 +142,7 @@ int orient(Call& call) {
   return push_value(call.L(), mesh::orient(*call.self<Mesh>(), direction));
 }
 
-constexpr const char* disk_sample =
-    "local fabric = require 'fabric'\n"
-    "local mesh = fabric.mesh.disk{ radius=0.05, cells=4 }\n";
+constexpr const char* disk_sample = "local mesh = fabric.mesh.disk{ radius=0.05, cells=4 }\n";
 
 Entry read_row() {
   return {
@@ -166,7 +164,6 @@ Entry read_row() {
       "and 1 by their name, others as name_value; parts and solids where there are several. Nodes in no "
       "element are left out; the sets all and boundary are added. Also with named fields: fabric.mesh.read{ "
       "file=, join=true }.",
-      "local fabric = require 'fabric'\n"
       "local mesh = fabric.mesh.read 'disc.msh'\n"
       "assert(#mesh:set 'centre' == 1 and mesh:check().ok)",
       read};
@@ -216,7 +213,6 @@ Entry pair_row() {
       "mesh:pair",
       "Joins triangles in pairs to quadrilaterals where these have corners of 30 to 150 degrees and are "
       "flat; returns how many triangles are left. Stiff yarns that cross triangles obliquely lock them.",
-      "local fabric = require 'fabric'\n"
       "local mesh = fabric.mesh.rectangle{ width=0.1, height=0.1, nx=3, ny=2, triangles=true }\n"
       "assert(mesh:pair() == 0 and #mesh.elements == 6)",
       pair);
@@ -228,7 +224,6 @@ Entry refine_row() {
       "Cuts every element from its middle to the middles of its sides into quadrilaterals, four of a "
       "quadrilateral and three of a triangle, so that no triangle is left, which stiff yarns would lock. New "
       "nodes lie on the sides: make a mesh of a curved outline fine enough before. Sets take them.",
-      "local fabric = require 'fabric'\n"
       "local mesh = fabric.mesh.rectangle{ width=0.1, height=0.1, nx=1, ny=1, triangles=true }\n"
       "mesh:refine()\n"
       "assert(#mesh.elements == 6 and #mesh:set 'left' == 3)",

@@ -117,7 +117,6 @@ Entry disk_row() {
            integer_("rings?", from_one, "rings of elements around the core, default half of cells")},
           "A disk of quadrilaterals in the x-y plane about the origin, normal +z: a square core, then rings. "
           "Sets boundary (the rim), core, all, and centre when cells is even.",
-          "local fabric = require 'fabric'\n"
           "local mesh = fabric.mesh.disk{ radius=0.05, cells=4 }\n"
           "assert(#mesh.elements == 4*4 + 2*16 and #mesh:set 'boundary' == 16)",
           disk};
@@ -132,7 +131,6 @@ Entry annulus_row() {
           std::string("A ring or a sector of one in the x-y plane about the origin, normal +z; nodes around "
                       "first, from the inner circle outward. Sets inner, outer, boundary, all. ") +
               open_sets + " A slit ring has start and end too.",
-          "local fabric = require 'fabric'\n"
           "local mesh = fabric.mesh.annulus{ inner=0.06, outer=0.10, around=30, across=6, slit=true }\n"
           "assert(#mesh.elements == 180 and #mesh:set 'start' == 7 and #mesh:set 'end' == 7)",
           annulus};
@@ -146,7 +144,6 @@ Entry cylinder_row() {
           std::string("A sleeve, or an open shell cut from one, about the z axis, normal outward; nodes "
                       "around first, from the bottom up. Sets bottom, top, boundary, all. ") +
               open_sets,
-          "local fabric = require 'fabric'\n"
           "local mesh = fabric.mesh.cylinder{ radius=0.04, length=0.2, around=16, along=10 }\n"
           "assert(#mesh.nodes == 16*11 and #mesh:set 'seam' == 11)",
           cylinder_mesh};
@@ -163,7 +160,6 @@ Entry hemisphere_row() {
                       "it, normal outward; nodes around first, from the equator up. Sets bottom (the "
                       "equator), top (edge of the hole), boundary, all. ") +
               open_sets,
-          "local fabric = require 'fabric'\n"
           "local mesh = fabric.mesh.hemisphere{ radius=10, around=16, along=16 }\n"
           "assert(#mesh.elements == 256 and #mesh:set 'top' == 17)",
           hemisphere};
@@ -175,7 +171,6 @@ Entry of_row() {
            value_("elements", table, "{ {1, 2, 5, 4}, ... }: node numbers, 3 or 4, counter-clockwise")},
           "A mesh of your own, from its nodes and elements; also written fabric.mesh{ nodes=, elements= }. "
           "Sets all and boundary.",
-          "local fabric = require 'fabric'\n"
           "local mesh = fabric.mesh{ nodes={ {0, 0}, {0.1, 0}, {0.1, 0.1}, {0, 0.1} }, elements={ {1, 2, 3}, "
           "{1, 3, 4} } }\n"
           "assert(#mesh.elements == 2 and #mesh:set 'boundary' == 4)",
@@ -189,7 +184,6 @@ Entry merge_row() {
                .or_else(1e-6)},
           "Several meshes as one: nodes of different meshes that coincide are joined, sets of one name "
           "become one, all and boundary are made anew. The edges that meet need the same nodes.",
-          "local fabric = require 'fabric'\n"
           "local a = fabric.mesh.rectangle{ width=0.1, height=0.1, nx=2, ny=2 }\n"
           "local b = fabric.mesh.rectangle{ width=0.1, height=0.1, nx=2, ny=2, origin={0.1, 0} }\n"
           "local both = fabric.mesh.merge{ meshes={a, b} }\n"

@@ -52,8 +52,7 @@ model::Components read_components(const Call& call) {
 }
 
 std::string sample_model() {
-  return "local fabric = require 'fabric'\n"
-         "local mesh = fabric.mesh.rectangle{ width=0.0254, height=0.0762, nx=1, ny=3 }\n"
+  return "local mesh = fabric.mesh.rectangle{ width=0.0254, height=0.0762, nx=1, ny=3 }\n"
          "local m = fabric.model{ mesh=mesh, card=fabric.card 'blend', warp=90 }\n";
 }
 

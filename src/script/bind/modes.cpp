@@ -188,8 +188,7 @@ int write_swing(Call& call) {
 }
 
 std::string modes_sample() {
-  return "local fabric = require 'fabric'\n"
-         "local mesh = fabric.mesh.rectangle{ width=0.2, height=0.05, nx=8, ny=2 }\n"
+  return "local mesh = fabric.mesh.rectangle{ width=0.2, height=0.05, nx=8, ny=2 }\n"
          "local card = fabric.svk{ density=1000, thickness=1e-3, warp=5e6, weft=5e6, shear=2e6, poisson=0,\n"
          "  bending={ warp=4e-4, weft=4e-4, twist=2e-4 } }\n"
          "local m = fabric.model{ mesh=mesh, card=card, warp=0 }:fix('left', 'x y z rotation')\n"

@@ -426,7 +426,6 @@ Entry panel_row() {
       "circle; elements= of a piece sets their number. Named edges, the sides NAME_in and NAME_out of darts, "
       "and notches become sets; all and boundary as usual. Edges of a file are edge1, edge2, ..., its "
       "notches notch1, notch2, .... A model takes the warp from the grain.",
-      "local fabric = require 'fabric'\n"
       "local mesh = fabric.mesh.panel{ size=0.01, grain=90,\n"
       "  outline={ {0, 0}, {0.2, 0, name='hem'}, {0.16, 0.3, name='right'},\n"
       "            {arc={through={0.1, 0.28}, to={0.04, 0.3}}, name='neck'}, {name='left'} },\n"
@@ -486,7 +485,6 @@ Entry wrap_row() {
       "Lays a mesh in the x-y plane around a cylinder or a cone, with lengths, angles and areas kept and the "
       "normal outward: the point `at` comes to lie beside `from` at the distance radius, +y runs along the "
       "axis there, +x around it counter-clockwise. The warp of a panel goes along. Errors move no node.",
-      "local fabric = require 'fabric'\n"
       "local mesh = fabric.mesh.panel{ outline={ {0, 0}, {0.3, 0}, {0.3, 0.2}, {0, 0.2} }, size=0.02 }\n"
       "mesh:wrap{ cylinder={ radius=0.05, at={0.15, 0} } }\n"
       "local x = mesh.nodes[1]\n"

@@ -536,7 +536,7 @@ std::vector<Entry> plot_entries() {
        "deck prints it by print(fabric.plot{...}). fabric.plot(rows, \"E\", \"S\", {...}) is short for "
        "fabric.plot{ rows=rows, x=\"E\", y=\"S\", ... }. With a file it returns whether it was drawn: false, "
        "with a warning, where gnuplot is not installed.",
-       "local fabric = require 'fabric'\nlocal ok, text = pcall(fabric.plot, { xlabel='time', xunit='ms', "
+       "local ok, text = pcall(fabric.plot, { xlabel='time', xunit='ms', "
        "curves={ {x={0, 1}, y={0, 2}, label='a line'},\n  {rows={ {t=0, v=1}, {t=1, v=2} }, x='t', y='v', "
        "style='points'} } })\nassert((ok and text:find 'time, ms') or text:find 'gnuplot')\n"
        "-- of a list of rows, in short\nok, text = pcall(fabric.plot, { {t=0, v=1}, {t=1, v=2} }, 't', 'v')\n"

@@ -308,7 +308,7 @@ Argument columns_() {
 }
 
 std::vector<Entry> point_entries() {
-  const std::string sample = "local fabric = require 'fabric'\nlocal p = fabric.point(fabric.card 'blend')\n";
+  const std::string sample = "local p = fabric.point(fabric.card 'blend')\n";
   return {
       {"fabric.point()",
        {object_("card", "card", "the fabric"),
@@ -365,7 +365,7 @@ std::vector<Entry> point_entries() {
        "Reaches total curvatures in one straight increment and commits them, by the card's own bending; "
        "components not named stay. Returns M11 M22 M12 (moments per width, N; M12 works on 2 k12), k11 k22 "
        "k12, stored and dissipated (J/m^2).",
-       "local fabric = require 'fabric'\nlocal card = fabric.card 'blend':with{ bending={ warp=15e-6, "
+       "local card = fabric.card 'blend':with{ bending={ warp=15e-6, "
        "weft=12e-6, twist=7e-6 } }\nassert(math.abs(fabric.point(card):bend{ k11=100 }.M11 - 1.5e-3) < "
        "1e-15)",
        bend},

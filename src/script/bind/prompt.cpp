@@ -125,7 +125,7 @@ std::vector<Entry> prompt_entries() {
                "ends it")},
        "Writes the session as a deck that can be run; without an argument returns the file's name or false. "
        "The file is complete at any moment; inputs that failed are comments in it.",
-       "local fabric = require 'fabric'\nlocal name = os.tmpname()..'.lua'\nfabric.transcript(name)\n"
+       "local name = os.tmpname()..'.lua'\nfabric.transcript(name)\n"
        "assert(fabric.transcript() == name and loadfile(name))\nfabric.transcript(false)\nos.remove(name)",
        transcript},
   };

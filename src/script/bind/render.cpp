@@ -390,7 +390,7 @@ void bind_render(Session& session) {
         "Draws deformed sheets with a field and its colour bar into a PNG, off-screen: on the virtual "
         "display Xvfb, or where that is not installed on the display of DISPLAY. Returns whether it was "
         "drawn: false, with a warning, under --safe.",
-        "local fabric = require 'fabric'\nlocal name = os.tmpname()\n"
+        "local name = os.tmpname()\n"
         "local test = fabric.lab.bias{ card=fabric.card 'blend', grips='clamped', unload=false, steps=4 }\n"
         "pcall(fabric.render, { file=name..'.png', run=test.analysis, field='E12', title='bias, 20 mm' })\n"
         "os.remove(name..'.png') os.remove(name)",

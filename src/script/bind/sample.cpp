@@ -146,7 +146,6 @@ void bind_sample(Session& session) {
             "value at the end of its band is drawn on the band's side. Points of a yarn that fall are made "
             "to rise, and an unloading flatter than the loading is raised to it; other values that make no "
             "card are drawn again; `refused` says how often, and from one in fifty on there is a warning.",
-            "local fabric = require 'fabric'\n"
             "local card = fabric.card 'blend':with{ bands={ warp={ low={7e6, 800e6, 850e6, 0.2}, high={9e6, "
             "852e6, 878e6, 0.3},\n"
             "  covariance={2.6e11,0,0,0, 0,1.8e14,0,0, 0,0,5.1e13,0, 0,0,0,6.5e-4} } } }\n"

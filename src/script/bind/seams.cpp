@@ -58,7 +58,6 @@ std::vector<Entry> seams_entries() {
        {given},
        "Sews two edges of the cloth together: threads draw them together, then they are one. The edge with "
        "more nodes follows the other, matched by the length along each.",
-       "local fabric = require 'fabric'\n"
        "local front = fabric.mesh.rectangle{ width=0.1, height=0.2, nx=4, ny=8 }\n"
        "local back = fabric.mesh.rectangle{ width=0.1, height=0.2, nx=4, ny=10, origin={0.11, 0, 0} }\n"
        "local card = fabric.card 'blend'\n"

@@ -68,7 +68,6 @@ std::vector<Entry> ties_entries() {
         value_("freedoms?", text, "periodic: some of x y z rotation; default all")},
        "Ties nodes to each other exactly, by elimination. To a rigid body they are tied by springs that are "
        "stiff beside the cloth, and turn freely there.",
-       "local fabric = require 'fabric'\n"
        "local mesh = fabric.mesh.rectangle{ width=0.0254, height=0.0762, nx=2, ny=3 }\n"
        "local m = fabric.model{ mesh=mesh, card=fabric.card 'blend', warp=90 }\n"
        "m:tie('straight', 'top', 'y')\n"

@@ -120,7 +120,7 @@ enum class Style {
   property,    // object.name
 };
 
-// Results that a call touches and a restarted deck has to repeat (script/runs/replay.hpp).
+// Results that a call touches and a restarted deck has to repeat (script/runs/drive.hpp).
 enum class Touches {
   nothing,    // no results of a run, or a call that deals with restarts itself
   results,    // a method or property that returns results of its run
@@ -133,7 +133,9 @@ struct Entry {
   std::string name;
   std::vector<Argument> arguments = {};
   std::string sentence = {};
-  std::string example = {};  // a chunk that runs without anything else
+  // A chunk that runs without anything else; the registry begins it with a variable `fabric` unless it
+  // requires the library itself.
+  std::string example = {};
   int (*run)(Call&) = nullptr;
   std::vector<std::string> retired = {};  // named arguments of earlier releases: a warning, and no effect
   // Set by install():
@@ -166,6 +168,9 @@ inline Entry kernel(const std::string& name, std::vector<Argument> arguments, in
 class Registry {
  public:
   const Entry& add(Entry entry) {
+    constexpr const char* library = "require 'fabric'";
+    if (!entry.example.empty() && entry.example.find(library) == std::string::npos)
+      entry.example = std::string("local fabric = ") + library + "\n" + entry.example;
     return (entry.is_private() ? kernels_ : entries_).emplace_back(std::move(entry));
   }
   const std::deque<Entry>& entries() const { return entries_; }

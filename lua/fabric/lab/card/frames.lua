@@ -75,7 +75,7 @@ define {
   }, sides),
   sentence = "Picture frame: angle (degrees), normal_force (N/m, normalised by frame / cloth^2), E12, S12 from force and displacement; or force from a "
     .. "card.",
-  example = "local fabric = require 'fabric'\nlocal d, card = { 0.01, 0.02, 0.03 }, fabric.card 'blend'\n"
+  example = "local d, card = { 0.01, 0.02, 0.03 }, fabric.card 'blend'\n"
     .. "local made = fabric.lab.picture_frame{ displacement=d, card=card, frame=0.2, cloth=0.15 }\n"
     .. "local r = fabric.lab.picture_frame{ displacement=d, force=made.force, thickness=card.thickness, frame=0.2, cloth=0.15 }\n"
     .. "local s = fabric.point(card):path({ E12=r.E12 }, {'S12'}).S12[3]\nassert(math.abs(r.S12[3] - s) < 1e-9 * s)",

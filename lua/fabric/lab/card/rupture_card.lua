@@ -214,8 +214,7 @@ define {
     .. "energy (J/m, twice the mean force of the tears after their first quarter, less what legs of a woven card take of it), legs (of that: hysteresis over twice the force, way of the grips per metre of tear, "
     .. "force of a virtual tear with twice the force as energy, over the force, and the band of that, relative), strengths (of the strips that count), left_out (places of breaks at the jaws), tear (N, mean force), modulus (Weibull's, of strips: no part of "
     .. "the card), bands of 95 % for strength, modulus and energy.",
-  example = "local fabric = require 'fabric'\n"
-    .. "local r = fabric.lab.rupture{ card=fabric.card 'blend', weft={ strips={ 520, 561, 498, 540, 533 }, width=0.05, tears={ 11.2, 10.6 } }, legs=false }\n"
+  example = "local r = fabric.lab.rupture{ card=fabric.card 'blend', weft={ strips={ 520, 561, 498, 540, 533 }, width=0.05, tears={ 11.2, 10.6 } }, legs=false }\n"
     .. "assert(math.abs(r.card.rupture.weft.energy - 21.8) < 1e-9 and r.weft.modulus > 10)",
   run = run,
 }

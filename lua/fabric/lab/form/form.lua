@@ -585,7 +585,7 @@ define {
     .. "angles (of each element ply, X, Y flat, x, y, z formed, its shear angle, degrees, and the unit vectors warp and weft; max and place), draw_in (of each node of the edges ply, edge, X, Y, draw_in, m; "
     .. "max, mean, left, right, bottom, top), wrinkles (height above the flat of the die, m, x, y, ply), report (text), peak (N), stroke (m, reached), series (VTK) and files (of the formed plies) with out=, analysis, model, punch, die, holder, "
     .. "and trouble where the run stopped.",
-  example = "local fabric = require 'fabric'\nlocal mm = fabric.units.mm\n"
+  example = "local mm = fabric.units.mm\n"
     .. "local test = fabric.lab.form{ card=fabric.card('blend', { bending='estimated' }), blank=60*mm, punch={ radius=12*mm }, die={ radius=15*mm, edge=5*mm },\n"
     .. "  holder={ force=20 }, stroke=3*mm, cells=12, speed=10, rows=10 }\nassert(test.peak > 0 and #test.angles == 144)",
   run = run,

@@ -74,8 +74,7 @@ define {
   },
   sentence = "The shape in which a sheet with given tensions is in balance, by rounds of statics with an updated reference [bletzinger1999]. Returns mesh (the shape, with the sets of the mesh), rounds, moves "
     .. "(m, the longest way of a node in each round), analysis and model of the last round. A model of this mesh with a card and the same prestress begins in balance.",
-  example = "local fabric = require 'fabric'\n"
-    .. "local mesh = fabric.mesh.rectangle{ width=1, height=1, nx=4, ny=4 }\n"
+  example = "local mesh = fabric.mesh.rectangle{ width=1, height=1, nx=4, ny=4 }\n"
     .. "mesh:map(function(x, y) return x, y, 0.4 * x * y end)\n"
     .. "local found = fabric.lab.form_finding{ mesh=mesh, prestress={ warp=100, weft=100 }, tolerance=1e-3,\n"
     .. "  hold=function(m) m:fix('boundary', 'x y z') end }\n"

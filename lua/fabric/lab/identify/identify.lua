@@ -310,8 +310,7 @@ define {
     .. "on_bound (the bound, by name), known (by name), correlation, weakest, misses (per test: rms and worst over the largest measured value, "
     .. "deviations), chi2 (per degree of freedom), discrepancy (nil, or what the model may miss smoothly: deviation over the noise, ratio of likelihoods, told), of_noise (deviation and correlation by the stated noise alone), further (ranked), simulations, text, card(self, function(p) return card end): the "
     .. "card with the parameters' 95 % bands propagated to its numbers, for card:sample.",
-  example = "local fabric = require 'fabric'\n"
-    .. "local function S(p) return { fabric.point(fabric.card 'blend':with{ shear={ unloading=p.Gu } }):path{ {0, 0, 0.2}, {0, 0, 0.19} }[2].S12 } end\n"
+  example = "local function S(p) return { fabric.point(fabric.card 'blend':with{ shear={ unloading=p.Gu } }):path{ {0, 0, 0.2}, {0, 0, 0.19} }[2].S12 } end\n"
     .. "local f = fabric.lab.identify{ parameters={ {name='Gu', start=5e6, low=3e6, high=3e7} }, processes=1,\n"
     .. "  tests={ {name='shear', measured=S{Gu=12e6}, predict=S} } }\nassert(math.abs(f.parameters.Gu / 12e6 - 1) < 1e-4)",
   run = identify,

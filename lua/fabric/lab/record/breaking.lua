@@ -327,7 +327,7 @@ define {
   sentence = "The table of a folder of pulls to rupture after ISO 13934-1 or ASTM D5035. Returns names (of the groups), groups { name={ specimens={ {name, force, elongation, "
     .. "elongation_at_break, from_jaw, jaw, counted, remark, warnings}, ... }, counted, force, elongation and elongation_at_break (each n, mean, deviation, cv, low, high: the interval of "
     .. "the mean), per_width (N/m), notes } }, text (the table), warnings {code, text, specimen}, file. Elongations are numbers, not per cent.",
-  example = "local fabric = require 'fabric'\nlocal folder, names = os.tmpname(), {}\nos.remove(folder)\n"
+  example = "local folder, names = os.tmpname(), {}\nos.remove(folder)\n"
     .. "for k, last in ipairs{ 4, 5, 6, 5, 5 } do\n  local lines = { 'Extension (mm),Load (N)' }\n"
     .. "  for i = 0, 10 * last do lines[#lines + 1] = ('%g,%g'):format(i, 2 * i) end\n"
     .. "  lines[#lines + 1] = ('%d,0'):format(10 * last + 1)\n  names[k] = ('%s/warp-%d.csv'):format(folder, k)\n  fabric.write(names[k], table.concat(lines, '\\n') .. '\\n')\nend\n"

@@ -166,8 +166,7 @@ define {
   sentence = "A specimen with a seam across it is pulled until the seam bursts, as in ISO 13935 [iso_13935_1; iso_13935_2]. Returns peak (N, the largest force), elongation (m) there, strength (N/m, over the width of "
     .. "the specimen, or of the jaws), tension (N/m, the largest in the cloth along the pull) and cloth, its share of the strength that the card has in rupture (above 1 the cloth would tear first, which a warning says), "
     .. "curve (a list of time, displacement, force: N, closed: stitches, and the energies of analysis.energy), energy (J), fracture (J), kinetic (kinetic energy over work at the peak), series (VTK), analysis and model.",
-  example = "local fabric = require 'fabric'\n"
-    .. "local test = fabric.lab.seam_strength{ card=fabric.card 'blend', strength=4e3, energy=20, width=0.01, length=0.02, h=0.0025 }\n"
+  example = "local test = fabric.lab.seam_strength{ card=fabric.card 'blend', strength=4e3, energy=20, width=0.01, length=0.02, h=0.0025 }\n"
     .. "assert(math.abs(test.strength / 4e3 - 1) < 0.01)",
   run = seam_strength,
 }
@@ -186,8 +185,7 @@ define {
   },
   sentence = "How far a seam gapes, as in ISO 13936 [iso_13936_1; iso_13936_2]: a specimen with a seam and one without are pulled by jaws in their middle, in static steps. Returns force (N, at which the one with the seam is "
     .. "longer by `opening`; nil: not reached), opening (m, by which it is longer at `load`), sewn and plain (the curves, lists of displacement and force), and analysis.",
-  example = "local fabric = require 'fabric'\n"
-    .. "local test = fabric.lab.seam_slippage{ card=fabric.card 'blend', stiffness=5e5, opening=1e-3, load=5, width=0.02, jaw=0.01, length=0.02, h=0.005 }\n"
+  example = "local test = fabric.lab.seam_slippage{ card=fabric.card 'blend', stiffness=5e5, opening=1e-3, load=5, width=0.02, jaw=0.01, length=0.02, h=0.005 }\n"
     .. "assert(test.force > 0 and test.opening > 0)",
   run = seam_slippage,
 }

@@ -270,8 +270,7 @@ define {
     .. "mean_of_peaks (N, as the standard takes it; nil where the record has no peaks), peaks, peak (N), curve (a list of "
     .. "time, displacement, force: N, work over way from row to row, torn: m, open: joints, and the energies of analysis.energy), energy (J), fracture (J), kinetic (kinetic "
     .. "energy over work at the peak), series (VTK), analysis, model and mesh.",
-  example = "local fabric = require 'fabric'\n"
-    .. "local sheet = fabric.svk{ young=1e8, poisson=0, density=500, thickness=5e-4, through_thickness=true }\n"
+  example = "local sheet = fabric.svk{ young=1e8, poisson=0, density=500, thickness=5e-4, through_thickness=true }\n"
     .. "local card = sheet:with{ rupture={ weft={ strength=1250, energy=20 } } }\n"
     .. "local test = fabric.lab.tear{ card=card, h=0.004, width=0.024, leg=0.012, tear=0.05 }\n"
     .. "assert(test.rigid == 10 and math.abs(test.mean / test.expected - 1) < 0.1)",

@@ -71,8 +71,7 @@ define {
   sentence = "A rigid ball falls onto the middle of a clamped square. Returns curve (a list of time, depth of the ball's lowest point and deflection of the "
     .. "middle, m below the sheet at rest, force on the ball, N, its speed downwards, m/s, the smallest gap above the floor of contact, m, and the energies of analysis.energy), "
     .. "depth, deflection and force (the largest of all rows), gap (the smallest), analysis, model, mesh and ball.",
-  example = "local fabric = require 'fabric'\n"
-    .. "local test = fabric.lab.ball_drop{ card=fabric.card 'blend', cells=6, duration=0.002 }\n"
+  example = "local test = fabric.lab.ball_drop{ card=fabric.card 'blend', cells=6, duration=0.002 }\n"
     .. "assert(test.deflection > 0 and test.gap > 0)",
   run = run,
 }

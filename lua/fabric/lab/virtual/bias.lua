@@ -36,8 +36,7 @@ define {
   retired = { "most_steps", "release" },
   sentence = "A strip pulled off the yarns' axes and let go. " .. strip.returns
     .. " And zone_mean(name): the means of a field in zones 1, 2, 3 at the present time.",
-  example = "local fabric = require 'fabric'\n"
-    .. "local test = fabric.lab.bias{ card=fabric.card 'blend', grips='clamped', unload=false, steps=8 }\n"
+  example = "local test = fabric.lab.bias{ card=fabric.card 'blend', grips='clamped', unload=false, steps=8 }\n"
     .. "local near, between, middle = test:zone_mean 'E12'\nassert(near < between and between < middle)",
   run = run,
 }

@@ -80,8 +80,7 @@ define {
   },
   sentence = "A strip at 45 degrees, clamped and pulled, on a mesh along its yarns: for yarns that hardly stretch. Returns curve (a list of time, "
     .. "displacement, force, E, S), analysis, model, mesh.",
-  example = "local fabric = require 'fabric'\n"
-    .. "local t = fabric.lab.bias_extension{ card=fabric.card 'blend', width=0.05, length=0.15, displacement=0.01, cells=2, steps=4 }\n"
+  example = "local t = fabric.lab.bias_extension{ card=fabric.card 'blend', width=0.05, length=0.15, displacement=0.01, cells=2, steps=4 }\n"
     .. "assert(t.curve[5].force > t.curve[3].force)",
   run = run,
 }

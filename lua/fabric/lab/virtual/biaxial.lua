@@ -83,8 +83,7 @@ define {
   sentence = "A square pulled along both yarns and let go until one has no pull left. Returns curve (a list of time, displacement, E11, "
     .. "E22, S11, S22 from the forces, and both as _average and _centre, force_x, force_y), peak (its row of largest displacement), "
     .. "analysis, model, mesh, volume, and the method mesh_error().",
-  example = "local fabric = require 'fabric'\n"
-    .. "local test = fabric.lab.biaxial{ card=fabric.card 'denim', steps=8 }\n"
+  example = "local test = fabric.lab.biaxial{ card=fabric.card 'denim', steps=8 }\n"
     .. "assert(math.abs(test.peak.S11 / test.peak.S11_average - 1) < 1e-8)",
   run = run,
 }

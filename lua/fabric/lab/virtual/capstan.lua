@@ -77,8 +77,7 @@ define {
   },
   sentence = "A strip over a rigid cylinder is held by a tension T1 on one side and drawn over it on the other. Returns ratio (T2 / T1 at the end), curve "
     .. "(a list of time, drawn, m, and ratio), analysis, model, mesh and drum.",
-  example = "local fabric = require 'fabric'\n"
-    .. "local card = fabric.svk{ young=1e8, poisson=0, density=500, thickness=0.4e-3 }\n"
+  example = "local card = fabric.svk{ young=1e8, poisson=0, density=500, thickness=0.4e-3 }\n"
     .. "local test = fabric.lab.capstan{ card=card, around=8, draw=0.01, step=0.25 }\n"
     .. "assert(test.ratio > 1)",
   retired = { "across", "points" },

@@ -94,8 +94,7 @@ define {
   },
   sentence = "Steps of a test that follow each other, such as loading, relaxation, unloading, and cycles of them: each begins from the state of the one before. "
     .. "Returns rows (one a step: cycle, name, time (s), stored, dissipated, work (J), and the columns), the last analysis, and its model.",
-  example = "local fabric = require 'fabric'\n"
-    .. "local mesh = fabric.mesh.rectangle{ width=0.02, height=0.05, nx=1, ny=2 }\n"
+  example = "local mesh = fabric.mesh.rectangle{ width=0.02, height=0.05, nx=1, ny=2 }\n"
     .. "local m = fabric.model{ mesh=mesh, card=fabric.card 'blend', warp=90 }:fix('all', 'z rotation'):fix('bottom', 'x y')\n"
     .. "local chain = fabric.lab.chain{ model=m, steps={\n"
     .. "  { name='pull', duration=1, loads=function(m, t) m:move('top', { y=fabric.history{ {t, 0}, {t+1, 0.004} } }) end },\n"

@@ -313,8 +313,7 @@ local definition = {
     .. "of the overhang over that of the level cloth, 0 to 1), nodes (folds) and amplitude (half of their height in the outline, m), means over the seeds; "
     .. "scatter (their deviations from disc to disc, nan of one), contour (points {x, y} of the first disc's outline), at_rest, runs (each disc's own, with "
     .. "seed, orientation, time and the ledger's error), and of one disc alone analysis, model and mesh.",
-  example = "local fabric = require 'fabric'\n"
-    .. "local stiff = fabric.svk{ name='card', young=1e7, poisson=0, density=500, thickness=0.3e-3, bending={ warp=2e-3, weft=2e-3, twist=1e-3 } }\n"
+  example = "local stiff = fabric.svk{ name='card', young=1e7, poisson=0, density=500, thickness=0.3e-3, bending={ warp=2e-3, weft=2e-3, twist=1e-3 } }\n"
     .. "local r = fabric.lab.cusick{ card=stiff, disc=0.24, cells=3, around=24, lowering=0.1, still=0.05 }\nassert(r.coefficient > 0.99 and r.nodes == 0)",
   run = run,
 }

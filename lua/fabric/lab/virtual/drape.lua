@@ -25,8 +25,7 @@ define {
   retired = motion.retired,
   sentence = "A square sheet, held at its corners, falls under its weight. Returns curve (a list of time, centre and lowest: how far the "
     .. "middle and the lowest node hang down, m; the energies of analysis.energy), analysis, model, mesh, and trouble where the run stopped.",
-  example = "local fabric = require 'fabric'\n"
-    .. "local test = fabric.lab.drape{ card=fabric.card 'blend', cells=4, duration=0.02 }\n"
+  example = "local test = fabric.lab.drape{ card=fabric.card 'blend', cells=4, duration=0.02 }\n"
     .. "assert(math.abs(test.curve[#test.curve].centre / (9.81 * 0.02^2 / 2) - 1) < 0.01)  -- still a free fall",
   run = run,
 }

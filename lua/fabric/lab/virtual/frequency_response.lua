@@ -168,8 +168,7 @@ define {
   sentence = "Steady swings of a node about a state under supports or a force that shake, with structural damping, summed over the natural modes. Returns curve (rows of "
     .. "frequency, Hz; amplitude, m; phase, degrees, below 0 where the node lags; relative, m, of the motion beside the supports), peak (the row of the largest amplitude), modes (those of "
     .. "fabric.modes) and covered: of a base, the share that the modes have of the mass which moves; of a force, the share of the deflection at rest that the lower half of the modes gives.",
-  example = "local fabric = require 'fabric'\n"
-    .. "local mesh = fabric.mesh.rectangle{ width=0.2, height=0.05, nx=8, ny=2 }\n"
+  example = "local mesh = fabric.mesh.rectangle{ width=0.2, height=0.05, nx=8, ny=2 }\n"
     .. "local card = fabric.svk{ density=1000, thickness=1e-3, warp=5e6, weft=5e6, shear=2e6, poisson=0,\n"
     .. "  bending={ warp=4e-4, weft=4e-4, twist=2e-4 } }\n"
     .. "local m = fabric.model{ mesh=mesh, card=card, warp=0 }:fix('left', 'x y z rotation')\n"

@@ -81,7 +81,7 @@ define {
   retired = retired,
   sentence = "Cantilever test [astm_d1388]: a strip is pushed over an edge until its tip touches a plane below. Returns overhang and bending_length "
     .. "(half of it), m, rigidity (weight times its cube, N.m), angle (of the chord, degrees), shape (the middle line, {x, z}), analysis.",
-  example = "local fabric = require 'fabric'\nlocal card = fabric.card 'blend':with{ bending={ warp=15e-6, weft=12e-6, twist=7e-6 } }\n"
+  example = "local card = fabric.card 'blend':with{ bending={ warp=15e-6, weft=12e-6, twist=7e-6 } }\n"
     .. "local r = fabric.lab.cantilever{ card=card, cells=10 }\nassert(math.abs(r.rigidity / 15e-6 - 1) < 0.02 and math.abs(r.angle - 41.5) < 0.01)",
   run = function(t)
     t.cells = t.cells or 40
@@ -152,7 +152,7 @@ define {
   sentence = "Heart loop test [astm_d1388]: a strip's ends are held together, upright, and it hangs down as a heart. Returns height (from the grip to "
     .. "the lowest point, m), bending_length (of the standard's formula, m), rigidity (N.m), shape (one half, {x, z}), "
     .. "analysis.",
-  example = "local fabric = require 'fabric'\nlocal card = fabric.card 'blend':with{ bending={ warp=15e-6, weft=12e-6, twist=7e-6 } }\n"
+  example = "local card = fabric.card 'blend':with{ bending={ warp=15e-6, weft=12e-6, twist=7e-6 } }\n"
     .. "local r = fabric.lab.heart_loop{ card=card, cells=16, length=0.1 }\nassert(r.height > 0.1337 * 0.1 and r.height < 0.5 * 0.1)",
   run = function(t)
     if math.abs(math.sin(math.rad(2 * degrees(t.direction)))) > 1e-9 then

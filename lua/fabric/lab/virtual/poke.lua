@@ -55,8 +55,7 @@ define {
     .. "punch, lowest: how far the lowest node hangs down, m; E11 and S11 one element beside the punch along the warp, E22 and S22 along the "
     .. "weft; the energies of analysis.energy), analysis, model, mesh, along_warp and along_weft (the two elements), and trouble where the run "
     .. "stopped.",
-  example = "local fabric = require 'fabric'\n"
-    .. "local test = fabric.lab.poke{ card=fabric.card 'blend', cells=10, duration=0.05 }\n"
+  example = "local test = fabric.lab.poke{ card=fabric.card 'blend', cells=10, duration=0.05 }\n"
     .. "assert(math.abs(test.curve[#test.curve].height - 0.4 * (1 - math.cos(0.2 * math.pi)) / 2) < 1e-12)",
   run = run,
 }

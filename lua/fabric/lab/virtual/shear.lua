@@ -83,8 +83,7 @@ define {
   sentence = "A square in cyclic simple shear, warp along the shear. Returns curve (a list of time, E12, force_x, force_y, S12 from the "
     .. "forces, S12_average, S12_centre, S22_average, S_uncorrected = force_x over area), analysis, model, mesh, E12, volume, and the "
     .. "method mesh_error().",
-  example = "local fabric = require 'fabric'\n"
-    .. "local test = fabric.lab.shear{ card=fabric.card 'blend', E12=0.2, steps=12 }\n"
+  example = "local test = fabric.lab.shear{ card=fabric.card 'blend', E12=0.2, steps=12 }\n"
     .. "assert(math.abs(test.curve[#test.curve].S12 / test.curve[#test.curve].S12_average - 1) < 1e-8)",
   run = run,
 }

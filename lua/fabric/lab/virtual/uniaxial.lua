@@ -38,8 +38,7 @@ define {
   arguments = arguments,
   retired = { "most_steps", "release" },
   sentence = "A strip pulled and let go. " .. strip.returns,
-  example = "local fabric = require 'fabric'\n"
-    .. "local test = fabric.lab.uniaxial{ card=fabric.card 'denim', grips='free', steps=8 }\n"
+  example = "local test = fabric.lab.uniaxial{ card=fabric.card 'denim', grips='free', steps=8 }\n"
     .. "assert(test.analysis.stopped == 'the grip lets go')",
   run = run,
 }

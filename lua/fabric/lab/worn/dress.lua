@@ -104,8 +104,7 @@ define {
   },
   sentence = "Sews pieces around a body and lets them come to rest: runs to the time `at` and judges rest there. A piece that starts through a body is refused when the run is made. "
     .. "Returns at_rest (without it a warning says why; nil: the run came from a checkpoint behind the window, and it is not known), moved (m, by `node`, in the window), kinetic (over the energy stored), stitches and how many are open (those of a seam with a stiffness of its own stay so), gap (m, the smallest above the floor of contact, of `pair`), and time. A run with until_rest= ends where it rests by that rule, before `at`: then time is earlier, and moved may be nil.",
-  example = "local fabric = require 'fabric'\n"
-    .. "local mesh = fabric.mesh.rectangle{ width=0.06, height=0.03, nx=6, ny=3, origin={-0.03, -0.015, 0.0002} }\n"
+  example = "local mesh = fabric.mesh.rectangle{ width=0.06, height=0.03, nx=6, ny=3, origin={-0.03, -0.015, 0.0002} }\n"
     .. "local m = fabric.model{ mesh=mesh, card=fabric.card 'blend', warp=0 }\n"
     .. "local table_ = fabric.rigid.plane{ point={0, 0, 0}, normal={0, 0, 1} }\n"
     .. "m:contact{ between={table_, 'all'}, friction=0.3 }:gravity{0, 0, -9.81}\n"

@@ -12,7 +12,7 @@ define {
   },
   retired = { "slack" },
   sentence = "A card whose cloth folds without any force where it is shortened, in whatever direction: `folds=\"free\"`. In tension nothing changes.",
-  example = "local fabric = require 'fabric'\nlocal card = fabric.lab.tension_field{ card=fabric.card 'blend' }\n"
+  example = "local card = fabric.lab.tension_field{ card=fabric.card 'blend' }\n"
     .. "local before, after = fabric.point(fabric.card 'blend'), fabric.point(card)\n"
     .. "assert(math.abs(after:uniaxial('warp', 0.1).S / before:uniaxial('warp', 0.1).S - 1) < 1e-6)\n"
     .. "assert(fabric.point(card):uniaxial('warp', -0.05).S > -1e3)",

@@ -305,8 +305,7 @@ define {
     .. "peak, the largest over a disc of skin, peak_at, m, its middle on the body at time 0, touched, the largest share of its area), map (mean and largest of each vertex, Pa), rows (the mean pressures over time), "
     .. "cycles (of each: work, J, that moves the body, supports and loads did, and what became of it: cloth, what the law of the cloth dissipated, friction, damping, impact, fracture, stored, kinetic), slip (m, on the skin: largest and its node, mean, nodes), "
     .. "tension (warp, weft: value, N/m, element, time), beyond (strain over the tested strain of the card), compressed (how much shorter yarns get: value, element, time, folded: the part that folds within the element took; from 1 % on, where a finer mesh would fold, a warning says so), gives_way (whether the yarns of the card carry next to nothing then, or folds within elements took it), gap, ledger, and text, all of this in words.",
-  example = "local fabric = require 'fabric'\n"
-    .. "local face = fabric.mesh.rectangle{ width=0.08, height=0.08, nx=2, ny=2, origin={-0.01, -0.01, 0} }\n"
+  example = "local face = fabric.mesh.rectangle{ width=0.08, height=0.08, nx=2, ny=2, origin={-0.01, -0.01, 0} }\n"
     .. "face:set('left half', function(x) return x < 0.03 end)\n"
     .. "local slab = fabric.rigid.surface{ mesh=face, name='slab' }\n"
     .. "local cloth = fabric.mesh.rectangle{ width=0.06, height=0.06, nx=2, ny=2, origin={0, 0, 4e-4} }\n"
