@@ -57,12 +57,11 @@ struct Keyword {
   std::map<std::string, std::string> parameters;  // upper case names; "" for a flag
 };
 
-class AbaqusReader {
+class AbaqusReader : DeckReader {
  public:
-  AbaqusReader(const std::string& name, std::string_view bytes)
-      : source_(name, bytes), mesh_(source_, bytes.size()) {}
+  using DeckReader::DeckReader;
 
-  mesh::Mesh read(Remarks* remarks, bool at_rest) {
+  mesh::Mesh read(bool at_rest) {
     std::string_view line;
     while (next(line)) {
       closed_ = false;
@@ -72,20 +71,15 @@ class AbaqusReader {
         (this->*data_)(line);
     }
     if (!waiting_.empty()) source_.fail("the file ends within an element");
-    if (remarks != nullptr) add_remarks(*remarks);
-    return mesh_.finish(at_rest, remarks);
+    // No keyword closes a file: only a part, an assembly, an instance and a step have one of their own.
+    if (!within_.empty())
+      remark_end("*END " + within_.back());
+    else if (!closed_ && source_.endless(last_))
+      remark(no_line_end);
+    return mesh_.finish(at_rest, remarks_);
   }
 
  private:
-  // No keyword closes a file: only a part, an assembly, an instance and a step have one of their own.
-  void add_remarks(Remarks& remarks) {
-    if (!within_.empty())
-      remarks.push_back(source_.at_place("the file ends without *END " + within_.back() +
-                                         "; if it was cut short, part of the mesh is missing"));
-    else if (!closed_ && source_.endless(last_))
-      remarks.push_back(source_.at_place(no_line_end));
-  }
-
   // The next line that is not empty and no comment. A file may have been cut within a comment, too.
   bool next(std::string_view& line) {
     while (true) {
@@ -195,7 +189,7 @@ class AbaqusReader {
     const bool begins = fields.size() % 3 == 1;
     if (fields.size() > 7 || fields.empty() || (!begins && (fields.size() % 3 != 0 || rest_element_ < 0)))
       source_.fail("expected an element and two places, or two more places, got " + in_quotes(line));
-    if (begins) rest_element_ = whole(fields[0], "the number of an element"), rest_corner_ = 0;
+    if (begins) rest_element_ = given_whole(fields[0], "the number of an element"), rest_corner_ = 0;
     for (std::size_t i = begins ? 1 : 0; i + 2 < fields.size(); i += 3) {
       Vec3 x;
       for (std::size_t k = 0; k < 3; ++k)
@@ -243,21 +237,10 @@ class AbaqusReader {
     }
   }
 
-  std::int64_t whole(std::string_view field, const char* what) const {
-    std::int64_t number = 0;
-    if (!parse(field, number))
-      source_.fail(std::string("expected ") + what + ", a whole number, got " + in_quotes(field));
-    return number;
-  }
-
   void node(std::string_view line) {
     const auto fields = comma_fields(line);
-    const std::int64_t number = whole(fields[0], "the number of a node");
-    Vec3 x = Vec3::Zero();
-    for (std::size_t i = 1; i < std::min<std::size_t>(fields.size(), 4); ++i)
-      if (!fields[i].empty() && !parse_fortran(fields[i], x[static_cast<Eigen::Index>(i) - 1]))
-        source_.fail("node " + std::to_string(number) + ": expected a coordinate, got " +
-                     in_quotes(fields[i]));
+    const std::int64_t number = given_whole(fields[0], "the number of a node");
+    const Vec3 x = coordinates(fields);
     if (fields.size() < 3)
       source_.fail("node " + std::to_string(number) +
                    ": expected its number and coordinates with commas between them");
@@ -274,7 +257,7 @@ class AbaqusReader {
     for (const std::string_view field : comma_fields(line))
       if (!field.empty())
         waiting_.push_back(
-            whole(field, waiting_.empty() ? "the number of an element" : "the number of a node"));
+            given_whole(field, waiting_.empty() ? "the number of an element" : "the number of a node"));
     const auto size = static_cast<std::size_t>(wanted_) + 1;
     if (waiting_.size() < size && line.ends_with(',')) return;
     if (waiting_.size() != size)
@@ -310,8 +293,9 @@ class AbaqusReader {
     if (fields.size() < 2 || fields.size() > 3)
       source_.fail("expected first, last and step, got " + in_quotes(line));
     DeckMesh::Members out{set_, of_, place_};
-    out.ranges.push_back({whole(fields[0], "the first number"), whole(fields[1], "the last number"),
-                          fields.size() == 3 ? whole(fields[2], "a step") : 1});
+    out.ranges.push_back({given_whole(fields[0], "the first number"),
+                          given_whole(fields[1], "the last number"),
+                          fields.size() == 3 ? given_whole(fields[2], "a step") : 1});
     mesh_.add(std::move(out));
   }
 
@@ -323,10 +307,8 @@ class AbaqusReader {
     }
   }
 
-  Source source_;
-  DeckMesh mesh_;
   void (AbaqusReader::*data_)(std::string_view) = nullptr;  // what reads the lines below the keyword
-  std::size_t place_ = 0, last_ = 0;                        // of the line; of the last one that is not empty
+  std::size_t last_ = 0;                                    // place of the last line that is not empty
   bool closed_ = false;                                     // by the last line, *END ...
   std::vector<std::string> within_;                         // blocks that are open, innermost last
   std::string set_;                                         // key of the set that is read
@@ -340,11 +322,8 @@ class AbaqusReader {
 
 }  // namespace
 
-mesh::Mesh read_abaqus(const std::string& name, std::string_view bytes, Remarks* remarks) {
-  return AbaqusReader(name, bytes).read(remarks, false);
-}
-mesh::Mesh read_abaqus_at_rest(const std::string& name, std::string_view bytes, Remarks* remarks) {
-  return AbaqusReader(name, bytes).read(remarks, true);
+mesh::Mesh read_abaqus(const std::string& name, std::string_view bytes, Remarks* remarks, bool at_rest) {
+  return AbaqusReader(name, bytes, remarks).read(at_rest);
 }
 
 }  // namespace fabricsh::format

@@ -3,7 +3,6 @@
 #include <cstring>
 
 #include "base/archive.hpp"
-#include "format/checksum.hpp"
 #include "format/source.hpp"
 #include "system/atomic.hpp"
 

@@ -10,7 +10,7 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
-#include "format/checksum.hpp"
+#include "format/source.hpp"
 #include "system/atomic.hpp"
 #include "system/gate.hpp"
 

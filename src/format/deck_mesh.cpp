@@ -203,6 +203,41 @@ mesh::Mesh DeckMesh::finish(bool at_rest, std::vector<std::string>* remarks) {
   return mesh;
 }
 
+std::int64_t DeckReader::given_whole(std::string_view field, const char* what) const {
+  std::int64_t number = 0;
+  if (!parse(field, number))
+    source_.fail(std::string("expected ") + what + ", a whole number, got " + in_quotes(field));
+  return number;
+}
+
+Vec3 DeckReader::coordinates(const std::vector<std::string_view>& fields, std::size_t width_of_first,
+                             std::size_t width) const {
+  Vec3 x = Vec3::Zero();
+  for (std::size_t i = 1; i < std::min<std::size_t>(fields.size(), 4); ++i) {
+    if (fields[i].empty() || parse_fortran(fields[i], x[static_cast<Eigen::Index>(i) - 1])) continue;
+    const std::size_t before = width_of_first + (i - 1) * width;
+    source_.fail(
+        "node " + std::string(fields[0]) + ": expected a coordinate, got " + in_quotes(fields[i]) +
+        (width == 0 ? ""
+                    : " in columns " + std::to_string(before + 1) + " to " + std::to_string(before + width)));
+  }
+  return x;
+}
+
+void DeckReader::remark(const std::string& text) const {
+  if (remarks_ != nullptr) remarks_->push_back(source_.at_place(text));
+}
+
+void DeckReader::add_part(std::int64_t part, std::vector<std::int64_t> members, bool named) {
+  const auto title = titles_.find(part);
+  const bool titled = title != titles_.end() && !title->second.empty();
+  mesh_.name_set(part_key(part), DeckMesh::Of::elements,
+                 !named   ? ""
+                 : titled ? title->second
+                          : "part_" + std::to_string(part));
+  mesh_.add({part_key(part), DeckMesh::Of::elements, place_, std::move(members)});
+}
+
 std::string upper(std::string_view text) {
   std::string out(text);
   for (char& c : out)

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "format/mesh_builder.hpp"
+#include "format/mesh_file.hpp"
 #include "format/table_line.hpp"
 
 namespace fabricsh::format {
@@ -94,6 +95,36 @@ class DeckMesh {
   std::size_t rest_place_ = 0;  // of its first line
   std::vector<RestCorner> rest_;
   std::map<std::string, Set> node_sets_, element_sets_;
+};
+
+// What the readers of the three solvers' decks share: the text, its mesh, and the line that is read.
+class DeckReader {
+ public:
+  DeckReader(const std::string& name, std::string_view bytes, Remarks* remarks)
+      : source_(name, bytes), mesh_(source_, bytes.size()), remarks_(remarks) {}
+
+ protected:
+  std::int64_t given_whole(std::string_view field, const char* what) const;
+  // 0: the field is blank.
+  std::int64_t whole(std::string_view field, const char* what) const {
+    return field.empty() ? 0 : given_whole(field, what);
+  }
+  // Behind the number of a node. In an error the columns of a coordinate, unless the width is 0.
+  Vec3 coordinates(const std::vector<std::string_view>& fields, std::size_t width_of_first = 0,
+                   std::size_t width = 0) const;
+  void remark(const std::string& text) const;
+  void remark_end(const std::string& missing) const {
+    remark("the file ends without " + missing + "; if it was cut short, part of the mesh is missing");
+  }
+  static std::string part_key(std::int64_t part) { return "part " + std::to_string(part); }
+  // A set of elements, under its title where it is named.
+  void add_part(std::int64_t part, std::vector<std::int64_t> members, bool named = true);
+
+  Source source_;
+  DeckMesh mesh_;
+  Remarks* remarks_;
+  std::size_t place_ = 0;                       // of the line
+  std::map<std::int64_t, std::string> titles_;  // of parts
 };
 
 // The parts of a line between commas, without the blanks around them.

@@ -1,8 +1,7 @@
-#include "format/deck_write.hpp"
-
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "format/deck_mesh.hpp"
+#include "format/mesh_file.hpp"
 
 namespace fabricsh::format {
 

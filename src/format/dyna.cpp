@@ -10,13 +10,11 @@ namespace {
 
 using Of = DeckMesh::Of;
 
-class DynaReader {
+class DynaReader : DeckReader {
  public:
-  DynaReader(const std::string& name, std::string_view bytes)
-      : source_(name, bytes), mesh_(source_, bytes.size()) {}
+  using DeckReader::DeckReader;
 
-  mesh::Mesh read(Remarks* remarks, bool at_rest) {
-    remarks_ = remarks;
+  mesh::Mesh read(bool at_rest) {
     std::string_view line;
     bool complete = false;
     while (!complete && next(line)) {
@@ -28,12 +26,10 @@ class DynaReader {
         (this->*card_)(line);
       }
     }
-    if (remarks != nullptr && !complete)
-      remarks->push_back(
-          source_.at_place("the file ends without *END; if it was cut short, part of the mesh is missing"));
+    if (!complete) remark_end("*END");
     if (parts_.size() > 1)
       for (const auto& [part, members] : parts_) add_part(part, members);
-    return mesh_.finish(at_rest, remarks);
+    return mesh_.finish(at_rest, remarks_);
   }
 
  private:
@@ -59,14 +55,6 @@ class DynaReader {
       from += long_ ? 20 : width;
     }
     return out;
-  }
-
-  std::int64_t whole(std::string_view field, const char* what) const {
-    std::int64_t number = 0;
-    if (field.empty()) return 0;
-    if (!parse(field, number))
-      source_.fail(std::string("expected ") + what + ", a whole number, got " + in_quotes(field));
-    return number;
   }
 
   static bool begins(const std::string& word, const char* with) { return word.starts_with(with); }
@@ -142,8 +130,7 @@ class DynaReader {
     }
   }
   void leave_out(const std::string& word, const char* why) const {
-    if (remarks_ != nullptr)
-      remarks_->push_back(source_.at_place("*" + word + " " + why + ", which is not read: it is left out"));
+    remark("*" + word + " " + why + ", which is not read: it is left out");
   }
 
   void refuse(const std::string& word) const {
@@ -181,20 +168,8 @@ class DynaReader {
     mesh_.add_node(whole(f[0], "the number of a node"), coordinates(f));
   }
 
-  // Behind the number of a node.
   Vec3 coordinates(const std::vector<std::string_view>& f) const {
-    Vec3 x = Vec3::Zero();
-    for (std::size_t i = 1; i < std::min<std::size_t>(f.size(), 4); ++i)
-      if (!f[i].empty() && !parse_fortran(f[i], x[static_cast<Eigen::Index>(i) - 1]))
-        source_.fail("node " + std::string(f[0]) + ": expected a coordinate, got " + in_quotes(f[i]) +
-                     where(i));
-    return x;
-  }
-
-  std::string where(std::size_t i) const {
-    const std::size_t width = long_ ? 20 : 16, first = long_ ? 20 : 8;
-    return " in columns " + std::to_string(first + (i - 1) * width + 1) + " to " +
-           std::to_string(first + i * width);
+    return DeckReader::coordinates(f, long_ ? 20 : 8, long_ ? 20 : 16);
   }
 
   // A triangle has its last node twice, or no fourth.
@@ -226,16 +201,6 @@ class DynaReader {
   void part_numbers(std::string_view card) {
     titles_[whole(fields(card, {10, 10})[0], "the number of a part")] = title_;
     card_ = &DynaReader::part_title;
-  }
-  void add_part(std::int64_t part, std::vector<std::int64_t> members) {
-    const auto title = titles_.find(part);
-    const std::string key = "part " + std::to_string(part);
-    mesh_.name_set(
-        key, Of::elements,
-        title == titles_.end() || title->second.empty() ? "part_" + std::to_string(part) : title->second);
-    DeckMesh::Members line{key, Of::elements, place_};
-    line.numbers = std::move(members);
-    mesh_.add(std::move(line));
   }
 
   void open_set(const std::string& word, Of of, std::string options) {
@@ -285,33 +250,23 @@ class DynaReader {
     mesh_.add(std::move(line));
   }
   void column(std::string_view card) {
-    DeckMesh::Members line{set_, of_, place_};
-    line.numbers = {whole(fields(card, {10})[0], "the number of a member")};
-    mesh_.add(std::move(line));
+    mesh_.add({set_, of_, place_, {whole(fields(card, {10})[0], "the number of a member")}});
   }
 
-  Source source_;
-  DeckMesh mesh_;
   Card card_ = nullptr, members_ = nullptr;  // what reads the next card
-  std::size_t place_ = 0;                    // of the line
   bool all_long_ = false, long_ = false, titled_ = false;
   int more_ = 0, skip_ = 0;  // cards behind that of an element, which hold nothing of the mesh
   std::string set_, title_, rest_;
   bool elementwise_ = false;  // that shape is given by other nodes of the elements
   bool scaled_ = false;       // the next card has the scales of a stress-free shape
-  Remarks* remarks_ = nullptr;
   Of of_ = Of::nodes;
   std::map<std::int64_t, std::vector<std::int64_t>> parts_;  // elements of each
-  std::map<std::int64_t, std::string> titles_;
 };
 
 }  // namespace
 
-mesh::Mesh read_dyna(const std::string& name, std::string_view bytes, Remarks* remarks) {
-  return DynaReader(name, bytes).read(remarks, false);
-}
-mesh::Mesh read_dyna_at_rest(const std::string& name, std::string_view bytes, Remarks* remarks) {
-  return DynaReader(name, bytes).read(remarks, true);
+mesh::Mesh read_dyna(const std::string& name, std::string_view bytes, Remarks* remarks, bool at_rest) {
+  return DynaReader(name, bytes, remarks).read(at_rest);
 }
 
 }  // namespace fabricsh::format

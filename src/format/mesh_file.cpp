@@ -4,7 +4,6 @@
 #include <filesystem>
 
 #include "base/error.hpp"
-#include "format/deck_write.hpp"
 #include "format/source.hpp"
 #include "format/vtu.hpp"
 #include "mesh/check.hpp"
@@ -24,6 +23,11 @@ std::string ending(const std::string& path) {
 template <mesh::Mesh (*read)(const std::string&, std::string_view)>
 mesh::Mesh complete(const std::string& name, std::string_view bytes, Remarks*) {
   return read(name, bytes);
+}
+
+template <auto read, bool at_rest>
+mesh::Mesh deck(const std::string& name, std::string_view bytes, Remarks* remarks) {
+  return read(name, bytes, remarks, at_rest);
 }
 
 template <std::string (*text)(const mesh::Mesh&)>
@@ -69,10 +73,10 @@ constexpr MeshFormat forms[] = {
     {".obj", read_obj, write_text<obj_text>},
     {".stl", read_stl, write_text<stl_text>},
     {".ply", read_ply, write_text<ply_text>},
-    {".inp", read_abaqus, write_text<abaqus_text>, read_abaqus_at_rest},
-    {".k", read_dyna, write_text<dyna_text>, read_dyna_at_rest},
-    {".key", read_dyna, nullptr, read_dyna_at_rest},
-    {".rad", read_radioss, write_text<radioss_text>, read_radioss_at_rest},
+    {".inp", deck<read_abaqus, false>, write_text<abaqus_text>, deck<read_abaqus, true>},
+    {".k", deck<read_dyna, false>, write_text<dyna_text>, deck<read_dyna, true>},
+    {".key", deck<read_dyna, false>, nullptr, deck<read_dyna, true>},
+    {".rad", deck<read_radioss, false>, write_text<radioss_text>, deck<read_radioss, true>},
 };
 
 // The endings of the forms that have the function, ".obj, .stl or .ply".

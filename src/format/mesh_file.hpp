@@ -40,17 +40,32 @@ mesh::Mesh read_gmsh(const std::string& name, std::string_view bytes);
 mesh::Mesh read_obj(const std::string& name, std::string_view bytes, Remarks* remarks = nullptr);
 mesh::Mesh read_vtu(const std::string& name, std::string_view bytes);
 mesh::Mesh read_legacy_vtk(const std::string& name, std::string_view bytes);
-mesh::Mesh read_abaqus(const std::string& name, std::string_view bytes, Remarks* remarks = nullptr);
-mesh::Mesh read_dyna(const std::string& name, std::string_view bytes, Remarks* remarks = nullptr);
-mesh::Mesh read_abaqus_at_rest(const std::string& name, std::string_view bytes, Remarks* remarks = nullptr);
-mesh::Mesh read_dyna_at_rest(const std::string& name, std::string_view bytes, Remarks* remarks = nullptr);
-mesh::Mesh read_radioss(const std::string& name, std::string_view bytes, Remarks* remarks = nullptr);
-mesh::Mesh read_radioss_at_rest(const std::string& name, std::string_view bytes, Remarks* remarks = nullptr);
+mesh::Mesh read_abaqus(const std::string& name, std::string_view bytes, Remarks* remarks = nullptr,
+                       bool at_rest = false);
+mesh::Mesh read_dyna(const std::string& name, std::string_view bytes, Remarks* remarks = nullptr,
+                     bool at_rest = false);
+mesh::Mesh read_radioss(const std::string& name, std::string_view bytes, Remarks* remarks = nullptr,
+                        bool at_rest = false);
 mesh::Mesh read_stl(const std::string& name, std::string_view bytes, Remarks* remarks = nullptr);
 mesh::Mesh read_ply(const std::string& name, std::string_view bytes, Remarks* remarks = nullptr);
 std::string gmsh_text(const mesh::Mesh& mesh);
 std::string obj_text(const mesh::Mesh& mesh);
 std::string ply_text(const mesh::Mesh& mesh);
 std::string stl_text(const mesh::Mesh& mesh);
+
+// --- A mesh as other solvers write it: nodes, shells of 3 and 4 nodes, sets of nodes. Numbers count from 1
+// in the mesh's order. The rest of a deck (materials, supports, steps) surrounds these lines.
+
+struct DeckForm {
+  double length = 1;             // what a metre is in the deck
+  bool membrane = false;         // Abaqus: M3D4R and M3D3 in the place of S4 and S3
+  std::string elements = "all";  // Abaqus: name of the set of all elements
+};
+
+// Errors: a set's name that the format can't hold, a mesh too large for its columns.
+std::string abaqus_lines(const mesh::Mesh& mesh, const DeckForm& form = {});
+std::string dyna_lines(const mesh::Mesh& mesh,
+                       const DeckForm& form = {});  // part 1; set k is the k-th by name
+std::string radioss_lines(const mesh::Mesh& mesh, const DeckForm& form = {});  // part 1; group k as well
 
 }  // namespace fabricsh::format

@@ -7,7 +7,6 @@
 #include "base/error.hpp"
 #include "format/pattern_parts.hpp"
 #include "format/source.hpp"
-#include "format/svg_shapes.hpp"
 #include "mesh/rim.hpp"
 
 namespace fabricsh::format {

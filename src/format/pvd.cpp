@@ -10,7 +10,9 @@
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "base/utf8.hpp"
+#include "format/frame_file.hpp"
 #include "format/source.hpp"
+#include "format/xml.hpp"
 #include "system/gate.hpp"
 
 namespace fabricsh::format {
@@ -19,24 +21,6 @@ namespace {
 
 std::string without_extension(const std::string& stem) {
   return stem.ends_with(".pvd") ? stem.substr(0, stem.size() - 4) : stem;
-}
-
-std::string xml(const std::string& text) {
-  std::string out;
-  for (const char c : text) switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  return out;
 }
 
 // Identifies a file, to notice when another one takes its place; empty if there is none or --safe hides it.
@@ -100,7 +84,7 @@ void PvdSeries::frame(double time, const VtuGrid& grid, const std::vector<PvdPar
   const std::string path = frame_path(frames());
   const FileSum file = write_vtu(path, grid, system::Sync::no, system::Folder::expect);
   const std::string start = "    <DataSet timestep=\"" + exact_number(time) + "\"";
-  std::string entry = start + " file=\"" + xml(file_name(path)) + "\"/>\n";
+  std::string entry = start + " file=\"" + escaped(file_name(path)) + "\"/>\n";
   parts_.clear();
   for (const PvdPart& part : parts) {
     std::string name = part.name;
@@ -112,8 +96,8 @@ void PvdSeries::frame(double time, const VtuGrid& grid, const std::vector<PvdPar
     shape.point_data = part.point_data;
     shape.time = time;
     write_vtu(beside, shape, system::Sync::no, system::Folder::expect);
-    entry +=
-        start + " part=\"" + std::to_string(parts_.size()) + "\" file=\"" + xml(file_name(beside)) + "\"/>\n";
+    entry += start + " part=\"" + std::to_string(parts_.size()) + "\" file=\"" + escaped(file_name(beside)) +
+             "\"/>\n";
   }
   place_.frames.push_back({entry, file});
   try {
@@ -168,6 +152,30 @@ void PvdSeries::write_index(system::Folder folder) {
   for (const PvdPlace::PvdFrame& frame : place_.frames) text += frame.entry;
   system::write_file(path_, text + "  </Collection>\n</VTKFile>\n", system::Sync::no, folder);
   mark_ = mark_of(path_);
+}
+
+std::vector<SeriesEntry> read_pvd(const std::string& name, std::string_view bytes) {
+  Source source(name, bytes);
+  XmlTags tags(source);
+  XmlTag tag;
+  std::vector<SeriesEntry> entries;
+  bool head = false;
+  while (tags.next(tag)) {
+    if (!tag.opens) continue;
+    if (!head && (tag.name != "VTKFile" || tag.attributes["type"] != "Collection"))
+      source.fail("expected a .pvd file, which begins with <VTKFile type=\"Collection\">");
+    head = true;
+    if (tag.name != "DataSet") continue;
+    SeriesEntry entry;
+    if (!parse(tag.attributes["timestep"], entry.time) || tag.attributes["file"].empty())
+      source.fail("<DataSet>: expected timestep=\"a number\" and file=\"a name\"");
+    const std::string part = tag.attributes["part"];
+    if (!part.empty() && !parse(part, entry.part)) source.fail("<DataSet>: expected part=\"a whole number\"");
+    entry.file = tag.attributes["file"];
+    entries.push_back(std::move(entry));
+  }
+  if (!head) source.fail("expected a .pvd file, which begins with <VTKFile type=\"Collection\">");
+  return entries;
 }
 
 }  // namespace fabricsh::format

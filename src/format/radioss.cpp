@@ -37,13 +37,11 @@ std::vector<std::string_view> words_of(std::string_view line) {
   return words;
 }
 
-class RadiossReader {
+class RadiossReader : DeckReader {
  public:
-  RadiossReader(const std::string& name, std::string_view bytes)
-      : source_(name, bytes), mesh_(source_, bytes.size()) {}
+  using DeckReader::DeckReader;
 
-  mesh::Mesh read(Remarks* remarks, bool at_rest) {
-    remarks_ = remarks;
+  mesh::Mesh read(bool at_rest) {
     std::string_view line;
     std::size_t last = 0;
     bool complete = false;
@@ -56,15 +54,14 @@ class RadiossReader {
         (this->*card_)(line);
       }
     }
-    if (remarks != nullptr && !complete && begun_)
-      remarks->push_back(
-          source_.at_place("the file ends without /END; if it was cut short, part of the mesh is missing"));
-    else if (remarks != nullptr && !complete && source_.endless(last))
-      remarks->push_back(source_.at_place(no_line_end));
+    if (!complete && begun_)
+      remark_end("/END");
+    else if (!complete && source_.endless(last))
+      remark(no_line_end);
     add_parts();
     add_groups();
     add_shape();
-    return mesh_.finish(at_rest, remarks);
+    return mesh_.finish(at_rest, remarks_);
   }
 
  private:
@@ -101,14 +98,6 @@ class RadiossReader {
     for (std::size_t from = 0, size = first; from < card.size(); from += size, size = width)
       out.push_back(trimmed(card.substr(from, from == 0 ? first : width)));
     return out;
-  }
-
-  std::int64_t whole(std::string_view field, const char* what) const {
-    std::int64_t number = 0;
-    if (field.empty()) return 0;
-    if (!parse(field, number))
-      source_.fail(std::string("expected ") + what + ", a whole number, got " + in_quotes(field));
-    return number;
   }
 
   // The number that a keyword ends with; 0: none.
@@ -167,8 +156,8 @@ class RadiossReader {
   }
 
   void leave_out(const std::string& what) const {
-    if (remarks_ != nullptr && !source_.endless(place_))  // of a line that was cut something else is said
-      remarks_->push_back(source_.at_place(what + ", which is not read: it is left out"));
+    if (!source_.endless(place_))  // of a line that was cut something else is said
+      remark(what + ", which is not read: it is left out");
   }
 
   void refuse_units(const Words& words, std::size_t at) const {
@@ -212,12 +201,7 @@ class RadiossReader {
 
   // --- nodes and shells
   Vec3 coordinates(const std::vector<std::string_view>& f) const {
-    Vec3 x = Vec3::Zero();
-    for (std::size_t i = 1; i < std::min<std::size_t>(f.size(), 4); ++i)
-      if (!f[i].empty() && !parse_fortran(f[i], x[static_cast<Eigen::Index>(i) - 1]))
-        source_.fail("node " + std::string(f[0]) + ": expected a coordinate, got " + in_quotes(f[i]) +
-                     " in columns " + std::to_string(20 * i - 9) + " to " + std::to_string(20 * i + 10));
-    return length_ * x;
+    return length_ * DeckReader::coordinates(f, 10, 20);
   }
   void node(std::string_view card) {
     const auto f = fields(card, 10, 20);
@@ -309,17 +293,10 @@ class RadiossReader {
     composed_.push_back(std::move(line));
   }
 
-  static std::string part_key(std::int64_t part) { return "part " + std::to_string(part); }
   void add_parts() {
-    for (auto& [part, members] : parts_) {
-      const std::string key = part_key(part);
-      if (parts_.size() < 2 && !used_.contains(key)) continue;
-      const auto title = titles_.find(part);
-      const std::string own =
-          title == titles_.end() || title->second.empty() ? "part_" + std::to_string(part) : title->second;
-      mesh_.name_set(key, Of::elements, parts_.size() < 2 ? "" : own);
-      mesh_.add({key, Of::elements, place_, std::move(members)});
-    }
+    for (auto& [part, members] : parts_)
+      if (parts_.size() > 1 || used_.contains(part_key(part)))
+        add_part(part, std::move(members), parts_.size() > 1);
   }
   // Those of other groups, which must be there before they are named.
   void add_groups() {
@@ -380,19 +357,14 @@ class RadiossReader {
     std::size_t place;
   };
 
-  Source source_;
-  DeckMesh mesh_;
-  Remarks* remarks_ = nullptr;
   Card card_ = nullptr;        // what reads the next line
   bool blank_counts_ = false;  // whether that line may be blank
-  std::size_t place_ = 0;      // of the line
   std::string keyword_;
   bool begun_ = false, has_nodes_ = false;
   double length_ = 1;  // m, the deck's unit
   std::size_t corners_ = 4;
   std::int64_t part_ = 0;
   std::map<std::int64_t, std::vector<std::int64_t>> parts_, nodes_of_;  // elements and nodes of each
-  std::map<std::int64_t, std::string> titles_;
   enum class Listed { members, sets, ranges, steps } listed_ = Listed::members;
   DeckMesh::Members group_{};
   std::string named_;                        // of what kind the members of the group are
@@ -403,11 +375,8 @@ class RadiossReader {
 
 }  // namespace
 
-mesh::Mesh read_radioss(const std::string& name, std::string_view bytes, Remarks* remarks) {
-  return RadiossReader(name, bytes).read(remarks, false);
-}
-mesh::Mesh read_radioss_at_rest(const std::string& name, std::string_view bytes, Remarks* remarks) {
-  return RadiossReader(name, bytes).read(remarks, true);
+mesh::Mesh read_radioss(const std::string& name, std::string_view bytes, Remarks* remarks, bool at_rest) {
+  return RadiossReader(name, bytes, remarks).read(at_rest);
 }
 
 }  // namespace fabricsh::format

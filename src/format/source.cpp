@@ -2,6 +2,7 @@
 
 #include <sys/stat.h>
 #include <unistd.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -148,5 +149,10 @@ std::string Source::at_place(const std::string& why) const {
 }
 
 void Source::fail(const std::string& why) const { throw Error(at_place(why)); }
+
+std::uint32_t checksum(std::string_view bytes, std::uint32_t so_far) {
+  return static_cast<std::uint32_t>(
+      crc32_z(so_far, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
+}
 
 }  // namespace fabricsh::format

@@ -1,6 +1,7 @@
 // A mesh as a bare surface, without sets: .obj, .ply, .stl.
 #include "base/number.hpp"
 #include "format/mesh_file.hpp"
+#include "mesh/edges.hpp"
 
 namespace fabricsh::format {
 
@@ -10,7 +11,7 @@ std::string surface_point(const Vec3& x) {
   return exact_number(x.x()) + " " + exact_number(x.y()) + " " + exact_number(x.z());
 }
 
-std::size_t corners_of(const std::array<mesh::Index, 4>& ids) { return ids[3] < 0 ? 3 : 4; }
+using mesh::corner_count;
 
 std::string facet(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 across = (b - a).cross(c - a);
@@ -28,7 +29,7 @@ std::string obj_text(const mesh::Mesh& mesh) {
   for (const Vec3& x : mesh.nodes) text += "v " + surface_point(x) + "\n";
   for (const auto& ids : mesh.elements) {
     text += "f";
-    for (std::size_t k = 0; k < corners_of(ids); ++k) text += " " + std::to_string(ids[k] + 1);
+    for (std::size_t k = 0; k < corner_count(ids); ++k) text += " " + std::to_string(ids[k] + 1);
     text += "\n";
   }
   return text;
@@ -41,8 +42,8 @@ std::string ply_text(const mesh::Mesh& mesh) {
                      "\nproperty list uchar int vertex_indices\nend_header\n";
   for (const Vec3& x : mesh.nodes) text += surface_point(x) + "\n";
   for (const auto& ids : mesh.elements) {
-    text += std::to_string(corners_of(ids));
-    for (std::size_t k = 0; k < corners_of(ids); ++k) text += " " + std::to_string(ids[k]);
+    text += std::to_string(corner_count(ids));
+    for (std::size_t k = 0; k < corner_count(ids); ++k) text += " " + std::to_string(ids[k]);
     text += "\n";
   }
   return text;
@@ -54,7 +55,7 @@ std::string stl_text(const mesh::Mesh& mesh) {
   const auto at = [&mesh](mesh::Index id) -> const Vec3& { return mesh.nodes[static_cast<std::size_t>(id)]; };
   for (const auto& ids : mesh.elements) {
     text += facet(at(ids[0]), at(ids[1]), at(ids[2]));
-    if (corners_of(ids) == 4) text += facet(at(ids[0]), at(ids[2]), at(ids[3]));
+    if (corner_count(ids) == 4) text += facet(at(ids[0]), at(ids[2]), at(ids[3]));
   }
   return text + "endsolid cloth\n";
 }

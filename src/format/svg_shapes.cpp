@@ -1,4 +1,3 @@
-#include "format/svg_shapes.hpp"
 
 // GCC 12 cannot see that svgpp's arcs are set before they are read.
 #if defined(__GNUC__) && !defined(__clang__)

@@ -14,12 +14,14 @@
 #include <vtkSignedCharArray.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
+#include <vtkVersion.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
 #include <algorithm>
 
 #include "base/error.hpp"
-#include "format/checksum.hpp"
+#include "format/source.hpp"
+#include "format/xml.hpp"
 
 namespace fabricsh::format {
 
@@ -33,22 +35,7 @@ void check_length(const Array& array, std::size_t items, const char* of) {
               std::to_string(array.values.size()) + " in all");
 }
 
-// VTK writes array names without escaping characters that are special in XML.
-std::string escaped(const std::string& name) {
-  std::string text;
-  for (const char c : name) {
-    if (c == '&')
-      text += "&amp;";
-    else if (c == '<')
-      text += "&lt;";
-    else if (c == '"')
-      text += "&quot;";
-    else
-      text += c;
-  }
-  return text;
-}
-
+// VTK writes names of arrays without escaping characters that mean something in XML.
 void add_flags(vtkDataSetAttributes* data, const Array& array) {
   vtkNew<vtkSignedCharArray> copy;
   copy->SetName(escaped(array.name).c_str());
@@ -149,5 +136,7 @@ FileSum write_vtu(const std::string& path, const VtuGrid& grid, system::Sync syn
   system::write_file(path, bytes, sync, folder);
   return sum_of(bytes);
 }
+
+std::vector<Library> libraries() { return {{"VTK", vtkVersion::GetVTKVersion()}}; }
 
 }  // namespace fabricsh::format

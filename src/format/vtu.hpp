@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/archive.hpp"
+#include "base/version.hpp"
 #include "mesh/mesh.hpp"
 #include "system/atomic.hpp"
 
@@ -45,5 +46,7 @@ FileSum sum_of(std::string_view bytes);
 // array whose length is not components times points (or cells), or a file that cannot be written.
 FileSum write_vtu(const std::string& path, const VtuGrid& grid, system::Sync sync = system::Sync::yes,
                   system::Folder folder = system::Folder::make);
+
+std::vector<Library> libraries();  // VTK
 
 }  // namespace fabricsh::format

@@ -118,4 +118,19 @@ void XmlTags::read_attribute(XmlTag& tag, std::string_view& text) const {
   text = trimmed(value.substr(end + 1));
 }
 
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '&')
+      out += "&amp;";
+    else if (c == '<')
+      out += "&lt;";
+    else if (c == '"')
+      out += "&quot;";
+    else
+      out += c;
+  }
+  return out;
+}
+
 }  // namespace fabricsh::format

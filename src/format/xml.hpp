@@ -8,6 +8,9 @@
 
 namespace fabricsh::format {
 
+// With the entities of the characters that mean something in attributes.
+std::string escaped(const std::string& text);
+
 struct XmlTag {
   std::string name;
   std::map<std::string, std::string, std::less<>> attributes;

@@ -1,10 +1,8 @@
 // fabric.mesh.read, mesh:write, mesh:check, mesh:orient.
-#include "format/deck_write.hpp"
 #include "format/mesh_file.hpp"
 #include "geometry/box.hpp"
 #include "mesh/check.hpp"
 #include "mesh/generators.hpp"
-#include "mesh/refine.hpp"
 #include "model/outlook.hpp"
 #include "script/bind/mesh.hpp"
 #include "script/bind/model.hpp"
