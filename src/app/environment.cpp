@@ -2,7 +2,9 @@
 
 #include <dlfcn.h>
 #include <fcntl.h>
+#include <histedit.h>
 #include <malloc.h>
+#include <omp.h>
 #include <stdlib.h>
 #include <unistd.h>
 
@@ -11,8 +13,13 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <lua.hpp>
+#include <sstream>
 #include <system_error>
 
+#include "base/version.hpp"
+#include "format/vtu.hpp"
+#include "linear/libraries.hpp"
 #include "simd/isa.hpp"
 
 namespace fabricsh::app {
@@ -80,6 +87,44 @@ void watch_output() { on_exit(look, reinterpret_cast<void*>(static_cast<std::int
 void hold_standard_streams() {
   for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; ++stream)
     if (fcntl(stream, F_GETFD) < 0) ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+}
+
+namespace {
+
+// The location of a program in PATH; empty: not found.
+std::string found(const std::string& program) {
+  const char* path = std::getenv("PATH");
+  std::istringstream folders(path == nullptr ? "" : path);
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    const std::string file = (folder.empty() ? "." : folder) + "/" + program;
+    if (access(file.c_str(), X_OK) == 0) return file;
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string headline() { return "fabricsh " + version() + " (" + build_kind() + ", " + compiler() + ")"; }
+
+std::string about() {
+  std::ostringstream out;
+  out << headline() << "\n";
+  const char* between = "";
+  const std::vector<Library> of_prompt = {
+      {"Lua", LUA_VERSION_MAJOR "." LUA_VERSION_MINOR "." LUA_VERSION_RELEASE},
+      {"libedit", std::to_string(LIBEDIT_MAJOR) + "." + std::to_string(LIBEDIT_MINOR)}};
+  for (const auto& list : {of_prompt, linear::libraries(), format::libraries()})
+    for (const Library& library : list) {
+      out << between << library.name << " " << library.version;
+      between = ", ";
+    }
+  out << "\nkernels for " << name(best_isa()) << ", " << omp_get_max_threads() << " threads (OpenMP "
+      << _OPENMP << ")\n";
+  for (const auto& [program, use] : {std::pair{"gnuplot", "figures"}, {"Xvfb", "rendered pictures"}}) {
+    const std::string file = found(program);
+    out << program << ": " << (file.empty() ? "not found, needed for " + std::string(use) : file) << "\n";
+  }
+  return out.str();
 }
 
 }  // namespace fabricsh::app

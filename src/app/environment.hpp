@@ -31,4 +31,11 @@ void watch_output();
 // To be called before any file is opened.
 void hold_standard_streams();
 
+// --- The version of this program and its environment.
+
+std::string headline();  // "fabricsh 0.2.0 (Release, GNU 12.2.0)"
+// The headline, then versions of the libraries, the instruction set, the threads, and the locations of the
+// drawing programs.
+std::string about();
+
 }  // namespace fabricsh::app

@@ -8,7 +8,6 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "app/about.hpp"
 #include "app/command_line.hpp"
 #include "app/environment.hpp"
 #include "app/progress.hpp"
@@ -18,7 +17,7 @@
 #include "repl/interrupt.hpp"
 #include "repl/prompt.hpp"
 #include "script/open/open_session.hpp"
-#include "script/runs/checkpoint.hpp"
+#include "script/runs/drive.hpp"
 
 namespace {
 

@@ -2,7 +2,6 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "render/display.hpp"
 #include "render/draw.hpp"
 
 int main() {

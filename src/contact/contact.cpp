@@ -1,7 +1,6 @@
 #include "contact/contact.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 

@@ -1,6 +1,5 @@
-#include "contact/modulation.hpp"
-
 #include "contact/jet.hpp"
+#include "contact/pair.hpp"
 
 namespace fabricsh::contact {
 namespace {

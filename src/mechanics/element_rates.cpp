@@ -1,9 +1,9 @@
-#include "mechanics/element_rates.hpp"
-
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <limits>
+
+#include "mechanics/terms/cloth_rates.hpp"
 
 namespace fabricsh::mechanics {
 

@@ -1,6 +1,8 @@
 // Structured meshes of simple shapes; lengths in m, angles in
 // degrees. Every error has the form "disk: field 'radius': ...".
 #pragma once
+#include <functional>
+
 #include "mesh/mesh.hpp"
 
 namespace fabricsh::mesh {
@@ -68,5 +70,45 @@ Index join_nodes(Mesh& mesh, double distance);
 
 // Adds the sets all and boundary (the nodes of free edges, if there are any) unless they are there.
 void add_usual_sets(Mesh& mesh);
+
+// Cuts every element from its middle to the middles of its sides: a quadrilateral into four, a triangle into
+// three. So no triangle is left. New nodes lie on the sides and in the middles, hence the surface and its
+// border stay as they are, with their corners. They have the highest numbers: first the sides, in the order
+// of their ends, then the elements. A set takes the middle of a side whose ends it has, of an inner side only
+// if it has inner nodes, and the middle of an element all of whose corners it has. The warp goes with the
+// elements. Errors: a mesh in use or of several parts.
+void refine(Mesh& mesh);
+
+// --- Joins triangles in pairs to quadrilaterals, which yarns do not lock where they cross them obliquely.
+
+// Joins neighbours where the four corners form a convex and nearly flat quadrilateral whose corners are 30 to
+// 150 degrees: the best pairs first, then others in their place where that leaves fewer triangles. Nodes and
+// sets stay, elements are numbered anew in the order of the first of their triangles. Returns how many
+// triangles are left. Error: a mesh in use.
+Index pair_triangles(Mesh& mesh);
+
+// --- A slit along a line of edges.
+
+// The nodes of the two sides, ascending; at an end inside the mesh, where the sides stay together, both have
+// its node.
+struct CrackFaces {
+  NodeSet left, right;  // as seen from the start of the slit, against the normal
+};
+
+// Cuts the mesh along the edges on the straight line between two points (m): the nodes there are doubled
+// except at an end inside the mesh. The left side keeps them; the new ones follow all others, and are in the
+// sets of those at their places. A set boundary that has the nodes of all free edges has them again. Errors,
+// with the place: no node at an end; a part of the line without an edge, or along an edge that is free; a
+// slit of one edge inside the mesh, which would not open; a mesh of several parts or in use.
+CrackFaces slit(Mesh& mesh, const Vec3& from, const Vec3& to);
+
+// --- A hole along the grid of a mesh.
+
+// Leaves out the elements whose middle, the mean of their corners (m), is inside, and the nodes that no
+// element has any more; sets keep the others, and one that loses all its nodes goes. A set boundary that had
+// the nodes of all free edges has them again. Returns the nodes of the rim, which elements on both sides of
+// it had, ascending. Errors: no element inside, or all of them; a mesh of several parts
+// or in use.
+NodeSet hole(Mesh& mesh, const std::function<bool(const Vec3&)>& inside);
 
 }  // namespace fabricsh::mesh

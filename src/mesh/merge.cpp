@@ -26,26 +26,35 @@ void check_corners(const std::array<Index, 4>& ids, std::size_t element, Index n
   }
 }
 
-// For each node the first node of another mesh within the distance, or itself; by a sweep along x.
-std::vector<Index> partners(const Mesh& joined, double distance) {
-  const std::vector<Vec3>& nodes = joined.nodes;
-  std::vector<Index> order(nodes.size()), partner(nodes.size()), owner(nodes.size());
+// For each node the first within the distance that it may join, or itself; by a sweep along the axis.
+template <class MayJoin>
+std::vector<Index> partners(const std::vector<Vec3>& nodes, double distance, Eigen::Index axis,
+                            const MayJoin& may_join) {
+  std::vector<Index> order(nodes.size()), partner(nodes.size());
   std::iota(order.begin(), order.end(), Index{0});
   partner = order;
-  for (std::size_t p = 0; p < joined.parts.size(); ++p)
-    std::fill(owner.begin() + joined.parts[p].first_node, owner.end(), static_cast<Index>(p));
   const auto at = [](auto& list, Index i) -> auto& { return list[static_cast<std::size_t>(i)]; };
   std::stable_sort(order.begin(), order.end(),
-                   [&](Index a, Index b) { return at(nodes, a).x() < at(nodes, b).x(); });
+                   [&](Index a, Index b) { return at(nodes, a)[axis] < at(nodes, b)[axis]; });
   for (std::size_t i = 0; i < order.size(); ++i)
     for (std::size_t j = i + 1; j < order.size(); ++j) {
       const auto [a, b] = std::minmax(order[i], order[j]);
-      if (at(nodes, order[j]).x() - at(nodes, order[i]).x() > distance) break;
-      if (at(owner, a) != at(owner, b) && (at(nodes, a) - at(nodes, b)).norm() <= distance)
+      if (at(nodes, order[j])[axis] - at(nodes, order[i])[axis] > distance) break;
+      if (may_join(a, b) && (at(nodes, a) - at(nodes, b)).norm() <= distance)
         at(partner, b) = std::min(at(partner, b), a);
     }
   for (Index& p : partner) p = at(partner, p);  // in ascending order, so that the partner's own is final
   return partner;
+}
+
+// Of nodes of different meshes.
+std::vector<Index> partners(const Mesh& joined, double distance) {
+  std::vector<Index> owner(joined.nodes.size());
+  for (std::size_t p = 0; p < joined.parts.size(); ++p)
+    std::fill(owner.begin() + joined.parts[p].first_node, owner.end(), static_cast<Index>(p));
+  return partners(joined.nodes, distance, 0, [&](Index a, Index b) {
+    return owner[static_cast<std::size_t>(a)] != owner[static_cast<std::size_t>(b)];
+  });
 }
 
 // Numbers of the nodes that stay, by those of all nodes.
@@ -61,26 +70,6 @@ std::vector<Index> renumber(const std::vector<Index>& partner, Mesh& mesh) {
   return place;
 }
 
-// For each node the first within the distance, or itself; by a sweep along the longest axis of the mesh.
-std::vector<Index> first_of_place(const std::vector<Vec3>& nodes, double distance) {
-  const auto at = [&nodes](Index i) -> const Vec3& { return nodes[static_cast<std::size_t>(i)]; };
-  Eigen::Index axis = 0;
-  box_of(nodes).size().maxCoeff(&axis);
-  std::vector<Index> order(nodes.size()), first(nodes.size());
-  std::iota(order.begin(), order.end(), Index{0});
-  first = order;
-  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return at(a)[axis] < at(b)[axis]; });
-  for (std::size_t i = 0; i < order.size(); ++i)
-    for (std::size_t j = i + 1; j < order.size(); ++j) {
-      const auto [a, b] = std::minmax(order[i], order[j]);
-      if (at(order[j])[axis] - at(order[i])[axis] > distance) break;
-      auto& own = first[static_cast<std::size_t>(b)];
-      if ((at(a) - at(b)).norm() <= distance) own = std::min(own, a);
-    }
-  for (Index& p : first) p = first[static_cast<std::size_t>(p)];
-  return first;
-}
-
 }  // namespace
 
 Index join_nodes(Mesh& mesh, double distance) {
@@ -88,7 +77,10 @@ Index join_nodes(Mesh& mesh, double distance) {
   const auto boundary = mesh.sets.find("boundary");
   if (boundary != mesh.sets.end() && boundary->second == free_nodes(mesh)) mesh.sets.erase(boundary);
   mesh.sets.erase("all");
-  const std::vector<Index> place = renumber(first_of_place(mesh.nodes, distance), mesh);
+  Eigen::Index longest = 0;
+  box_of(mesh.nodes).size().maxCoeff(&longest);
+  const auto all = [](Index, Index) { return true; };
+  const std::vector<Index> place = renumber(partners(mesh.nodes, distance, longest, all), mesh);
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
     for (Index& id : mesh.elements[e])
       if (id >= 0) id = place[static_cast<std::size_t>(id)];

@@ -1,10 +1,9 @@
-#include "mesh/refine.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include "base/error.hpp"
 #include "mesh/edges.hpp"
+#include "mesh/generators.hpp"
 #include "mesh/matching.hpp"
 
 namespace fabricsh::mesh {

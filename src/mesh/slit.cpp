@@ -1,5 +1,3 @@
-#include "mesh/slit.hpp"
-
 #include <algorithm>
 #include <map>
 #include <set>
@@ -7,6 +5,7 @@
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "mesh/edges.hpp"
+#include "mesh/generators.hpp"
 
 namespace fabricsh::mesh {
 

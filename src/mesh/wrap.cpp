@@ -1,5 +1,3 @@
-#include "mesh/wrap.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -7,6 +5,7 @@
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "mesh/lattice.hpp"
+#include "mesh/panel.hpp"
 
 namespace fabricsh::mesh {
 

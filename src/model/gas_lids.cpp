@@ -1,5 +1,3 @@
-#include "model/gas_lids.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,6 +10,7 @@
 #include "base/number.hpp"
 #include "contact/rigid.hpp"
 #include "contact/touch.hpp"
+#include "model/gas.hpp"
 
 namespace fabricsh::model {
 

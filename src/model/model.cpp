@@ -6,7 +6,6 @@
 
 #include "mesh/check.hpp"
 #include "mesh/corners.hpp"
-#include "section/transverse.hpp"
 
 namespace fabricsh::model {
 

@@ -7,8 +7,7 @@
 
 #include "base/error.hpp"
 #include "mesh/check.hpp"
-#include "mesh/corners.hpp"
-#include "section/transverse.hpp"
+#include "section/section.hpp"
 
 namespace fabricsh::model {
 

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <random>
 
-#include "photograph/ellipse.hpp"
-
 namespace fabricsh::photograph {
 
 namespace {

@@ -1,9 +1,9 @@
-#include "photograph/ellipse.hpp"
-
 #include <Eigen/Dense>
 #include <cmath>
 #include <unsupported/Eigen/NonLinearOptimization>
 #include <unsupported/Eigen/NumericalDiff>
+
+#include "photograph/dots.hpp"
 
 namespace fabricsh::photograph {
 

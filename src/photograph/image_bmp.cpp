@@ -1,5 +1,4 @@
 // BMP without compression: 8 bits with a palette, 24 or 32 bits per pixel.
-#include <cstring>
 
 #include "photograph/image_decode.hpp"
 

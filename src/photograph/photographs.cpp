@@ -5,7 +5,7 @@
 
 #include "base/error.hpp"
 #include "photograph/correlation.hpp"
-#include "photograph/speckle.hpp"
+#include "photograph/dots.hpp"
 #include "photograph/tracker.hpp"
 
 namespace fabricsh::photograph {

@@ -1,10 +1,10 @@
-#include "photograph/speckle.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
 #include <vector>
+
+#include "photograph/dots.hpp"
 
 namespace fabricsh::photograph {
 

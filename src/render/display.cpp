@@ -1,5 +1,3 @@
-#include "render/display.hpp"
-
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
@@ -13,6 +11,7 @@
 #include <cstdlib>
 
 #include "base/error.hpp"
+#include "render/draw.hpp"
 #include "system/child.hpp"
 
 namespace fabricsh::render {

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "render/display.hpp"
+#include "render/draw.hpp"
 
 namespace fabricsh::render {
 

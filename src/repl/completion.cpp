@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
+#include <map>
 #include <optional>
 
 #include "repl/lexer.hpp"
 #include "script/call/boundary.hpp"
-#include "script/call/results.hpp"
 #include "script/call/words.hpp"
 #include "script/show/peek.hpp"
 
@@ -198,6 +199,32 @@ using Words = std::vector<std::string>;
 
 void add(Words& to, const Words& more) { to.insert(to.end(), more.begin(), more.end()); }
 
+// Class of the object that a function, method or property returns; "self": the object on which the method was
+// called; empty: not an object, or not fixed.
+std::string result_class(std::string_view entry) {
+  static const std::map<std::string_view, std::string_view> classes = {
+      {"fabric.card", "card"},       {"fabric.woven", "card"},       {"fabric.svk", "card"},
+      {"fabric.linear", "card"},     {"card:with", "card"},          {"fabric.point", "point"},
+      {"fabric.history", "history"}, {"fabric.ramp", "history"},     {"fabric.model", "model"},
+      {"fabric.static", "analysis"}, {"fabric.dynamic", "analysis"}, {"analysis:snapshot", "snapshot"},
+      {"model.mesh", "mesh"},        {"model.card", "card"},         {"analysis.model", "model"},
+      {"analysis.mesh", "mesh"},     {"analysis:solve", "self"},     {"analysis:advance", "self"},
+      {"analysis:step", "self"},     {"analysis:every", "self"},     {"analysis:event", "self"},
+      {"analysis:record", "self"},   {"analysis:vtk", "self"},       {"analysis:checkpoint", "self"},
+      {"analysis:restore", "self"},  {"mesh:map", "self"},           {"mesh:wrap", "self"},
+      {"model:fix", "self"},         {"model:move", "self"},         {"model:force", "self"},
+      {"model:gravity", "self"},     {"model:moment", "self"},       {"model:traction", "self"},
+      {"model:pressure", "self"},    {"model:spring", "self"},       {"model:turn", "self"},
+      {"model:velocity", "self"},    {"model:symmetry", "self"},     {"model:tie", "self"},
+      {"model:remove", "self"},      {"model:contact", "self"},      {"analysis:write", "self"},
+      {"model:gas", "gas"},
+  };
+  if (entry.starts_with("fabric.mesh.")) return "mesh";
+  if (entry.starts_with("fabric.rigid.")) return "body";
+  const auto found = classes.find(entry);
+  return found == classes.end() ? std::string() : std::string(found->second);
+}
+
 class Completer {
  public:
   Completer(script::Session& session, std::string_view text)
@@ -239,7 +266,7 @@ class Completer {
     const Entry* entry = script::entry_of(L_, -1);
     const std::string owner = script::class_of(L_, -2);
     if (entry == nullptr && step.method) entry = session_.registry().find(owner + ":" + step.name);
-    const std::string result = entry == nullptr ? "" : script::result_class(entry->name);
+    const std::string result = entry == nullptr ? "" : result_class(entry->name);
     lua_pop(L_, 1);
     if (result == "self") return {};
     lua_pop(L_, 1);
@@ -249,7 +276,7 @@ class Completer {
 
   // A step from a value of which only the class is known; the nil on top is kept.
   static std::string step_from_class(const PathStep& step, const std::string& owner) {
-    const std::string result = script::result_class(owner + (step.called ? ":" : ".") + step.name);
+    const std::string result = result_class(owner + (step.called ? ":" : ".") + step.name);
     return result == "self" ? owner : result;
   }
 
@@ -505,6 +532,53 @@ Completion complete(script::Session& session, std::string_view text) {
   lua_pushlightuserdata(L, &request);
   if (lua_pcall(L, 1, 0, 0) != LUA_OK) lua_pop(L, 1);
   return request.result;
+}
+
+std::vector<std::string> files_like(const std::string& path) {
+  namespace fs = std::filesystem;
+  const std::size_t slash = path.find_last_of('/');
+  const std::string folder = slash == std::string::npos ? "" : path.substr(0, slash + 1);
+  const std::string word = path.substr(folder.size());
+  std::vector<std::string> names;
+  std::error_code code;
+  for (fs::directory_iterator at(folder.empty() ? "." : folder, code), end; !code && at != end;
+       at.increment(code)) {
+    const std::string name = at->path().filename().string();
+    if (!name.starts_with(word) || (name[0] == '.' && word.empty())) continue;
+    std::error_code unknown;
+    names.push_back(folder + name + (at->is_directory(unknown) ? "/" : ""));
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+namespace {
+
+std::string last_part(const std::string& path) {
+  if (path.size() < 2) return path;
+  const std::size_t slash = path.find_last_of('/', path.size() - 2);
+  return slash == std::string::npos ? path : path.substr(slash + 1);
+}
+
+}  // namespace
+
+std::string in_columns(const std::vector<std::string>& words, std::size_t width, std::size_t most) {
+  const std::size_t shown = std::min(words.size(), most);
+  std::size_t widest = 0;
+  for (std::size_t i = 0; i < shown; ++i) widest = std::max(widest, last_part(words[i]).size());
+  const std::size_t columns = std::max<std::size_t>(1, (width + 2) / (widest + 2));
+  const std::size_t rows = (shown + columns - 1) / columns;
+  std::string out;
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t i = row; i < shown; i += rows) {
+      const std::string word = last_part(words[i]);
+      out += word;
+      if (i + rows < shown) out += std::string(widest + 2 - word.size(), ' ');
+    }
+    out += '\n';
+  }
+  if (words.size() > shown) out += "... and " + std::to_string(words.size() - shown) + " more\n";
+  return out;
 }
 
 }  // namespace fabricsh::repl

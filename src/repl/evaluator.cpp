@@ -7,8 +7,8 @@
 #include "script/call/chain.hpp"
 #include "script/call/words.hpp"
 #include "script/sandbox/sandbox.hpp"
-#include "script/show/covered.hpp"
 #include "script/show/show.hpp"
+#include "script/show/transcript.hpp"
 
 namespace fabricsh::repl {
 

@@ -7,7 +7,6 @@
 #include "base/error.hpp"
 #include "repl/evaluator.hpp"
 #include "repl/lexer.hpp"
-#include "script/show/covered.hpp"
 #include "script/show/transcript.hpp"
 
 namespace fabricsh::repl {

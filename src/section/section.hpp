@@ -87,4 +87,10 @@ Section membrane(const card::Card& card, double thickness);
 // Nodes and weights of the n-point Gauss-Legendre rule on [-1, 1], 1 <= n <= 9.
 std::vector<std::pair<double, double>> gauss_legendre(int n);
 
+// Where the card has bending rigidities B of its own, the assumed transverse shear alone makes the sheet
+// softer than B. Raises its stiffness so far that the deflection by shear is small on elements of this size
+// (m): of a cantilever n elements long it is 4 / (20 n^2) of that by bending. Without rigidities of its own:
+// no change.
+void hide_transverse_shear(Section& section, const card::Card& card, double size);
+
 }  // namespace fabricsh::section

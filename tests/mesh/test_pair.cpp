@@ -3,7 +3,6 @@
 #include "mesh/check.hpp"
 #include "mesh/generators.hpp"
 #include "mesh/panel.hpp"
-#include "mesh/refine.hpp"
 #include "message_of.hpp"
 
 using namespace fabricsh;

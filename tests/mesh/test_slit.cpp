@@ -4,7 +4,6 @@
 #include "mesh/corners.hpp"
 #include "mesh/edges.hpp"
 #include "mesh/generators.hpp"
-#include "mesh/slit.hpp"
 #include "message_of.hpp"
 
 using namespace fabricsh;

@@ -5,7 +5,7 @@
 #include "mesh/check.hpp"
 #include "mesh/generators.hpp"
 #include "mesh/normals.hpp"
-#include "mesh/wrap.hpp"
+#include "mesh/panel.hpp"
 #include "message_of.hpp"
 
 using namespace fabricsh;

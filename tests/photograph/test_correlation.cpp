@@ -6,7 +6,7 @@
 
 #include "message_of.hpp"
 #include "photograph/correlation.hpp"
-#include "photograph/speckle.hpp"
+#include "photograph/dots.hpp"
 #include "photograph/spline.hpp"
 
 using namespace fabricsh;

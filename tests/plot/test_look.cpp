@@ -6,7 +6,7 @@
 #include <set>
 
 #include "catch.hpp"
-#include "plot/look.hpp"
+#include "plot/script.hpp"
 
 using namespace fabricsh::plot;
 

@@ -9,13 +9,70 @@
 // numbers are a displacement and a rotation, and the forces on the body balance.
 // Newton's iterations take them there by shares, along straight lines, so that no contact is passed over.
 #pragma once
+#include <cmath>
+#include <numbers>
+
 #include "base/archive.hpp"
+#include "geometry/box.hpp"
 #include "mechanics/term.hpp"
 #include "mechanics/terms/body_equations.hpp"
-#include "mechanics/terms/body_paths.hpp"
-#include "mechanics/terms/body_readings.hpp"
+#include "mechanics/terms/body_loads.hpp"
+#include "mechanics/terms/body_state.hpp"
 
 namespace fabricsh::mechanics {
+
+// --- Readings of rigid bodies, in the trial state if its forces are known, otherwise in the committed state.
+
+class BodyReadings {
+ public:
+  BodyReadings(const BodyState& state, const BodyLoads& loads) : state_(state), loads_(loads) {}
+  double kinetic() const;  // J, of the free bodies
+  // External work on cloth and bodies in the step: that of driven bodies, and that of gravity on free ones.
+  StepWork step_work() const;
+  Vec3 force(std::size_t i) const;  // N, of the cloth on body i
+  Vec3 held(std::size_t i) const;   // N, with which m:fix holds body i: zero in the directions left free
+  // 1/kg, an upper bound of the inverse effective mass of a vertex.
+  double inverse_mass(std::size_t i) const;
+  // 1/kg, the same of what pressing meets; a ball has all of its mass there.
+  double inverse_mass_pressed(std::size_t i) const;
+  // The planes of symmetry that cut a free body, one bit each; 0 for others.
+  unsigned char planes_through(std::size_t i) const;
+  // m: of its surface from its centre, a rod's or disc's radius; 0 for a plane.
+  double size(std::size_t i) const;
+  double fastest_free() const;  // m/s, of the centres of free bodies
+
+ private:
+  StepWork work_of_gas(const BodyState::Body& body) const;
+
+  const BodyState& state_;
+  const BodyLoads& loads_;
+};
+
+// --- How long a step may be, so that contact can take the ways of rigid bodies in it for straight.
+
+class BodyPaths {
+ public:
+  explicit BodyPaths(const BodyState& state) : state_(state) {}
+  // The largest turn of a body in a step, rad: friction takes its direction in the step as one.
+  static constexpr double largest_turn = std::numbers::pi / 6;
+  // s: the latest end, up to `to`, of a step from `from` on in which body i turns by no more than that, and
+  // its points stay within `near` (m) of their straight ways. `cloth`: where the cloth is; a plane has no
+  // points farther out, and a free body that flies towards it may come to roll on it.
+  double latest_end(std::size_t i, double from, double to, double near, const BoundingBox& cloth) const;
+  double turned_most() const;  // rad, of any body in the step
+
+ private:
+  // Of a body's path from one time to another: how much more it turns and bends than contact follows, 1: just
+  // as much. A step that is n times as short has a share n or n^2 times as small.
+  struct Path {
+    double turn = 0, bend = 0;
+    double parts() const { return std::max(turn, std::sqrt(bend)); }
+  };
+  Path path(const BodyState::Body& body, double from, double to, double near, const BoundingBox& cloth) const;
+  double lever(const BodyState::Body& body, const BoundingBox& cloth) const;
+
+  const BodyState& state_;
+};
 
 class Bodies {
  public:

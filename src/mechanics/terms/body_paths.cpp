@@ -1,10 +1,10 @@
 // How long a step may be, so that the straight ways from its beginning to its end stand for the paths of
 // bodies.
-#include "mechanics/terms/body_paths.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "mechanics/terms/bodies.hpp"
 
 namespace fabricsh::mechanics {
 

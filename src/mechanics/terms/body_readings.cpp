@@ -1,7 +1,7 @@
-#include "mechanics/terms/body_readings.hpp"
-
 #include <algorithm>
 #include <cmath>
+
+#include "mechanics/terms/bodies.hpp"
 
 namespace fabricsh::mechanics {
 

@@ -1,12 +1,11 @@
 // Contact where joints open and close: its surfaces are those of the leaders of joints. Crack faces that have
 // just parted lie on each other, and how far they have been apart limits what contact does between them
 // (contact/scene.hpp).
-#include "mechanics/terms/contact_joints.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include "geometry/node_view.hpp"
+#include "mechanics/terms/contact_schemes.hpp"
 
 namespace fabricsh::mechanics {
 

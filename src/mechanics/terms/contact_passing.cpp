@@ -1,5 +1,3 @@
-#include "mechanics/terms/contact_passing.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,6 +5,7 @@
 #include "contact/advance.hpp"
 #include "geometry/box.hpp"
 #include "geometry/node_view.hpp"
+#include "mechanics/terms/contact_schemes.hpp"
 
 namespace fabricsh::mechanics {
 

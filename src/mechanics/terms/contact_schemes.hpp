@@ -6,10 +6,73 @@
 #include <vector>
 
 #include "mechanics/facets.hpp"
-#include "mechanics/terms/contact_joints.hpp"
-#include "mechanics/terms/contact_passing.hpp"
+#include "mechanics/terms/contact_state.hpp"
 
 namespace fabricsh::mechanics {
+
+// --- The points of contact where joints and seams open and close: their masses, and the faces that have
+// parted.
+
+class ContactJoints {
+ public:
+  ContactJoints(const model::Model& model, const Cloth& cloth, const Dofs& dofs, ContactState& state);
+  // 1/kg, of each point, that of the joint that it stands for; 0: held or driven.
+  const std::vector<double>& inverse_masses() const { return inverse_mass_; }
+  // With planes of symmetry: those that each node lies in, or that cut the body of a rigid vertex, a bit
+  // each. Inverse masses are then those of the whole model.
+  const std::vector<unsigned char>& planes() const { return planes_; }
+  void renumbered(Forces& forces);  // the force on a joint that has opened goes to its parts
+  bool follow_faces();              // at a commit; returns whether any face is farther apart than before
+  void keep(Archive& archive);
+
+ private:
+  void find_masses();
+  contact::Triangle corners_of(const contact::TriangleRow& row) const;
+  std::vector<double> crack_faces() const;
+  std::vector<double> parted_faces() const;
+  void set_apart(std::vector<double> apart);
+
+  const model::Model& model_;
+  const Cloth& cloth_;
+  const Dofs& dofs_;
+  const Joints& joints_;
+  ContactState& state_;
+  contact::Scene& scene_;
+  const std::size_t nodes_;
+  std::vector<double> inverse_mass_;
+  std::vector<unsigned char> planes_;
+  std::vector<Index> led_by_;  // per node, the leader of its joint; empty: there are no zones
+};
+
+// --- How far Newton's iterations and steps may go so that no surface passes through another.
+
+class ContactPassing final : public StepLimiter {
+ public:
+  ContactPassing(ContactState& state, const Freedoms& freedoms);
+  // Explicit steps have a check of their own, see ExplicitContact.
+  void go_explicit() { explicit_ = true; }
+  bool limits() const override { return !explicit_ && state_.surfaces.any(); }
+  void mark(const Trial& trial) override;
+  double safe_fraction(const Trial& trial) override;
+  // The share during which nothing moves farther than a few elements, relative to the mean motion.
+  double near_share(const Trial& trial) override;
+  // Until then the straight ways of the bodies stand for their paths: they leave them by no more than the
+  // smallest distance that contact allows, so that what a body passes over on its path it would also come
+  // that near to on its straight way.
+  double latest_end(double to) const override;
+  // Whether points whose motion is given pass through each other in the step.
+  bool given_motions_meet();
+  void begin_step() { met_.reset(); }
+
+ private:
+  ContactState& state_;
+  std::vector<Vec3> marked_, by_;
+  // Whether the motion of a point is given: nodes that are held or driven, vertices of bodies that are not
+  // free. Empty: nothing of that kind moves towards cloth of that kind.
+  std::vector<char> driven_;
+  std::optional<bool> met_;  // whether such points meet in the step; empty: not yet known
+  bool explicit_ = false;
+};
 
 // Statics, and what other schemes change of it.
 class ContactScheme {

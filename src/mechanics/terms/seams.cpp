@@ -60,30 +60,20 @@ double Thread::fracture() const {
   return work - stiffness() * end * end / 2;
 }
 
+// Calls pass(trial, committed) for all that a step changes.
+template <class Pass>
+static void each_state(Thread& t, Pass pass) {
+  pass(t.gap, t.gap_before), pass(t.target, t.target_before), pass(t.shift, t.shift_before);
+  pass(t.damping, t.damping_before), pass(t.lost, t.lost_before), pass(t.widest, t.widest_before);
+  for (Thread::End& end : t.ends) pass(end.x, end.x_before), pass(end.aside, end.aside_before);
+}
+
 void Thread::commit() {
-  gap_before = gap;
-  target_before = target;
-  shift_before = shift;
-  damping_before = damping;
-  lost_before = lost;
-  widest_before = widest;
-  for (End& end : ends) {
-    end.x_before = end.x;
-    end.aside_before = end.aside;
-  }
+  each_state(*this, [](const auto& trial, auto& committed) { committed = trial; });
 }
 
 void Thread::rollback() {
-  gap = gap_before;
-  target = target_before;
-  shift = shift_before;
-  damping = damping_before;
-  lost = lost_before;
-  widest = widest_before;
-  for (End& end : ends) {
-    end.x = end.x_before;
-    end.aside = end.aside_before;
-  }
+  each_state(*this, [](auto& trial, const auto& committed) { trial = committed; });
 }
 
 void Thread::keep(Archive& archive) {
