@@ -34,21 +34,18 @@ struct Law {
     return knots > 0 ? "spline " + std::to_string(knots) : "degree " + std::to_string(degree);
   }
   Index size() const { return degree + knots; }
+  double beyond(double x, int knot) const {
+    return std::max(0.0, x - static_cast<double>(knot) / (knots + 1));
+  }
   void values(double x, Vector& row) const {
     double power = 1;
     for (int k = 0; k < degree; ++k) row(k) = power *= x;
-    for (int k = 1; k <= knots; ++k) {
-      const double beyond = std::max(0.0, x - static_cast<double>(k) / (knots + 1));
-      row(degree + k - 1) = beyond * beyond * beyond;
-    }
+    for (int k = 1; k <= knots; ++k) row(degree + k - 1) = beyond(x, k) * beyond(x, k) * beyond(x, k);
   }
   void slopes(double x, Vector& row) const {
     double power = 1;
     for (int k = 0; k < degree; ++k, power *= x) row(k) = (k + 1) * power;
-    for (int k = 1; k <= knots; ++k) {
-      const double beyond = std::max(0.0, x - static_cast<double>(k) / (knots + 1));
-      row(degree + k - 1) = 3 * beyond * beyond;
-    }
+    for (int k = 1; k <= knots; ++k) row(degree + k - 1) = 3 * beyond(x, k) * beyond(x, k);
   }
 };
 

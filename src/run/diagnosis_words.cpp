@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "base/number.hpp"
+#include "law/check.hpp"
 #include "mechanics/terms/contact.hpp"
 #include "run/diagnosis.hpp"
 #include "run/place_text.hpp"
@@ -18,18 +19,12 @@ constexpr double kYarnsMeet = 65;   // degrees of shear, from which yarns are to
 constexpr std::size_t kShown = 8;   // number of residuals and attempts shown
 
 const char* branch_word(law::LoadBranch branch) {
-  switch (branch) {
-    case law::LoadBranch::virgin:
-      return "loading";
-    case law::LoadBranch::unloading:
-      return "unloading";
-    default:
-      return "slack";
-  }
+  return branch == law::LoadBranch::virgin ? "loading" : law::name(branch);
 }
 
 // The course of the residuals in an attempt.
 enum class Course { none, falls, stands, swings, grows };
+constexpr const char* course_words[] = {"", "still falling", "at a standstill", "swinging", "growing"};
 
 Course course_of(const std::vector<double>& r) {
   if (r.size() >= 2 && r.back() < 0.1 * r[r.size() - 2]) return Course::falls;
@@ -43,21 +38,6 @@ Course course_of(const std::vector<double>& r) {
   return *most == r.back() && last[3] > 10 * last[0] ? Course::grows : Course::swings;
 }
 
-const char* course_word(Course course) {
-  switch (course) {
-    case Course::falls:
-      return "still falling";
-    case Course::stands:
-      return "at a standstill";
-    case Course::swings:
-      return "swinging";
-    case Course::grows:
-      return "growing";
-    default:
-      return "";
-  }
-}
-
 std::string try_text(const Try& t) {
   std::string text = "a step of " + number(t.step) + " s: ";
   text += t.reason.empty() ? solver::describe(t.status) : t.reason;
@@ -66,7 +46,7 @@ std::string try_text(const Try& t) {
   text += "; residuals" + std::string(from > 0 ? " ..." : "");
   for (std::size_t i = from; i < t.residuals.size(); ++i) text += " " + number(t.residuals[i]);
   if (const Course course = course_of(t.residuals); course != Course::none)
-    text += std::string(" (") + course_word(course) + ")";
+    text += std::string(" (") + course_words[static_cast<std::size_t>(course)] + ")";
   return text;
 }
 

@@ -12,51 +12,10 @@
 #include "script/bind/run.hpp"
 #include "script/call/words.hpp"
 #include "script/runs/drive.hpp"
-#include "script/runs/replay.hpp"
 #include "script/session/at_work.hpp"
 #include "script/session/warning_log.hpp"
 
 namespace fabricsh::script {
-
-std::vector<Argument> with_beginning(std::vector<Argument> others) {
-  std::vector<Argument> rows = {
-      object_("model?", "model", "what is computed; with from= that of the other run unless given"),
-      object_("from?", "analysis", "a run of the same cloth, whose state and time this one begins with"),
-      number_("release?", "s", positive,
-              "with from=: over which the forces of what no longer holds the cloth are taken away; default "
-              "at once")};
-  rows.insert(rows.begin() + 1, others.begin(), others.end());
-  return rows;
-}
-
-Begins read_beginning(Call& call) {
-  Begins begins{call.object<model::Model>("model"), {}};
-  const auto from = call.object<DeckRun>("from");
-  if (!from) {
-    if (!begins.model)
-      call.refuse("model",
-                  "expected a model, or from= another run, got nil (missing, or a misspelt variable)");
-    if (call.has("release")) call.refuse("release", "expected from= beside it, whose supports let go");
-    return begins;
-  }
-  if (!begins.model) begins.model = from->analysis->shared_model();
-  if (call.session().options().check) return begins;
-  if (from->analysis->steps().empty())
-    call.refuse("from", "expected a run that has made a step, got one that has not: solve() it before");
-  begins.beginning.from = from->analysis.get();
-  if (call.has("release")) begins.beginning.release = call.number("release");
-  return begins;
-}
-
-void say_beginning(Call& call, const run::Run& run) {
-  if (run.origin() == 0) return;
-  const run::EnergyAccount e = run.energy();
-  call.session().notices().remark(
-      std::string(run.kind()) + ": begins at time " + fabricsh::number(run.began()) +
-      " s from the state of another run, with " + fabricsh::number(e.stored) + " J stored, " +
-      fabricsh::number(e.dissipated) + " J dissipated and " + fabricsh::number(e.kinetic) +
-      " J in motion; its work is counted from there");
-}
 
 std::string sample_run() {
   return "local mesh = fabric.mesh.rectangle{ width=0.0254, height=0.0762, nx=1, ny=3 }\n"
@@ -336,17 +295,10 @@ int steps(Call& call) {
     const run::StepReport& report = run->analysis->steps()[static_cast<std::size_t>(i)];
     push_record(L, "time", report.time, "step", report.step, "iterations", report.iterations, "cuts",
                 report.cuts, "negative_pivots", report.negative_pivots);
-    if (report.stability == solver::Stability::unchecked)
-      lua_pushliteral(L, "unchecked");
-    else
-      lua_pushboolean(L, report.stability == solver::Stability::stable);
-    lua_setfield(L, -2, "stable");
-    if (std::isnan(report.path))
-      lua_pushliteral(L, "unchecked");
-    else
-      lua_pushnumber(L, report.path);
-    lua_setfield(L, -2, "path");
-    put(L, "residuals", report.residuals);
+    put(L, "stable", report.stability == solver::Stability::stable, "path", report.path, "residuals",
+        report.residuals);
+    if (report.stability == solver::Stability::unchecked) put(L, "stable", "unchecked");
+    if (std::isnan(report.path)) put(L, "path", "unchecked");
     lua_rawseti(L, -2, ++i);
   }
   return 1;

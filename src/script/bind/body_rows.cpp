@@ -10,7 +10,6 @@
 #include "mesh/check.hpp"
 #include "mesh/generators.hpp"
 #include "script/bind/model.hpp"
-#include "script/bind/rooms.hpp"
 #include "script/bind/run.hpp"
 #include "script/call/words.hpp"
 

@@ -89,8 +89,7 @@ void copy_to_globals(lua_State* L) {
 int globals(Call& call) {
   lua_State* L = call.L();
   lua_getfield(L, LUA_REGISTRYINDEX, "fabric");
-  lua_pushliteral(L, "units");
-  lua_rawget(L, -2);
+  push_raw(L, -1, "units");
   want_table(L, -1, "fabric.units");
   lua_insert(L, -2);
   copy_to_globals(L);
@@ -169,15 +168,14 @@ void bind_all(Session& session) {
   bind_gltf(session);
   bind_analysis(session);
   bind_joints(session);
-  bind_static(session);
-  bind_dynamic(session);
+  bind_runs(session);
   bind_modes(session);
   bind_outputs(session);
   bind_keep(session);
   bind_check(session);
   bind_table(session);
   bind_lab(session);
-  bind_track(session);
+  bind_photographs(session);
   bind_identify(session);
   bind_sample(session);
   bind_prompt(session);

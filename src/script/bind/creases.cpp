@@ -9,15 +9,9 @@ namespace fabricsh::script {
 namespace {
 
 int crease(Call& call) {
-  if (call.has("set") == call.has("line"))
-    call.refuse("set", "expected the name of a set, or a line, got " +
-                           std::string(call.has("set") ? "both" : "neither"));
   model::CreaseGiven given;
+  std::tie(given.set, given.line) = read_set_or_line(call);
   read_rows(call, model::crease_rows(), given);
-  if (call.has("set"))
-    given.set = call.text("set");
-  else
-    given.line = read_line(call);
   return declare(call, std::move(given));
 }
 

@@ -5,7 +5,6 @@
 #include "base/number.hpp"
 #include "model/model.hpp"
 #include "script/bind/model.hpp"
-#include "script/bind/rooms.hpp"
 #include "script/bind/run.hpp"
 #include "script/call/words.hpp"
 #include "script/show/show.hpp"
@@ -18,7 +17,6 @@ namespace {
 
 std::string brief_number(double x) { return fabricsh::number(x, 7); }
 
-constexpr const char* model_key = "model";
 constexpr const char* axis_names[] = {"x", "y", "z"};
 
 struct Declared {
@@ -241,18 +239,10 @@ int copy(Call& call) {
   const auto made = call.self<Model>()->copy();
   if (call.has("changes")) {
     const Fields changes = call.fields("changes");
-    if (changes.push("without") == LUA_TSTRING) {
-      take_away(call, lua_tostring(L, -1), *made);
-    } else if (lua_istable(L, -1)) {
-      for (lua_Integer i = 1; lua_rawgeti(L, -1, i) != LUA_TNIL; ++i) {
-        if (lua_type(L, -1) != LUA_TSTRING)
-          call.refuse("changes.without", "expected texts in the list, got " + describe(L, -1));
-        take_away(call, lua_tostring(L, -1), *made);
-        lua_pop(L, 1);
-      }
-      lua_pop(L, 1);
-    }
-    lua_pop(L, 2);
+    if (changes.has("without"))
+      for (const std::string& words : changes.texts("without", "texts in the list"))
+        take_away(call, words, *made);
+    lua_pop(L, 1);
   }
   return push_object(L, made);
 }
@@ -270,7 +260,7 @@ int mesh_of(Call& call) {
 // Pushes the model object that the deck made; the run keeps it together with its hooks.
 int model_of_run(Call& call) {
   lua_getiuservalue(call.L(), 1, 1);
-  lua_getfield(call.L(), -1, model_key);
+  lua_getfield(call.L(), -1, "model");
   return 1;
 }
 
@@ -324,21 +314,6 @@ std::vector<Entry> declared_entries() {
 }
 
 }  // namespace
-
-void keep_model(const Call& call) {
-  lua_State* L = call.L();
-  lua_getiuservalue(L, -1, 1);
-  if (call.push("model") == LUA_TNIL) {  // that of the run from which this one begins
-    lua_pop(L, 1);
-    call.push("from");
-    lua_getiuservalue(L, -1, 1);
-    lua_getfield(L, -1, model_key);
-    lua_replace(L, -3);
-    lua_pop(L, 1);
-  }
-  lua_setfield(L, -2, model_key);
-  lua_pop(L, 1);
-}
 
 void bind_declared(Session& session) { install(session, declared_entries()); }
 

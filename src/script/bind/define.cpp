@@ -16,7 +16,7 @@
 
 #include "run/job.hpp"
 #include "script/bind/rooms.hpp"
-#include "script/call/refusals.hpp"
+#include "script/call/boundary.hpp"
 #include "script/call/words.hpp"
 #include "script/session/warning_log.hpp"
 #include "script/show/show.hpp"

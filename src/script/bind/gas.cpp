@@ -5,7 +5,6 @@
 #include "model/declaration_rows.hpp"
 #include "run/bodies.hpp"
 #include "script/bind/model.hpp"
-#include "script/bind/rooms.hpp"
 #include "script/bind/run.hpp"
 #include "script/call/words.hpp"
 #include "script/session/at_work.hpp"

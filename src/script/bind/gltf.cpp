@@ -209,9 +209,7 @@ std::vector<format::GltfSurface> surfaces_of(const std::vector<TimeFrame>& momen
 }
 
 void check_arguments(const Call& call) {
-  if (call.has("series") == call.has("run"))
-    call.refuse("series",
-                std::string("expected either series or run, got ") + (call.has("run") ? "both" : "neither"));
+  call.want_one_of("series", "run", "expected either series or run");
   if (std::filesystem::path(call.text("file")).extension() != ".glb")
     call.refuse("file", "expected a name that ends in .glb, got '" + call.text("file") + "'");
   if (call.has("range")) {

@@ -7,7 +7,6 @@
 
 #include "lab/least_squares.hpp"
 #include "lab/parallel.hpp"
-#include "script/bind/rooms.hpp"
 #include "script/bind/run.hpp"
 #include "script/call/words.hpp"
 #include "script/session/warning_log.hpp"

@@ -5,12 +5,14 @@
 #include "model/declaration_rows.hpp"
 #include "script/bind/model.hpp"
 #include "script/bind/run.hpp"
-#include "script/runs/replay.hpp"
+#include "script/runs/drive.hpp"
 #include "script/values/field_rows.hpp"
 
 namespace fabricsh::script {
 
-std::vector<Vec3> read_line(const Call& call) {
+std::pair<std::string, std::vector<Vec3>> read_set_or_line(const Call& call) {
+  call.want_one_of("set", "line", "expected the name of a set, or a line");
+  if (call.has("set")) return {call.text("set"), {}};
   std::vector<Vec3> line;
   call.each("line", [&](lua_Integer i) {
     const Argument row{std::to_string(i), numbers, "m", everything, ""};
@@ -19,7 +21,7 @@ std::vector<Vec3> read_line(const Call& call) {
   });
   if (line.size() < 2)
     call.refuse("line", "expected two points {x, y, z} or more, got " + std::to_string(line.size()));
-  return line;
+  return {"", line};
 }
 
 namespace {
@@ -44,15 +46,8 @@ int strength(Call& call) {
 }
 
 run::Run::Along read_along(const Call& call) {
-  if (call.has("set") == call.has("line"))
-    call.refuse("set", "expected the name of a set, or a line, got " +
-                           std::string(call.has("set") ? "both" : "neither"));
-  run::Run::Along along;
-  if (call.has("set"))
-    along.set = call.text("set");
-  else
-    along.line = read_line(call);
-  return along;
+  const auto [set, line] = read_set_or_line(call);
+  return {set, line};
 }
 
 // Between two calls that drive the run, a restarted deck passes over it and returns what it returned. Before

@@ -2,8 +2,7 @@
 // the reason for a failure.
 #include "run/static.hpp"
 #include "script/bind/run.hpp"
-#include "script/runs/checkpoint.hpp"
-#include "script/runs/replay.hpp"
+#include "script/runs/drive.hpp"
 #include "script/values/field_rows.hpp"
 #include "script/values/lua_table.hpp"
 

@@ -7,7 +7,6 @@
 #include "lab/markers.hpp"
 #include "lab/pull.hpp"
 #include "lab/statistics.hpp"
-#include "script/bind/rooms.hpp"
 #include "script/bind/run.hpp"
 #include "script/call/words.hpp"
 
@@ -40,23 +39,13 @@ int reduce(Call& call) {
                      "S", tension.S);
 }
 
-const char* word(lab::BranchKind kind) {
-  switch (kind) {
-    case lab::BranchKind::loading:
-      return "loading";
-    case lab::BranchKind::unloading:
-      return "unloading";
-    case lab::BranchKind::hold:
-      return "hold";
-    default:
-      return "reloading";
-  }
-}
+constexpr const char* branch_words[] = {"loading", "unloading", "reloading", "hold"};
 
 int branches(Call& call) {
   return push_list(call.L(), lab::branches(call.numbers("displacement"), call.number("tolerance")),
                    [L = call.L()](const lab::PullBranch& b) {
-                     push_record(L, "kind", word(b.kind), "first", b.begin + 1, "last", b.end);
+                     push_record(L, "kind", branch_words[static_cast<std::size_t>(b.kind)], "first",
+                                 b.begin + 1, "last", b.end);
                    });
 }
 

@@ -5,7 +5,7 @@
 
 #include "base/number.hpp"
 #include "geometry/box.hpp"
-#include "mesh/slit.hpp"
+#include "mesh/generators.hpp"
 #include "script/call/words.hpp"
 #include "script/show/show.hpp"
 

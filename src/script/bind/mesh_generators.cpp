@@ -81,15 +81,13 @@ int of_lists(Call& call) {
 }
 
 int merge(Call& call) {
-  lua_State* L = call.L();
   std::vector<std::shared_ptr<const mesh::Mesh>> meshes;
-  call.push("meshes");
-  for (lua_Integer i = 1; lua_rawgeti(L, -1, i) != LUA_TNIL; ++i, lua_pop(L, 1)) {
-    meshes.push_back(to_object<mesh::Mesh>(L, -1));
+  call.each("meshes", [&](lua_Integer i) {
+    meshes.push_back(to_object<mesh::Mesh>(call.L(), -1));
     if (meshes.back() == nullptr)
-      call.refuse("meshes", "expected a mesh at place " + std::to_string(i) + ", got " + describe(L, -1));
-  }
-  lua_pop(L, 2);
+      call.refuse("meshes",
+                  "expected a mesh at place " + std::to_string(i) + ", got " + describe(call.L(), -1));
+  });
   if (meshes.size() < 2)
     call.refuse("meshes", "expected at least two meshes, got " + std::to_string(meshes.size()));
   return give(call, mesh::merge(meshes, call.number("distance")));

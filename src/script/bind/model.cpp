@@ -4,7 +4,6 @@
 #include "base/number.hpp"
 #include "geometry/box.hpp"
 #include "model/outlook.hpp"
-#include "script/bind/rooms.hpp"
 #include "script/bind/run.hpp"
 #include "script/call/words.hpp"
 

@@ -7,7 +7,8 @@
 namespace fabricsh::script {
 
 Vec3 read_vector(const std::vector<double>& v, const std::string& what);  // Error unless three numbers
-std::vector<Vec3> read_line(const Call& call);        // of argument "line": two points or more
+// Of the arguments "set" or, in its place, "line": two points or more.
+std::pair<std::string, std::vector<Vec3>> read_set_or_line(const Call& call);
 model::Components read_components(const Call& call);  // of argument "components"
 Mat3 read_frame(const Call& call);                    // of argument "options", field frame
 Argument components_row(const char* unit, const char* sentence);
@@ -16,10 +17,7 @@ Argument set_or_body_row();
 std::vector<Argument> model_rows();  // of fabric.model: its bodies, each with a card or plies and regions
 int make_model(Call& call);          // pushes the model
 std::string sample_model();          // for examples: defines fabric, mesh and m, a strip of three elements
-// Stores the field "model" of the call as the property of that name of the analysis object on top of the
-// stack.
-void keep_model(const Call& call);
-int return_self(const Call& call);  // so that methods of a model can be chained
+int return_self(const Call& call);   // so that methods of a model can be chained
 // Declares it, and returns the model.
 template <class Declaration>
 int declare(const Call& call, Declaration declaration) {

@@ -68,9 +68,7 @@ int push_modes(const Call& call, const run::Modes<M>& found) {
 }
 
 int find_modes(Call& call) {
-  if (call.has("from") == call.has("model"))
-    call.refuse("from", "expected an analysis, or in its place model=, got " +
-                            std::string(call.has("from") ? "both" : "neither"));
+  call.want_one_of("from", "model", "expected an analysis, or in its place model=");
   run::ModesWanted wanted;
   wanted.count = call.count("count");
   if (call.has("below")) wanted.below = call.number("below");

@@ -10,7 +10,6 @@
 #include "format/pattern.hpp"
 #include "mesh/check.hpp"
 #include "mesh/rim.hpp"
-#include "mesh/wrap.hpp"
 #include "script/bind/mesh.hpp"
 #include "script/bind/model.hpp"
 #include "script/call/boundary.hpp"

@@ -158,8 +158,7 @@ plot::Ends both_ends(const Fields& f, const std::string& path, const char* name)
 
 bool has_field(const Fields& f, const char* list, const char* name) {
   f.push(list);
-  lua_pushstring(f.L(), name);
-  const bool found = lua_rawget(f.L(), -2) != LUA_TNIL;
+  const bool found = push_raw(f.L(), -1, name) != LUA_TNIL;
   lua_pop(f.L(), 2);
   return found;
 }
@@ -230,14 +229,11 @@ class Asked {
 double size_of(lua_State* L, const std::string& name, std::vector<std::string>& known) {
   known = {"%"};
   lua_getfield(L, LUA_REGISTRYINDEX, "fabric");
-  lua_pushliteral(L, "units");
-  lua_rawget(L, -2);
+  push_raw(L, -1, "units");
   want_table(L, -1, "fabric.units");
-  for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1))
-    if (lua_type(L, -2) == LUA_TSTRING) known.emplace_back(lua_tostring(L, -2));
+  for (const std::string& unit : keys_of(L, -1)) known.push_back(unit);
   const auto one = [&](const std::string& word) {
-    lua_pushstring(L, word.c_str());
-    const double size = lua_rawget(L, -2) == LUA_TNUMBER ? lua_tonumber(L, -1) : 0;
+    const double size = push_raw(L, -1, word) == LUA_TNUMBER ? lua_tonumber(L, -1) : 0;
     lua_pop(L, 1);
     return size;
   };
@@ -334,16 +330,8 @@ void scale(plot::PlottedCurve& curve, double x, double y) {
 void read_rows(const Fields& f, const std::string& path, plot::Figure& figure) {
   if (!f.is("x", LUA_TSTRING)) f.refuse("x", "expected the name of a field of rows");
   lua_State* L = f.L();
-  std::vector<std::string> names;
-  const int type = f.push("y");
-  if (type == LUA_TSTRING) names.emplace_back(lua_tostring(L, -1));
-  for (lua_Integer i = 1; type == LUA_TTABLE && lua_rawgeti(L, -1, i) != LUA_TNIL; ++i) {
-    if (lua_type(L, -1) != LUA_TSTRING)
-      f.refuse("y", "expected names of fields of rows, got " + describe(L, -1));
-    names.emplace_back(lua_tostring(L, -1));
-    lua_pop(L, 1);
-  }
-  lua_pop(L, type == LUA_TTABLE ? 2 : 1);
+  const std::vector<std::string> names =
+      f.has("y") ? f.texts("y", "names of fields of rows") : std::vector<std::string>{};
   if (names.empty()) f.refuse("y", "expected the name of a field of rows, or a list of names");
   f.push("rows");
   const auto x = column(L, path, f.text("x"));

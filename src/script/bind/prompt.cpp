@@ -21,11 +21,9 @@ constexpr std::size_t longest_words = 78;
 // Whether globals[name] (on top of the stack) is the value that the table at index has under that name.
 bool same_in(lua_State* L, int index, const char* name) {
   if (!lua_istable(L, index)) return false;
-  lua_pushvalue(L, index);
-  lua_pushstring(L, name);
-  lua_rawget(L, -2);
-  const bool same = lua_rawequal(L, -1, -3) != 0;
-  lua_pop(L, 2);
+  push_raw(L, index, name);
+  const bool same = lua_rawequal(L, -1, -2) != 0;
+  lua_pop(L, 1);
   return same;
 }
 
@@ -70,9 +68,7 @@ std::vector<GlobalValue> held_by_globals(lua_State* L) {
   std::vector<GlobalValue> all;
   lua_pushglobaltable(L);
   for (const std::string& name : names_in(L, -1, false).names) {
-    lua_pushstring(L, name.c_str());
-    lua_rawget(L, -2);
-    if (!lua_isnil(L, -1) && !is_own(L, name)) {
+    if (push_raw(L, -1, name) != LUA_TNIL && !is_own(L, name)) {
       const std::string cls = class_of(L, -1);
       all.push_back({name, cls.empty() ? luaL_typename(L, -1) : cls, one_line(L), !cls.empty()});
     }
@@ -132,16 +128,10 @@ std::vector<Entry> prompt_entries() {
 }
 
 void keep_own_globals(lua_State* L) {
-  lua_newtable(L);
   lua_pushglobaltable(L);
-  lua_pushnil(L);
-  while (lua_next(L, -2) != 0) {
-    lua_pushvalue(L, -2);
-    lua_insert(L, -2);
-    lua_rawset(L, -5);
-  }
-  lua_pop(L, 1);
+  copy_entries(L, -1);
   lua_setfield(L, LUA_REGISTRYINDEX, own_globals_key);
+  lua_pop(L, 1);
 }
 
 }  // namespace

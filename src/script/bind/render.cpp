@@ -65,17 +65,7 @@ std::vector<std::string> field_words() {
 }
 
 std::vector<std::string> word_list(const Call& call, const char* name) {
-  std::vector<std::string> words;
-  lua_State* L = call.L();
-  const int type = call.push(name);
-  if (type == LUA_TSTRING) words.emplace_back(lua_tostring(L, -1));
-  for (lua_Integer i = 1; type == LUA_TTABLE && lua_rawgeti(L, -1, i) != LUA_TNIL; ++i) {
-    if (lua_type(L, -1) != LUA_TSTRING) call.refuse(name, "expected a list of texts, got " + describe(L, -1));
-    words.emplace_back(lua_tostring(L, -1));
-    lua_pop(L, 1);
-  }
-  lua_settop(L, lua_gettop(L) - (type == LUA_TTABLE ? 2 : 1));
-  return words;
+  return call.has(name) ? call.texts(name, "a list of texts") : std::vector<std::string>{};
 }
 
 struct NamedView {
@@ -295,27 +285,23 @@ int no_picture(Call& call) {
 std::vector<std::shared_ptr<DeckRun>> runs_of(const Call& call) {
   if (!call.has("run")) return {};
   if (auto one = call.object<DeckRun>("run")) return {std::move(one)};
-  lua_State* L = call.L();
   std::vector<std::shared_ptr<DeckRun>> runs;
-  call.push("run");
-  for (lua_Integer i = 1; lua_rawgeti(L, -1, i) != LUA_TNIL; ++i, lua_pop(L, 1)) {
-    runs.push_back(to_object<DeckRun>(L, -1));
+  call.each("run", [&](lua_Integer i) {
+    runs.push_back(to_object<DeckRun>(call.L(), -1));
     if (runs.back() == nullptr)
-      call.refuse("run", "expected an analysis at place " + std::to_string(i) + ", got " + describe(L, -1));
+      call.refuse("run",
+                  "expected an analysis at place " + std::to_string(i) + ", got " + describe(call.L(), -1));
     if (runs.back()->passes_over())
       call.refuse("run",
                   "a list of runs is not drawn in a part of the deck that a restart passes over: draw them "
                   "in a hook, or run the deck without --restart");
-  }
-  lua_pop(L, 2);
+  });
   if (runs.empty()) call.refuse("run", "expected an analysis or a list of them, got an empty list");
   return runs;
 }
 
 int render(Call& call) {
-  if (call.has("vtu") == call.has("run"))
-    call.refuse("vtu",
-                std::string("expected either vtu or run, got ") + (call.has("vtu") ? "both" : "neither"));
+  call.want_one_of("vtu", "run", "expected either vtu or run");
   plot::Picture picture = read_picture(call);
   const auto runs = runs_of(call);
   add_panels(call, call.has("run") ? std::vector<std::string>(runs.size()) : word_list(call, "vtu"), picture);

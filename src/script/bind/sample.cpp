@@ -5,7 +5,6 @@
 #include "card/fields.hpp"
 #include "lab/statistics.hpp"
 #include "law/check.hpp"
-#include "script/bind/rooms.hpp"
 #include "script/bind/run.hpp"
 
 namespace fabricsh::script {

@@ -1,7 +1,6 @@
 // fabric.table and fabric.folder: the content of a file of numbers, and the files in a folder.
 #include "format/table.hpp"
 
-#include "script/bind/rooms.hpp"
 #include "script/bind/run.hpp"
 #include "script/call/words.hpp"
 #include "script/show/show.hpp"
@@ -22,8 +21,7 @@ int table_text(lua_State* L) {
   for (lua_Integer i = 1; lua_rawgeti(L, 1, i) == LUA_TTABLE; ++i) {
     rows.emplace_back();
     for (const char* name : {"name", "unit", "values"}) {
-      lua_pushstring(L, name);
-      lua_rawget(L, -2);
+      push_raw(L, -1, name);
       rows.back().push_back(show(L, -1));
       lua_pop(L, 1);
     }

@@ -4,7 +4,6 @@
 #include "model/model.hpp"
 #include "model/rigid.hpp"
 #include "script/bind/model.hpp"
-#include "script/bind/rooms.hpp"
 #include "script/bind/run.hpp"
 
 namespace fabricsh::script {

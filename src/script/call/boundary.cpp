@@ -11,7 +11,6 @@
 #include "script/call/call.hpp"
 #include "script/call/chain.hpp"
 #include "script/call/push.hpp"
-#include "script/call/refusals.hpp"
 #include "script/call/words.hpp"
 #include "system/atomic.hpp"
 #include "system/memory.hpp"
@@ -51,12 +50,8 @@ int failure_text(lua_State* L) {
 
 void push_failure(lua_State* L, const std::string& call, const NumericalFailure& failure) {
   push_record(L, "kind", "numerical", "message", call + ": " + failure.what(), "time", failure.time);
-  if (failure.element >= 0) {
-    put(L, "element", failure.element + 1);
-  }
-  if (!failure.yarn.empty()) {
-    put(L, "yarn", failure.yarn);
-  }
+  if (failure.element >= 0) put(L, "element", failure.element + 1);
+  if (!failure.yarn.empty()) put(L, "yarn", failure.yarn);
   if (!failure.why.empty()) {
     lua_pushstring(L, failure.why.c_str());
     lua_pushvalue(L, -1);
@@ -65,9 +60,7 @@ void push_failure(lua_State* L, const std::string& call, const NumericalFailure&
   }
   put(L, "where", position(L));
   if (luaL_newmetatable(L, "fabricsh.failure") != 0) {
-    lua_pushcfunction(L, failure_text);
-    lua_setfield(L, -2, "__tostring");
-    put(L, "__name", "numerical failure", "__metatable", false);
+    put(L, "__tostring", failure_text, "__name", "numerical failure", "__metatable", false);
   }
   lua_setmetatable(L, -2);
 }
@@ -170,8 +163,7 @@ int index_module(lua_State* L) {
 
 // module{...}: its function `of`.
 int call_module(lua_State* L) {
-  lua_pushliteral(L, "of");
-  if (lua_rawget(L, 1) == LUA_TNIL) {
+  if (push_raw(L, 1, "of") == LUA_TNIL) {
     const std::string name = lua_tostring(L, lua_upvalueindex(1));
     lua_pushstring(L, (position(L) + name + ": it is no function; it holds functions, as " + name + "." +
                        keys_of(L, 1).front())
@@ -206,8 +198,7 @@ void push_home(lua_State* L, const std::string& name) {
   std::size_t from = name.find('.') + 1;
   for (std::size_t dot = name.find('.', from); dot != std::string::npos; dot = name.find('.', from)) {
     const std::string part = name.substr(from, dot - from);
-    lua_pushstring(L, part.c_str());
-    if (lua_rawget(L, -2) != LUA_TTABLE) {
+    if (push_raw(L, -1, part) != LUA_TTABLE) {
       lua_pop(L, 1);
       lua_newtable(L);
       watch_module(L, name.substr(0, dot));
@@ -267,10 +258,7 @@ void push_class(lua_State* L, const std::string& name, lua_CFunction gc) {
     lua_setfield(L, -2, "__newindex");
     put(L, "__name", name, "__metatable", name);
   }
-  if (gc != nullptr) {
-    lua_pushcfunction(L, gc);
-    lua_setfield(L, -2, "__gc");
-  }
+  if (gc != nullptr) put(L, "__gc", *gc);
 }
 
 namespace {

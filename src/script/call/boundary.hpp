@@ -28,4 +28,7 @@ void watch_module(lua_State* L, const std::string& name);
 // "fabric"), methods and properties in their class.
 void install(Session& session, std::vector<Entry> entries);
 
+// In the Lua registry: how often a file could not be written, or memory was not given.
+inline constexpr const char* refusals_key = "fabricsh.refusals";
+
 }  // namespace fabricsh::script

@@ -9,6 +9,7 @@
 #include "script/call/boundary.hpp"
 #include "script/call/chain.hpp"
 #include "script/call/parts.hpp"
+#include "script/call/push.hpp"
 #include "script/call/words.hpp"
 
 namespace fabricsh::script {
@@ -202,17 +203,6 @@ void check_value(lua_State* L, int index, const Argument& row, const std::string
 
 namespace {
 
-// Pushes a table with the entries of the one at index, without its metatable.
-void copy_entries(lua_State* L, int index) {
-  luaL_checkstack(L, 6, "fields");
-  lua_newtable(L);
-  for (lua_pushnil(L); lua_next(L, index) != 0;) {
-    lua_pushvalue(L, -2);
-    lua_insert(L, -2);
-    lua_rawset(L, -4);
-  }
-}
-
 // Replaces the table with a metatable at index by a plain one: its own entries, and for the rows also what
 // the metatable provides.
 void flatten(lua_State* L, int index, const std::vector<Argument>& rows) {
@@ -380,6 +370,7 @@ std::vector<double> Fields::numbers(std::string_view name) const {
 
 std::vector<std::string> Fields::texts(std::string_view name, const std::string& expected) const {
   std::vector<std::string> out;
+  if (is(name, LUA_TSTRING)) return {text(name)};
   each(name, [&](lua_Integer) {
     if (lua_type(L_, -1) != LUA_TSTRING)
       refuse(name, "expected " + expected + ", got " + script::describe(L_, -1));
@@ -405,6 +396,10 @@ void Fields::refuse(std::string_view name, const std::string& why) const {
   throw Error(label(path_, std::string(name), positional_) + ": " + why);
 }
 
+void Fields::want_one_of(std::string_view name, std::string_view other, const std::string& expected) const {
+  if (has(name) == has(other)) refuse(name, expected + ", got " + (has(name) ? "both" : "neither"));
+}
+
 namespace {
 
 // A function with named fields accepts the first three without names if they are rows, x and y.
@@ -427,16 +422,10 @@ int gather_led(lua_State* L, const Entry& entry, int first) {
     lua_pushvalue(L, table);
   make_plain(L);
   const int all = lua_gettop(L);
-  lua_newtable(L);  // the deck's own table stays as it is
-  for (lua_pushnil(L); lua_next(L, all) != 0;) {
-    lua_pushvalue(L, -2);
-    lua_insert(L, -2);
-    lua_rawset(L, -4);
-  }
+  copy_entries(L, all);  // the deck's own table stays as it is
   for (int i = 0; i < most; ++i) {
     const std::string& name = entry.arguments[static_cast<std::size_t>(i)].name;
-    lua_pushstring(L, name.c_str());
-    if (lua_rawget(L, all) != LUA_TNIL)
+    if (push_raw(L, all, name) != LUA_TNIL)
       throw Error("field '" + name + "': given twice, as argument " + std::to_string(i + 1) +
                   " and by its name");
     lua_pop(L, 1);

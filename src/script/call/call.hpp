@@ -58,10 +58,12 @@ class Fields {
     lua_settop(L_, list - 1);
     return count;
   }
-  // The texts in the table; `expected` of each, as "names of sets".
+  // The texts in the table, or the one in its place; `expected` of each, as "names of sets".
   std::vector<std::string> texts(std::string_view name, const std::string& expected) const;
   // Throws an error that names the field.
   [[noreturn]] void refuse(std::string_view name, const std::string& why) const;
+  // Error in the name of the first unless one of the two is given: "expected either x or y, got both".
+  void want_one_of(std::string_view name, std::string_view other, const std::string& expected) const;
   const Argument& row(std::string_view name) const;
 
  protected:

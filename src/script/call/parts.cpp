@@ -160,11 +160,7 @@ void make_metatable(lua_State* L, const std::string& name) {
     lua_pushcclosure(L, f, 1);
     lua_setfield(L, -2, event);
   }
-  lua_pushcfunction(L, part_newindex);
-  lua_setfield(L, -2, "__newindex");
-  lua_pushcfunction(L, part_pairs);
-  lua_setfield(L, -2, "__pairs");
-  put(L, "__metatable", false);
+  put(L, "__newindex", part_newindex, "__pairs", part_pairs, "__metatable", false);
   lua_pushvalue(L, shown);
   lua_rawsetp(L, -2, &shown_key);
   lua_pushvalue(L, 1);

@@ -46,19 +46,31 @@ int report_text(lua_State* L) {
 
 void set_text_of(lua_State* L, const char* name, lua_CFunction text) {
   if (luaL_newmetatable(L, name) != 0) {
-    lua_pushcfunction(L, text);
-    lua_setfield(L, -2, "__tostring");
-    lua_pushboolean(L, 0);
-    lua_setfield(L, -2, "__metatable");
+    put(L, "__tostring", *text, "__metatable", false);
   }
   lua_setmetatable(L, -2);
 }
 
-std::string raw_text(lua_State* L, int index, const char* name) {
+int push_raw(lua_State* L, int index, const std::string& name) {
   index = lua_absindex(L, index);
-  lua_pushstring(L, name);
+  lua_pushlstring(L, name.data(), name.size());
+  return lua_rawget(L, index);
+}
+
+void copy_entries(lua_State* L, int index) {
+  index = lua_absindex(L, index);
+  luaL_checkstack(L, 6, "fields");
+  lua_newtable(L);
+  for (lua_pushnil(L); lua_next(L, index) != 0;) {
+    lua_pushvalue(L, -2);
+    lua_insert(L, -2);
+    lua_rawset(L, -4);
+  }
+}
+
+std::string raw_text(lua_State* L, int index, const char* name) {
   std::string words;
-  if (lua_rawget(L, index) == LUA_TSTRING) words = lua_tostring(L, -1);
+  if (push_raw(L, index, name) == LUA_TSTRING) words = lua_tostring(L, -1);
   lua_pop(L, 1);
   return words;
 }
@@ -66,8 +78,7 @@ std::string raw_text(lua_State* L, int index, const char* name) {
 void set_meta(Session& session, const std::string& cls, const char* name, lua_CFunction f) {
   lua_State* L = session.lua();
   push_class(L, cls, nullptr);
-  lua_pushcfunction(L, f);
-  lua_setfield(L, -2, name);
+  put(L, name, *f);
   lua_pop(L, 1);
 }
 

@@ -70,6 +70,10 @@ int push_record(lua_State* L, const All&... all) {
 // may change the table, so the function must not rely on its entries.
 void set_text_of(lua_State* L, const char* name, lua_CFunction text);
 int report_text(lua_State* L);  // the field `text` of a report, for set_text_of()
+// Pushes the entry `name` of the table at index without calling metamethods, and returns its type.
+int push_raw(lua_State* L, int index, const std::string& name);
+// Pushes a table with the entries of the one at index, without its metatable.
+void copy_entries(lua_State* L, int index);
 // The entry `name` of the table at index if it is a string, else empty; calls no metamethods.
 std::string raw_text(lua_State* L, int index, const char* name);
 // Sets a metamethod of a class; f is called without protection and must not throw.

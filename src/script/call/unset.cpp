@@ -1,4 +1,3 @@
-#include "script/call/unset.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,10 +3,9 @@
 #include <cstdlib>
 
 #include "script/bind/rooms.hpp"
+#include "script/call/chain.hpp"
 #include "script/call/push.hpp"
-#include "script/call/unset.hpp"
-#include "script/runs/checkpoint.hpp"
-#include "script/runs/replay.hpp"
+#include "script/runs/drive.hpp"
 #include "script/sandbox/sandbox.hpp"
 #include "system/paths.hpp"
 

@@ -1,9 +1,8 @@
-#include "script/runs/checkpoint.hpp"
-
 #include "base/error.hpp"
 #include "base/hash.hpp"
 #include "base/number.hpp"
 #include "format/source.hpp"
+#include "script/runs/drive.hpp"
 #include "system/gate.hpp"
 
 namespace fabricsh::script {

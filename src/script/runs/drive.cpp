@@ -5,8 +5,6 @@
 
 #include "base/number.hpp"
 #include "script/call/words.hpp"
-#include "script/runs/checkpoint.hpp"
-#include "script/runs/replay.hpp"
 #include "script/session/at_work.hpp"
 #include "script/values/lua_table.hpp"
 

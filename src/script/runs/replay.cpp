@@ -1,11 +1,10 @@
-#include "script/runs/replay.hpp"
-
 #include <algorithm>
 #include <utility>
 
 #include "base/number.hpp"
 #include "script/call/push.hpp"
 #include "script/call/words.hpp"
+#include "script/runs/drive.hpp"
 #include "script/values/lua_table.hpp"
 #include "system/gate.hpp"
 

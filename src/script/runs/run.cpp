@@ -6,9 +6,7 @@
 #include "base/number.hpp"
 #include "script/call/boundary.hpp"
 #include "script/call/chain.hpp"
-#include "script/runs/checkpoint.hpp"
 #include "script/runs/drive.hpp"
-#include "script/runs/replay.hpp"
 #include "script/session/warning_log.hpp"
 
 namespace fabricsh::script {
@@ -145,18 +143,9 @@ lua_State* Hook::push() const {
 }
 
 std::string Drive::words() const {
-  switch (made) {
-    case CallKind::advance:
-      return "advance(" + exact_number(target) + ")";
-    case CallKind::step:
-      return "step()";
-    case CallKind::reach:
-      return "reach()";
-    case CallKind::restore:
-      return "restore()";
-    default:
-      return "solve()";
-  }
+  constexpr const char* calls[] = {"solve", "advance", "step", "reach", "restore"};
+  return std::string(calls[static_cast<std::size_t>(made)]) + "(" +
+         (made == CallKind::advance ? exact_number(target) : "") + ")";
 }
 
 bool Calls::restored_after(std::int64_t call) const {

@@ -74,19 +74,12 @@ int open_stream(lua_State* L) {
   return 1;
 }
 
-int remove_file(lua_State* L) {
+// os.remove(path), os.rename(from, to).
+template <bool renames>
+int move_file(lua_State* L) {
   try {
-    Gate::of_process().remove(path_at(L, 1));
-  } catch (const Error& error) {
-    return refusal(L, error);
-  }
-  lua_pushboolean(L, 1);
-  return 1;
-}
-
-int rename_file(lua_State* L) {
-  try {
-    Gate::of_process().rename(path_at(L, 1), path_at(L, 2));
+    renames ? Gate::of_process().rename(path_at(L, 1), path_at(L, 2))
+            : Gate::of_process().remove(path_at(L, 1));
   } catch (const Error& error) {
     return refusal(L, error);
   }
@@ -186,8 +179,8 @@ int paid(lua_State* L) {
 }
 
 constexpr luaL_Reg natives[] = {{"open", open_stream},
-                                {"remove", remove_file},
-                                {"rename", rename_file},
+                                {"remove", move_file<false>},
+                                {"rename", move_file<true>},
                                 {"tmpname", temporary_name},
                                 {"exists", file_exists},
                                 {"loadfile", load_through_gate},

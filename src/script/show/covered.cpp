@@ -1,5 +1,5 @@
-#include "script/show/covered.hpp"
 
+#include "script/call/push.hpp"
 #include "script/show/peek.hpp"
 #include "script/show/transcript.hpp"
 
@@ -25,8 +25,7 @@ constexpr const char* library = "fabric";
 // Whether the whole library is still where the prompt has put it.
 bool library_is_there(lua_State* L) {
   lua_pushglobaltable(L);
-  lua_pushstring(L, library);
-  lua_rawget(L, -2);
+  push_raw(L, -1, library);
   lua_getfield(L, LUA_REGISTRYINDEX, library);
   const bool same = lua_rawequal(L, -1, -2) != 0;
   lua_pop(L, 3);
@@ -36,14 +35,11 @@ bool library_is_there(lua_State* L) {
 // Whether the table at `home` has a value with this name, and whether it equals the global one.
 bool holds(lua_State* L, int home, const std::string& name, bool same) {
   if (!lua_istable(L, home)) return false;
-  lua_pushvalue(L, home);
-  lua_pushstring(L, name.c_str());
-  lua_rawget(L, -2);
+  push_raw(L, home, name);
   lua_pushglobaltable(L);
-  lua_pushstring(L, name.c_str());
-  lua_rawget(L, -2);
+  push_raw(L, -1, name);
   const bool found = !lua_isnil(L, -3) && (!same || lua_rawequal(L, -1, -3) != 0);
-  lua_pop(L, 4);
+  lua_pop(L, 3);
   return found;
 }
 

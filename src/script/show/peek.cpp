@@ -3,6 +3,7 @@
 #include <set>
 
 #include "script/call/boundary.hpp"
+#include "script/call/push.hpp"
 #include "script/runs/run.hpp"
 #include "script/values/card_rows.hpp"
 
@@ -40,8 +41,7 @@ struct NameCollector {
 // Pushes a table of the class of the object at index: "methods" or "properties".
 bool push_part(lua_State* L, int index, const char* part) {
   if (lua_getmetatable(L, index) == 0) return false;
-  lua_pushstring(L, part);
-  lua_rawget(L, -2);
+  push_raw(L, -1, part);
   lua_remove(L, -2);
   if (lua_istable(L, -1)) return true;
   lua_pop(L, 1);
@@ -51,8 +51,7 @@ bool push_part(lua_State* L, int index, const char* part) {
 // Replaces the table on top by its metatable's __index; false (and popped) if there is none.
 bool go_up(lua_State* L) {
   if (lua_getmetatable(L, -1) != 0) {
-    lua_pushliteral(L, "__index");
-    lua_rawget(L, -2);
+    push_raw(L, -1, "__index");
     lua_remove(L, -2);
     lua_remove(L, -2);
     if (lua_istable(L, -1)) return true;
@@ -102,10 +101,9 @@ void read_property(lua_State* L, int index) {
 
 bool part_field(lua_State* L, int index, const char* part, const std::string& key) {
   if (!push_part(L, index, part)) return false;
-  lua_pushstring(L, key.c_str());
-  lua_rawget(L, -2);
+  const bool found = push_raw(L, -1, key) != LUA_TNIL;
   lua_remove(L, -2);
-  if (!lua_isnil(L, -1)) return true;
+  if (found) return true;
   lua_pop(L, 1);
   return false;
 }
@@ -114,10 +112,9 @@ void object_field(lua_State* L, int index, const std::string& key) {
   if (part_field(L, index, "properties", key)) return read_property(L, index);
   if (const auto card = to_object<card::Card>(L, index)) {
     push_card_table(L, *card);
-    lua_pushstring(L, key.c_str());
-    lua_rawget(L, -2);
+    const bool found = push_raw(L, -1, key) != LUA_TNIL;
     lua_remove(L, -2);
-    if (!lua_isnil(L, -1)) return;
+    if (found) return;
     lua_pop(L, 1);
   }
   if (!part_field(L, index, "methods", key)) lua_pushnil(L);
@@ -150,8 +147,7 @@ void object_names(lua_State* L, int index, bool methods, NameCollector& names) {
 std::string class_of(lua_State* L, int index) {
   if (lua_type(L, index) != LUA_TUSERDATA || lua_getmetatable(L, index) == 0) return {};
   std::string name;
-  lua_pushliteral(L, "__name");
-  if (lua_rawget(L, -2) == LUA_TSTRING) name = lua_tostring(L, -1);
+  if (push_raw(L, -1, "__name") == LUA_TSTRING) name = lua_tostring(L, -1);
   lua_pop(L, 1);
   luaL_getmetatable(L, class_key(name).c_str());
   const bool own = lua_rawequal(L, -1, -2) != 0;

@@ -300,9 +300,7 @@ void name_result(lua_State* L, const std::string& name) {
   if (lua_getfield(L, -1, name.c_str()) == LUA_TNIL) {
     lua_pop(L, 1);
     push_record(L, result_name, name);
-    lua_pushcfunction(L, result_text);
-    lua_setfield(L, -2, "__tostring");
-    put(L, "__metatable", false);
+    put(L, "__tostring", result_text, "__metatable", false);
     lua_pushvalue(L, -1);
     lua_setfield(L, -3, name.c_str());
   }

@@ -1,6 +1,7 @@
 // The input of a session, as a deck that does the same.
 #pragma once
 #include <lua.hpp>
+#include <set>
 #include <string>
 
 namespace fabricsh::script {
@@ -31,5 +32,16 @@ Transcript& transcript_of(lua_State* L);
 
 // Registry key of the globals before any code of the user has run.
 inline constexpr const char* own_globals_key = "fabricsh.globals";
+
+// --- Globals of the library and of Lua that the user has overwritten.
+
+// Names whose values are still those of Lua, fabric or fabric.units: "print", "model", "mm".
+std::set<std::string> names_as_made(lua_State* L);
+
+// For a name that has just been overwritten: what it was, and where that is still available.
+std::string covered_words(lua_State* L, const std::string& name);
+
+// Whether the global `name` is fabric.<name> itself.
+bool is_of_fabric(lua_State* L, const std::string& name);
 
 }  // namespace fabricsh::script

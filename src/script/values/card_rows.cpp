@@ -76,15 +76,28 @@ void check_svk(const Fields& fields, const card::Svk& law) {
   }
 }
 
-law::Provenance read_provenance(const Fields& f) {
-  law::Provenance out;
+// What `read` makes of each value in the table, on top of the stack, by its name: that of a field with an
+// origin.
+template <class Read>
+auto by_origin(const Fields& f, const char* table, Read read) {
+  std::vector<std::pair<std::string, decltype(read(std::string()))>> out;
   lua_State* L = f.L();
-  f.push("provenance");
+  f.push(table);
   for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) {
     const auto& known = law::provenance_fields();
     const std::string name = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : describe(L, -2);
     if (std::find(known.begin(), known.end(), name) == known.end())
-      f.refuse("provenance", unknown("field", name, known));
+      f.refuse(table, unknown("field", name, known));
+    out.emplace_back(name, read(name));
+  }
+  lua_pop(L, 1);
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+law::Provenance read_provenance(const Fields& f) {
+  lua_State* L = f.L();
+  return by_origin(f, "provenance", [&](const std::string& name) {
     if (lua_type(L, -1) != LUA_TSTRING)
       f.refuse("provenance", "expected words for '" + name + "', got " + describe(L, -1));
     const std::string words = lua_tostring(L, -1);
@@ -92,22 +105,13 @@ law::Provenance read_provenance(const Fields& f) {
       f.refuse("provenance",
                "expected words that begin with fitted, measured, copied, typed or assumed for '" + name +
                    "', got '" + words + "'");
-    out.emplace_back(name, words);
-  }
-  lua_pop(L, 1);
-  std::sort(out.begin(), out.end());
-  return out;
+    return words;
+  });
 }
 
 card::Ranges read_ranges(const Fields& f, const Card& card) {
-  card::Ranges out;
   lua_State* L = f.L();
-  f.push("ranges");
-  for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) {
-    const auto& known = law::provenance_fields();
-    const std::string name = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : describe(L, -2);
-    if (std::find(known.begin(), known.end(), name) == known.end())
-      f.refuse("ranges", unknown("field", name, known));
+  return by_origin(f, "ranges", [&](const std::string& name) {
     std::array<double, 2> range{std::nan(""), std::nan("")};
     for (int i = 0; lua_type(L, -1) == LUA_TTABLE && i < 2; ++i) {
       if (lua_rawgeti(L, -1, i + 1) == LUA_TNUMBER) range[static_cast<std::size_t>(i)] = lua_tonumber(L, -1);
@@ -120,11 +124,8 @@ card::Ranges read_ranges(const Fields& f, const Card& card) {
                                   : "{" + exact_number(range[0]) + ", " + exact_number(range[1]) + "}"));
     if (!law::is_assumed(card, name))
       f.refuse("ranges", "expected fields whose provenance begins with assumed, got '" + name + "'");
-    out.emplace_back(name, range);
-  }
-  lua_pop(L, 1);
-  std::sort(out.begin(), out.end());
-  return out;
+    return range;
+  });
 }
 
 // The rows of a card's fields, and its origins.
@@ -309,12 +310,7 @@ void push_card(lua_State* L, const Card& card) {
   mark("ranges");
   for (const Field& field : table) mark(field.name.c_str());
   // The metatables by name, needed when a part is forgotten.
-  lua_newtable(L);
-  for (lua_pushnil(L); lua_next(L, -3) != 0;) {
-    lua_pushvalue(L, -2);
-    lua_insert(L, -2);
-    lua_rawset(L, -4);
-  }
+  copy_entries(L, -1);
   lua_rawseti(L, -2, 1);
 }
 
