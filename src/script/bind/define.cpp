@@ -5,7 +5,8 @@
 //
 // An argument has name, sentence, kind ("number|text"; `of` implies "object"), unit, low, high,
 // above, default, optional, choices, rows. define.fail(message) raises an error with the deck's
-// line; define.warnings(define.log_end()) is what runs and decks warn of from then on, define.say(text)
+// line; define.check(call, path, value, rows) raises one unless the value is a table that matches rows of
+// arguments; define.warnings(define.log_end()) is what runs and decks warn of from then on, define.say(text)
 // shows a warning without adding it to these; define.keep_caller(f)
 // is f for decks, whose line is known even in `return f()`; define.registry has rows, name_of, class_of,
 // card_of, nearest and show of bind/registry.cpp. run receives one table with all defaults filled in; with
@@ -258,6 +259,24 @@ int fail(lua_State* L) {
   return lua_error(L);
 }
 
+// check(call, path, value, rows): an error in the name of the call unless the value is a table that matches
+// the rows, which are written as those of arguments.
+int check_table(lua_State* L) {
+  const std::string call = luaL_checkstring(L, 1), path = luaL_checkstring(L, 2);
+  luaL_checktype(L, 4, LUA_TTABLE);
+  std::string problem;
+  try {
+    Argument row = value_(path, fields, "");
+    row.rows = read_rows(L, 4, 1);
+    check_value(L, 3, row, "", false);
+    return 0;
+  } catch (const Error& error) {
+    problem = position(L) + call + ": " + error.what();
+  }
+  lua_pushstring(L, problem.c_str());
+  return lua_error(L);
+}
+
 // Calls the Lua function of the upvalue. Lua does not keep the line of a function that returns the result of
 // another Lua function; of one that returns that of a C function it keeps it.
 int give_results(lua_State* L, int /*status*/, lua_KContext /*context*/) { return lua_gettop(L); }
@@ -341,8 +360,8 @@ int call_define(lua_State* L) {
 
 int open_define(lua_State* L) {
   lua_newtable(L);
-  put(L, "fail", fail, "keep_caller", keep_caller, "lock", lock, "refusals", refusals, "log_end", log_end,
-      "warnings", warnings, "say", say, "registry", [&] { push_registry(L); });
+  put(L, "fail", fail, "check", check_table, "keep_caller", keep_caller, "lock", lock, "refusals", refusals,
+      "log_end", log_end, "warnings", warnings, "say", say, "registry", [&] { push_registry(L); });
   lua_newtable(L);
   put(L, "__call", call_define, "__metatable", false);
   lua_setmetatable(L, -2);

@@ -5,42 +5,20 @@ local fabric = require "fabric"
 local lists = require "fabric.lists"
 local fail = define.fail
 
-local fields = { "name", "scheme", "duration", "loads", "release", "options" }
-local schemes = { static = true, explicit = true, implicit = true }
+local step_rows = {
+  { name = "name", kind = "text" },
+  { name = "scheme", kind = "text", choices = { "static", "explicit", "implicit" }, optional = true },
+  { name = "duration", kind = "number", unit = "s", above = 0 },
+  { name = "loads", kind = "function", optional = true }, -- of model, the time at which the step begins, the run before; adds to the model
+  { name = "release", kind = "number", unit = "s", above = 0, optional = true },
+  { name = "options", kind = "table", optional = true }, -- further fields of fabric.static or fabric.dynamic
+}
 
-local function shown(value)
-  if type(value) == "string" then return "'" .. value .. "'" end
-  return (type(value) == "number" or value == nil) and tostring(value) or "a " .. type(value)
-end
-
-local function expected(place, what, got) fail(("chain: field '%s': expected %s, got %s"):format(place, what, shown(got))) end
-
-local function check_step(step, place)
-  if type(step) ~= "table" then expected(place, "a table {" .. table.concat(fields, ", ") .. "}", step) end
-  local known = {}
-  for _, field in ipairs(fields) do known[field] = true end
-  for field in pairs(step) do
-    if not known[field] then
-      fail(("chain: field '%s': unknown field %s (known: %s)"):format(place, shown(field), table.concat(fields, " ")))
-    end
-  end
-  if type(step.name) ~= "string" then expected(place .. ".name", "a string", step.name) end
-  if step.scheme ~= nil and not schemes[step.scheme] then expected(place .. ".scheme", "'static' or 'explicit' or 'implicit'", step.scheme) end
-  if type(step.duration) ~= "number" or not (step.duration > 0) then expected(place .. ".duration", "a positive number in s", step.duration) end
-  if step.loads ~= nil and type(step.loads) ~= "function" then
-    expected(place .. ".loads", "a function(model, begins, before) that adds to the model", step.loads)
-  end
-  if step.release ~= nil and (type(step.release) ~= "number" or not (step.release > 0)) then
-    expected(place .. ".release", "a positive number in s", step.release)
-  end
-  if step.options ~= nil and type(step.options) ~= "table" then
-    expected(place .. ".options", "a table of further fields of fabric.static or fabric.dynamic", step.options)
-  end
-end
+local function shown(value) return type(value) == "string" and "'" .. value .. "'" or define.registry.show(value) end
 
 local function check(t)
   if #t.steps == 0 then fail "chain: field 'steps': expected a list of steps { {name=, duration=, ...}, ... }, got no step" end
-  for i = 1, #t.steps do check_step(t.steps[i], ("steps[%d]"):format(i)) end
+  for i = 1, #t.steps do define.check("chain", ("steps[%d]"):format(i), t.steps[i], step_rows) end
   if t.steps[1].release then fail "chain: field 'steps[1].release': expected none: nothing holds the cloth before the first step" end
   for name, column in pairs(t.columns or {}) do
     if type(name) ~= "string" or type(column) ~= "function" then
