@@ -5,7 +5,6 @@
 --   fabricsh scripts/contact/crumple.lua 40 out        40 x 40, with a series for ParaView in out
 -- warns: is turned over: it is more than 90 degrees
 -- warns: turned inside out
--- warns: carries without folding within it
 -- warns: the guard of the directors has
 local fabric = require "fabric"
 local brute = dofile((arg[0]:gsub("[^/]*$", "brute.lua")))

@@ -1,7 +1,7 @@
 -- A square of muslin falls onto a ball and folds about it; it touches the ball, itself and, would it get there, the floor.
 --
 --   fabricsh scripts/gallery/fall.lua [out] [elements along an edge] [frames]      10, none; the movie in share/doc: 28, 36
--- warns: the guard of the directors has
+-- warns: is turned inside out
 local fabric, out, cells, frames = require "fabric", arg[1] or "out/gallery", tonumber(arg[2]) or 10, tonumber(arg[3])
 local mm = fabric.units.mm
 local mesh = fabric.mesh.rectangle { width = 0.3, height = 0.3, nx = cells, ny = cells }

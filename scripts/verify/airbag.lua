@@ -11,8 +11,6 @@
 -- These do not converge: the sheet rises as finer meshes take finer wrinkles, which is all that is checked.
 -- warns: nine measured cloths in ten have 1 to 70 uN.m
 -- warns: carries without folding within it
--- warns: the guard of the directors has
--- warns: the steps are long: in two halves they end
 local fabric = require "fabric"
 local problem = dofile((arg[0]:gsub("[^/]*$", "problem.lua")))
 

@@ -1,5 +1,6 @@
--- Triangles beside the quadrilaterals that were cut, and beside bilinear ones without residual flexibility in bending: plates clamped and supported under pressure, a strip in torsion, its frequency and its
--- energy when it is twisted far. Errors in %, of triangles cut one way, and both ways in turn. Curved shells: sze_triangles.lua.
+-- Triangles beside the quadrilaterals that were cut, and beside bilinear ones without residual flexibility in bending: plates clamped and supported
+-- under pressure, a strip in torsion, its frequency and its energy when it is twisted far. Errors in %, of triangles cut one way, and both ways in turn.
+-- Curved shells: sze_triangles.lua.
 --
 --   fabricsh scripts/verify/triangles_beside.lua [number of sizes]      usually 2; 3 takes ten times as long
 -- warns: nine measured cloths in ten have 1 to 70 uN.m
