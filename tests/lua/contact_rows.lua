@@ -138,7 +138,8 @@ do
   end
 end
 
--- A sheet drawn from between two that are pressed together: F = 2 mu N. With one point through the thickness their shear holds them flat.
+-- A sheet drawn from between two that are pressed together: F = 2 mu N. With one point through the thickness their shear
+-- holds them flat.
 for _, mu in ipairs { 0.1, 0.6 } do
   local touch, pressure, card = 1e-6, 1000, sheet_card(1e8)
   local function at(k, x, width, nx) return fabric.mesh.rectangle { width = width, height = 0.01, nx = nx, ny = 2, origin = { x, 0, k * (thickness - touch) } } end
