@@ -7,6 +7,7 @@
 #include "script/bind/mesh.hpp"
 #include "script/bind/model.hpp"
 #include "script/call/words.hpp"
+#include "system/atomic.hpp"
 #include "system/gate.hpp"
 #include "system/paths.hpp"
 
