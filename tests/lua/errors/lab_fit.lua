@@ -90,7 +90,7 @@ wrong("fabric.lab.identify", "fabric.lab.identify{ parameters={}, tests={}, chec
 wrong("fabric.lab.identify", "fabric.lab.identify{ parameters={}, tests={}, key={} }",
   "deck.lua:1: identify: field 'key': expected a number or a string, got a table")
 wrong("fabric.lab.identify", "fabric.lab.identify{ parameters={ {name='a', start=1, low=0, high=2} }, tests={ {name='t', mesured={1}} } }",
-  "deck.lua:1: identify: unknown field 'tests[1].mesured', did you mean 'measured'?")
+  "deck.lua:1: identify: unknown field 'tests[1].mesured', did you mean 'tests[1].measured'?")
 wrong("fabric.lab.identify", "fabric.lab.identify{ parameters={ {name='a', start=3, low=0, high=2} }, tests={} }",
   "deck.lua:1: identify: field 'parameters[1].start': expected 0 to 2, got 3")
 wrong("fabric.lab.identify", "fabric.lab.identify{ parameters={}, tests={}, tolerance='1' }",

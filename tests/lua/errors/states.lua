@@ -123,23 +123,24 @@ wrong("fabric.lab.chain", chain "steps={}",
 wrong("fabric.lab.chain", chain "steps={ 'pull' }",
   "deck.lua:1: chain: field 'steps[1]': expected a table {name, scheme, duration, loads, release, options}, got 'pull'")
 wrong("fabric.lab.chain", chain "steps={ nil, { name='pull', duration=1 } }",
-  "deck.lua:1: chain: field 'steps[1]': expected a table {name, scheme, duration, loads, release, options}, got nil")
+  "deck.lua:1: chain: field 'steps[1]': expected a table {name, scheme, duration, loads, release, options}, got nil (missing, "
+  .. "or a misspelt variable)")
 wrong("fabric.lab.chain", chain "steps={ { name='pull', duration=1, load=1 } }",
-  "deck.lua:1: chain: field 'steps[1]': unknown field 'load' (known: name scheme duration loads release options)")
+  "deck.lua:1: chain: unknown field 'steps[1].load', did you mean 'steps[1].loads'?")
 wrong("fabric.lab.chain", chain "steps={ { duration=1 } }",
-  "deck.lua:1: chain: field 'steps[1].name': expected a string, got nil")
+  "deck.lua:1: chain: field 'steps[1].name': expected a string, got nil (missing, or a misspelt variable)")
 wrong("fabric.lab.chain", chain "steps={ { name='pull', duration=1 }, { name='go', duration=1, scheme='quick' } }",
   "deck.lua:1: chain: field 'steps[2].scheme': expected 'static' or 'explicit' or 'implicit', got 'quick'")
 wrong("fabric.lab.chain", chain "steps={ { name='pull', duration=0 } }",
   "deck.lua:1: chain: field 'steps[1].duration': expected a positive number in s, got 0")
 wrong("fabric.lab.chain", chain "steps={ { name='pull', duration=1, loads={} } }",
-  "deck.lua:1: chain: field 'steps[1].loads': expected a function(model, begins, before) that adds to the model, got a table")
+  "deck.lua:1: chain: field 'steps[1].loads': expected a function, got a table")
 wrong("fabric.lab.chain", chain "steps={ { name='pull', duration=1, release=1 } }",
   "deck.lua:1: chain: field 'steps[1].release': expected none: nothing holds the cloth before the first step")
 wrong("fabric.lab.chain", chain "steps={ { name='pull', duration=1 }, { name='go', duration=1, release=-1 } }",
   "deck.lua:1: chain: field 'steps[2].release': expected a positive number in s, got -1")
 wrong("fabric.lab.chain", chain "steps={ { name='pull', duration=1, options=3 } }",
-  "deck.lua:1: chain: field 'steps[1].options': expected a table of further fields of fabric.static or fabric.dynamic, got 3")
+  "deck.lua:1: chain: field 'steps[1].options': expected a table, got 3")
 wrong("fabric.lab.chain", chain "steps={ { name='pull', duration=1 } }, cycles=0",
   "deck.lua:1: chain: field 'cycles': expected an integer of at least 1, got 0")
 wrong("fabric.lab.chain", chain "steps={ { name='pull', duration=1 } }, columns={ force=3 }",
