@@ -2,7 +2,6 @@
 
 #include <dlfcn.h>
 #include <fcntl.h>
-#include <histedit.h>
 #include <malloc.h>
 #include <omp.h>
 #include <stdlib.h>
@@ -13,13 +12,13 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <lua.hpp>
 #include <sstream>
 #include <system_error>
 
 #include "base/version.hpp"
 #include "format/vtu.hpp"
 #include "linear/libraries.hpp"
+#include "repl/editor.hpp"
 #include "simd/isa.hpp"
 
 namespace fabricsh::app {
@@ -110,10 +109,7 @@ std::string about() {
   std::ostringstream out;
   out << headline() << "\n";
   const char* between = "";
-  const std::vector<Library> of_prompt = {
-      {"Lua", LUA_VERSION_MAJOR "." LUA_VERSION_MINOR "." LUA_VERSION_RELEASE},
-      {"libedit", std::to_string(LIBEDIT_MAJOR) + "." + std::to_string(LIBEDIT_MINOR)}};
-  for (const auto& list : {of_prompt, linear::libraries(), format::libraries()})
+  for (const auto& list : {repl::libraries(), linear::libraries(), format::libraries()})
     for (const Library& library : list) {
       out << between << library.name << " " << library.version;
       between = ", ";

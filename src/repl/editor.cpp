@@ -13,6 +13,7 @@
 #include <cstdlib>
 #include <cwchar>
 #include <iterator>
+#include <lua.hpp>
 #include <string_view>
 
 #include "repl/history.hpp"
@@ -267,6 +268,11 @@ std::string TerminalStyle::dress(Tone tone, const std::string& text, const std::
   if (!colours_ || text.empty()) return text;
   const char* code = tone == Tone::prompt ? "1;34" : tone == Tone::error ? "31" : "33";
   return mark + "\033[" + code + "m" + mark + text + mark + "\033[0m" + mark;
+}
+
+std::vector<Library> libraries() {
+  return {{"Lua", LUA_VERSION_MAJOR "." LUA_VERSION_MINOR "." LUA_VERSION_RELEASE},
+          {"libedit", std::to_string(LIBEDIT_MAJOR) + "." + std::to_string(LIBEDIT_MINOR)}};
 }
 
 }  // namespace fabricsh::repl

@@ -4,7 +4,9 @@
 #include <istream>
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "base/version.hpp"
 #include "repl/completion.hpp"
 
 namespace fabricsh::repl {
@@ -51,5 +53,7 @@ struct TerminalOptions {
 
 // The terminal, by libedit. Only one at a time.
 std::unique_ptr<Lines> terminal_lines(TerminalOptions options);
+
+std::vector<Library> libraries();  // Lua, libedit
 
 }  // namespace fabricsh::repl

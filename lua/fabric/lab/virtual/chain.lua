@@ -50,7 +50,9 @@ local function run(t)
       local row = { cycle = cycle, name = step.name, time = a.time, stored = energy.stored, dissipated = energy.dissipated, work = energy.external }
       for _, name in ipairs(names) do
         row[name] = t.columns[name](a)
-        if type(row[name]) ~= "number" then expected("columns." .. name, "the function to return a number", row[name]) end
+        if type(row[name]) ~= "number" then
+          fail(("chain: field 'columns.%s': expected the function to return a number, got %s"):format(name, shown(row[name])))
+        end
       end
       rows[#rows + 1], before = row, a
     end
