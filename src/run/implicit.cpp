@@ -278,7 +278,7 @@ void Implicit::commit(StepReport& report) {
   if (options_.error)
     control_.aim(was_cut ? std::min(next_, control_.current()) : next_);
   else
-    control_.grow(step_.last.iterations, was_cut);
+    control_.grow(step_.last.far, was_cut);
   now_.step = control_.current();
   ++now_.steps;
 }

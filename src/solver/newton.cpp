@@ -14,6 +14,8 @@ namespace {
 constexpr int kMostOnBranches = 20;  // iterations
 constexpr double kFurthest = 0.3;    // rad, the turn in one of them
 constexpr double kMostInertia = 100;
+constexpr int kMoreTimes = 3;   // max_iterations, while the residual falls near a solution
+constexpr double kNear = 1e-3;  // a residual near a solution
 }  // namespace
 
 const char* describe(NewtonStatus status) {
@@ -81,9 +83,17 @@ NewtonResult failed(Answer answer) {
 // Whether the iterations on branches end near a solution: the residual is small, and swings, as where lines
 // of branches lead to each other in turn.
 bool ends_near(std::span<const double> residuals) {
-  constexpr double kNear = 1e-3, kFalls = 0.25;
+  constexpr double kFalls = 0.25;
   const std::size_t n = residuals.size();
   return n >= 3 && residuals[n - 1] < kNear && residuals[n - 1] > kFalls * residuals[n - 3];
+}
+
+// Yarns without load that are all at their kinks let a residual fall slowly but surely.
+bool still_falls(std::span<const double> residuals) {
+  constexpr std::size_t kBack = 8;
+  constexpr double kFalls = 0.8;
+  const std::size_t n = residuals.size();
+  return n > kBack && residuals[n - 1] < kNear && residuals[n - 1] < kFalls * residuals[n - 1 - kBack];
 }
 }  // namespace
 
@@ -105,6 +115,7 @@ NewtonResult Newton::solve(Problem& problem, const NewtonOptions& options) {
     if (const Answer answer = predict(problem); answer != Answer::ok) return failed(answer);
   NewtonResult result = there ? correct(problem, options) : iterate(problem, options, true);
   result.iterations += followed.iterations;
+  result.far += followed.far;
   return result;
 }
 
@@ -115,6 +126,7 @@ std::optional<NewtonStatus> Newton::judge(Problem& problem, std::span<const doub
   if (!std::isfinite(size)) return NewtonStatus::diverged;
   const double relative = compared(size, problem.force_scale());
   result.residuals.push_back(relative);
+  if (relative > kNear) result.far = result.iterations;
   result.worst = where;
   if (problem.at_target() && (relative <= tolerance || size <= problem.rounding_floor(K_)))
     return NewtonStatus::converged;
@@ -182,7 +194,8 @@ NewtonResult Newton::iterate(Problem& problem, const NewtonOptions& options, boo
     result.status = status;
     return result;
   };
-  for (int i = 0; i < options.max_iterations; ++i) {
+  const int most = problem.has_branches() ? kMoreTimes * options.max_iterations : options.max_iterations;
+  for (int i = 0; i < most && (i < options.max_iterations || still_falls(result.residuals)); ++i) {
     if (!direction(problem)) return stop(NewtonStatus::singular);
     ++result.iterations;
     result.negative_pivots = linear_->report().negative_pivots;

@@ -103,6 +103,7 @@ Answer checked(Answer answer, std::span<const double> r);
 struct NewtonResult {
   NewtonStatus status = NewtonStatus::too_many_iterations;
   int iterations = 0;                          // linear solves
+  int far = 0;                                 // of them until the residual was near a solution
   std::vector<double> residuals;               // relative, after each solve
   Index worst = -1;                            // unknown with the largest residual
   Index negative_pivots = 0;                   // of the last tangent that was factorised
