@@ -393,6 +393,7 @@ bool Implicit::takes_back() {
   const double energy_made = now.surplus() - repeatable_.surplus, made = energy_made / ledger_scale(now);
   if (repeatable_.settling) return shortens(std::max(0.0, made), energy_made, kSettlingHalvings);
   if (which == Try::first) {
+    if (repeatable_.halved == 0) repeatable_.young = is_young();
     const bool may_damp = chooses_scheme() && now_.damping != Damping::strong && repeatable_.halved == 0;
     if (!(made > options_.ledger_limit && may_damp)) return shortens(made, energy_made, kMostHalvings);
     return_to_start(Try::first);
@@ -449,9 +450,9 @@ bool Implicit::leave_hht(bool repeat) {
 bool Implicit::shortens(double error, double energy, int most) {
   const int halved = std::exchange(repeatable_.halved, 0);
   if (!(std::abs(error) > kErrorOfStep * options_.ledger_limit) || halved == most) return false;
-  if (is_young() && !repeatable_.settling) {
-    if (halved == 0 && !(error > options_.ledger_limit)) return false;
-    if (halved > 0 && !(energy < kFallsByHalf * repeatable_.energy)) {
+  if (!repeatable_.settling && is_young()) {
+    if (!repeatable_.young || (halved == 0 && !(std::abs(error) > options_.ledger_limit))) return false;
+    if (halved > 0 && !(std::abs(energy) < kFallsByHalf * std::abs(repeatable_.energy))) {
       return_to_start(Repeatable::Try::first_again);
       return true;
     }

@@ -71,6 +71,7 @@ class Implicit final : public Dynamic {
     std::string start;             // the state before it; empty: it is not taken back
     double surplus = 0, made = 0;  // J, of the ledger before it; its first try's share of the ledger's scale
     double energy = 0;             // J, that its last try without more damping made
+    bool young = false;            // whether the run is, in the whole step
     bool settling = false;         // whether directors settle in it
     Try which = Try::first;
     int halved = 0;  // times, for its error of the ledger
