@@ -49,14 +49,17 @@ inline constexpr int shell4_dofs = 20;  // per node: u1 u2 u3, q1 q2 with delta 
 inline constexpr int kSamples = 8, kEnhanced = 4;  // of the assumed membrane strain field
 
 // Reference geometry of one element, as the kernels read it; entry i of lane l at [i * lanes + l].
-//   edge shears (t/8)(X_j - X_i).(D_i + D_j), eased: edges 4-3, 1-2, 2-3, 1-4
-//   levers: the shear of an edge over its product of chord and director (t/2, eased), and over that of the
-//   edge opposite; for the first two edges and the others membrane samples: c11 on the first two edges, c22
-//   on the others; c11, c22, 2 c12 in the middle; q distortion: components of X_d = sum xi eta X / 4 on the
-//   middle's base vectors modes: the enhanced strains from the samples, 4 x 8, row-major easing: for warp and
-//   weft, the share of the variation of their strain within the element that is left, less one: 0 leaves the
-//   strain as it is, -1 takes its mean everywhere then per in-plane point: kappa (3), rho (3) of the
-//   reference; then per in-plane point and thickness point: T11 T12 T21 T22 q1 q2 s w
+// - edge shears (t/8)(X_j - X_i).(D_i + D_j), eased: edges 4-3, 1-2, 2-3, 1-4
+// - levers: the shear of an edge over its product of chord and director (t/2, eased), for the first two edges
+//   and the others; then over that of the edge opposite, likewise
+// - membrane samples: c11 on the first two edges, c22 on the others; c11, c22, 2 c12 in the middle; q
+// - distortion: components of X_d = sum xi eta X / 4 on the middle's base vectors
+// - modes: the enhanced strains from the samples, 4 x 8, row-major
+// - easing: for warp and weft, the share of the variation of their strain within the element that is left,
+//   less one: 0 leaves the strain as it is, -1 takes its mean everywhere
+// - then per in-plane point: kappa (3), rho (3) of the reference
+// - then per in-plane point and thickness point: T11 T12 T21 T22 q1 q2 s w
+//
 // where T_ij takes covariant to material components (T_ij = G^j . m_i), q_j = G^j . m_3, s = G^3 . m_3, w =
 // weight J, m^3.
 struct Shell4Layout {
