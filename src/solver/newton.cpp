@@ -12,7 +12,9 @@ using linear::dot;
 
 namespace {
 constexpr int kMostOnBranches = 20;  // iterations
-constexpr double kFurthest = 0.3;    // rad, the turn in one of them
+// rad, the turn in one of them: of the first one up to which it is permitted, as where directors settle, and
+// of all others, or as far as the first.
+constexpr double kFurthestFirst = 1, kFurthest = 0.3;
 constexpr double kMostInertia = 100;
 constexpr int kMoreTimes = 3;   // max_iterations, while the residual falls near a solution
 constexpr double kNear = 1e-3;  // a residual near a solution
@@ -159,11 +161,13 @@ NewtonResult Newton::follow_branches(Problem& problem, const NewtonOptions& opti
     result.status = NewtonStatus::law_failed;
     return result;
   };
+  double furthest = 0;
   for (int i = 0; i < std::min(kMostOnBranches, options.max_iterations); ++i) {
     if (!direction(problem)) return failed();
     ++result.iterations;
     result.negative_pivots = linear_->report().negative_pivots;
-    const double fraction = bring_within(kFurthest, problem, result) ? problem.limit(delta_) : 0;
+    if (i == 0) furthest = std::clamp(problem.turn_of(delta_), kFurthest, kFurthestFirst);
+    const double fraction = bring_within(furthest, problem, result) ? problem.limit(delta_) : 0;
     if (!(fraction > 0)) return failed();
     problem.apply_increment(delta_, fraction);
     if (checked(problem.residual(trial_r_), trial_r_) != Answer::ok) return failed();
