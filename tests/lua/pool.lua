@@ -144,6 +144,6 @@ shorter[2].finer = function() return { 1, 2 } end
 fails("pool: field 'tests[2].finer': expected 20 predicted numbers, one per measured one, got 2", pool, shorter)
 fails("pool: field 'tests[1].rate': expected a positive number, since the speed plays a part, got nil", pool, specimens(2), { rate = { reference = 10 } })
 fails("pool: field 'tests[1].finer': expected a function, got 3", pool, { { name = "x", measured = { 1 }, predict = predict, finer = 3 } })
-fails("pool: unknown field 'tests[1].noize', did you mean 'noise'?", pool, { { name = "x", measured = { 1 }, predict = predict, noize = 3 } })
+fails("pool: unknown field 'tests[1].noize', did you mean 'tests[1].noise'?", pool, { { name = "x", measured = { 1 }, predict = predict, noize = 3 } })
 fails("pool: field 'tests[1].measured': expected values that are not all zero", pool, { { name = "x", measured = { 0, 0 }, predict = predict } })
 fails("pool: field 'tests': expected at least one, got 0", pool, {})
