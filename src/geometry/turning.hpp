@@ -49,6 +49,14 @@ inline void turn(Eigen::Map<Vec3> d, Eigen::Map<Vec3> b1, const Vec3& q) {
   renew(b1);
 }
 
+// The two axes about which the director d turns, as columns: the rates of d by its two rotations.
+inline Eigen::Matrix<double, 3, 2> turning_axes(const Vec3& d, const Vec3& b1) {
+  Eigen::Matrix<double, 3, 2> B;
+  B.col(0) = b1;
+  B.col(1) = d.cross(b1);
+  return B;
+}
+
 // The first axis of a director's frame, unit and normal to
 // d, from the global axis least aligned with d [hughes1981].
 inline Vec3 first_axis(const Vec3& d) {

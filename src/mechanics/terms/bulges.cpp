@@ -4,6 +4,7 @@
 
 #include "element/shell3.hpp"
 #include "geometry/node_view.hpp"
+#include "geometry/turning.hpp"
 
 namespace fabricsh::mechanics {
 
@@ -56,10 +57,7 @@ void add_pressure_tangent(std::span<const Bulge> bulges, double pressure, const 
     const Vec3 middle = mean(x, bulge);
     const double f = bulge.force_per_length(pressure);
     Eigen::Matrix<double, 3, 2> turn[3];  // of the directors, by their rotations
-    for (std::size_t a = 0; a < 3; ++a) {
-      turn[a].col(0) = at(b1, nodes[a]);
-      turn[a].col(1) = at(d, nodes[a]).cross(at(b1, nodes[a]));
-    }
+    for (std::size_t a = 0; a < 3; ++a) turn[a] = turning_axes(at(d, nodes[a]), at(b1, nodes[a]));
     for (std::size_t a = 0; a < 3; ++a)
       for (std::size_t b = 0; b < 3; ++b) {
         const double share = f * ((a == b ? 1 : 0) - 1.0 / 3);

@@ -308,14 +308,6 @@ void add_splay_forces(const Ridge& r, const Splay& v, Forces& forces) {
 
 using Block = Eigen::Matrix<double, 5, 5>;
 
-// The two rotation axes of a node as columns.
-Eigen::Matrix<double, 3, 2> axes(const Configuration& now, Index node) {
-  Eigen::Matrix<double, 3, 2> B;
-  B.col(0) = at(now.b1(), node);
-  B.col(1) = at(now.d(), node).cross(at(now.b1(), node));
-  return B;
-}
-
 template <class Ridge>
 void add_splay_tangent(const Ridge& r, const Splay& v, const Configuration& now, TangentSink& sink) {
   using Column = Eigen::Matrix<double, 5, 1>;
@@ -325,7 +317,7 @@ void add_splay_tangent(const Ridge& r, const Splay& v, const Configuration& now,
   end[r.first] = -1;
   end[r.second] = 1;
   for (int a = 0; a < r.corners; ++a) {
-    B[a] = axes(now, r.nodes[a]);
+    B[a] = turning_axes(at(now.d(), r.nodes[a]), at(now.b1(), r.nodes[a]));
     const double share = std::abs(end[a]) / 2;
     P[a] << end[a] / 2 * v.delta, B[a].transpose() * (end[a] / 2 * v.chord);
     Q[a] << r.across[a] * v.mean, B[a].transpose() * (share * v.across);
@@ -498,7 +490,7 @@ void Directors::add_lean_tangent(const Lean& lean, const Configuration& now, Tan
   NN = U2 * v.by_normal * v.by_normal.transpose() + U1 * NN;
   const Mat3 dN =
       U2 * v.by_director * v.by_normal.transpose() + U1 * (N * N.transpose() / (2 * m3) - one / v.m);
-  const Eigen::Matrix<double, 3, 2> B = axes(now, lean.node);
+  const Eigen::Matrix<double, 3, 2> B = turning_axes(at(now.d(), lean.node), at(now.b1(), lean.node));
   Eigen::Matrix2d own = B.transpose() * (U2 * v.by_director * v.by_director.transpose()) * B;
   own.diagonal().array() -= lean.by_director.dot(d);
   sink.on_director(lean.node, own);

@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include "geometry/node_view.hpp"
+#include "geometry/turning.hpp"
 #include "mechanics/terms/loads.hpp"
 
 namespace fabricsh::mechanics {
@@ -49,8 +50,7 @@ class Centrifuge final : public Term, public FollowerLoad {
           sink.on_positions(n, n, -mass_[n] * P);
           continue;
         }
-        Eigen::Matrix<double, 3, 2> B;  // rates of the director
-        B << at(b1, n), at(d, n).cross(at(b1, n));
+        const Eigen::Matrix<double, 3, 2> B = turning_axes(at(d, n), at(b1, n));
         Eigen::Matrix<double, 5, 5> k;
         k.topLeftCorner<3, 3>() = -mass_[n] * P;
         k.topRightCorner<3, 2>() = -moment_[n] * P * B;
