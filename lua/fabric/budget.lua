@@ -31,7 +31,7 @@ local function band_inputs(t, card, list)
       draws = draws or card:sample(2 * t.samples, t.seed)
       list[#list + 1] = { name = "card." .. part, range = "its band", put = function(p, i, set)
         local from = draws[(set - 1) * t.samples + i][part]
-        p.changes[#p.changes + 1] = function(c) return c:with { [part] = from } end
+        p.changes[#p.changes + 1] = function(c) return c:with { [part] = from, bands = { [part] = false } } end -- the band is of the fit, not of a draw
       end }
     end
   end

@@ -5,8 +5,6 @@
 -- frame, the angle of a given overhang. The true values come from the curves themselves.
 --
 --   fabricsh scripts/lab/other_references.lua [seeds] [samples] [out]      1 24; a figure in out; the table of share/doc/laboratory.md is of scripts/long/lab_other_references.lua
--- Cards that a budget draws keep the bands of the fit, whose middle they have left.
--- warns: does not hold the card's own value
 local fabric = require "fabric"
 local lab = fabric.lab
 local folder = require "fabric.lab.folder"
