@@ -171,22 +171,34 @@ std::array<ElementMatrix, lanes> stiffest_matrices(const Batch& batch, const Sti
   return all;
 }
 
-double highest_rate(const ElementMatrix& stiffness, int corners, double mass, double inertia) {
+double highest_rate(const ElementMatrix& stiffness, int corners, const CornerMasses& mass, double inertia) {
   Eigen::VectorXd scale(5 * corners);
-  for (int i = 0; i < 5 * corners; ++i) scale[i] = 1 / std::sqrt(i % 5 < 3 ? mass : inertia);
+  for (int i = 0; i < 5 * corners; ++i)
+    scale[i] = 1 / std::sqrt(i % 5 < 3 ? mass[static_cast<std::size_t>(i / 5)] : inertia);
   return largest(scale.asDiagonal() * stiffness.topLeftCorner(5 * corners, 5 * corners) * scale.asDiagonal());
 }
 
-double rate_of_displacements(const ElementMatrix& stiffness, int corners, double mass) {
+namespace {
+
+// Of the displacements, in the order of sorted().
+Eigen::VectorXd masses(const CornerMasses& mass, int corners) {
+  Eigen::VectorXd all(3 * corners);
+  for (int i = 0; i < 3 * corners; ++i) all[i] = mass[static_cast<std::size_t>(i / 3)];
+  return all;
+}
+
+}  // namespace
+
+double rate_of_displacements(const ElementMatrix& stiffness, int corners, const CornerMasses& mass) {
   const int u = 3 * corners;
-  return largest(sorted(stiffness, corners).topLeftCorner(u, u)) / mass;
+  const Eigen::VectorXd scale = masses(mass, corners).cwiseSqrt().cwiseInverse();
+  return largest(scale.asDiagonal() * sorted(stiffness, corners).topLeftCorner(u, u) * scale.asDiagonal());
 }
 
 namespace {
 
 // Adds what a point with these derivatives of the shape functions has, times its area, m^2.
-void add_plane(const Eigen::Matrix<double, 4, 2>& by, double area, double shear,
-               Eigen::Matrix<double, 8, 8>& sum) {
+void add_plane(const Eigen::Matrix<double, 4, 2>& by, double area, double shear, PlaneMatrix& sum) {
   Eigen::Matrix<double, 3, 8> strain = Eigen::Matrix<double, 3, 8>::Zero();
   for (int a = 0; a < 4; ++a) {
     strain(0, 2 * a) = strain(2, 2 * a + 1) = by(a, 0);
@@ -197,9 +209,9 @@ void add_plane(const Eigen::Matrix<double, 4, 2>& by, double area, double shear,
 
 }  // namespace
 
-double plane_rate(std::span<const Eigen::Vector2d> x, double shear) {
+PlaneMatrix plane_matrix(std::span<const Eigen::Vector2d> x, double shear) {
   const auto n = static_cast<int>(x.size());
-  Eigen::Matrix<double, 8, 8> sum = Eigen::Matrix<double, 8, 8>::Zero();
+  PlaneMatrix sum = PlaneMatrix::Zero();
   double area = 0;
   const auto add = [&](const Eigen::Matrix<double, 4, 2>& by_own, double weight) {
     Eigen::Matrix2d J = Eigen::Matrix2d::Zero();
@@ -220,15 +232,15 @@ double plane_rate(std::span<const Eigen::Vector2d> x, double shear) {
         add(by / 4, 1);
       }
   }
-  return largest(sum) * n / area;
+  return sum * (n / area);
 }
 
 // rate * M - K must have no negative eigenvalue. With its part of the displacements eliminated what remains
 // for the rotations is rate * inertia - S, S = K_qq + K_qu (rate m - K_uu)^-1 K_uq.
-double inertia_for(const ElementMatrix& stiffness, int corners, double mass, double rate) {
+double inertia_for(const ElementMatrix& stiffness, int corners, const CornerMasses& mass, double rate) {
   const Eigen::MatrixXd k = sorted(stiffness, corners);
   const int u = 3 * corners, q = 2 * corners;
-  const Eigen::LLT<Eigen::MatrixXd> left(rate * mass * Eigen::MatrixXd::Identity(u, u) -
+  const Eigen::LLT<Eigen::MatrixXd> left(Eigen::MatrixXd((rate * masses(mass, corners)).asDiagonal()) -
                                          k.topLeftCorner(u, u));
   if (left.info() != Eigen::Success) return std::numeric_limits<double>::infinity();
   const Eigen::MatrixXd S =

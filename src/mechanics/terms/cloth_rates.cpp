@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 
 #include "geometry/turning.hpp"
 
@@ -49,20 +50,25 @@ ClothRates::ClothRates(const model::Model& model, const RestShape& rest, const s
   for (Index e = 0; e < elements(); ++e) smallest_size_ = std::min(smallest_size_, rest_.size(e));
 }
 
-// 1/s^2: the square of the highest frequency of an element in its plane. Its smallest height tells of
-// squares and, with their transverse shear, of triangles; where four sides are oblique, or the stiff yarns do
-// not run across the height, it is lower.
-double ClothRates::plane_rate_of(Index e, const Stiffest& stiffest, double speed) const {
-  const double of_height = std::pow(2 * speed / rest_.size(e), 2);
+// The stiffness in its plane over the mass of a corner, 1/s^2.
+PlaneMatrix ClothRates::plane_matrix_of(Index e, const Stiffest& stiffest) const {
   const RestShape::Outline corners = rest_.outline(e);
-  if (corners.count == 3) return of_height;
   std::array<Eigen::Vector2d, 4> plane;
   for (int a = 0; a < corners.count; ++a) {
     const Vec3 r = corners.at[a] - corners.at[0];
     plane[static_cast<std::size_t>(a)] = {r.dot(corners.axes[0]), r.dot(corners.axes[1])};
   }
   const std::span<const Eigen::Vector2d> used(plane.data(), static_cast<std::size_t>(corners.count));
-  return std::min(of_height, stiffest.axial * plane_rate(used, stiffest.shear / stiffest.axial));
+  return stiffest.axial * plane_matrix(used, stiffest.shear / stiffest.axial);
+}
+
+// 1/s^2: the square of the highest frequency of an element in its plane. Its smallest height tells of
+// squares and, with their transverse shear, of triangles; where four sides are oblique, or the stiff yarns do
+// not run across the height, it is lower.
+double ClothRates::plane_rate_of(Index e, const Stiffest& stiffest, double speed) const {
+  const double of_height = std::pow(2 * speed / rest_.size(e), 2);
+  if (corners(model_.mesh().elements[static_cast<std::size_t>(e)]) == 3) return of_height;
+  return std::min(of_height, largest_eigenvalue(plane_matrix_of(e, stiffest)));
 }
 
 double ClothRates::step_across_heights() const {
@@ -75,9 +81,11 @@ double ClothRates::step_across_heights() const {
 }
 
 // s: the stable step for waves in the plane of the cloth. No frequency squared is above the largest mean of
-// those of the elements around a node, weighted by their masses: K_e <= r_e M_e, of which the sum is
-// diagonal. Where cloth may tear, elements part from those that they share nodes with.
-double ClothRates::membrane_step() const {
+// those of the elements around a node, weighted by their shares of its mass: K_e <= r_e M_e, of which the sum
+// is diagonal. Where cloth may tear, elements part from those that they share nodes with.
+double ClothRates::membrane_step() {
+  shares_.resize(static_cast<std::size_t>(elements()));
+  for (Index e = 0; e < elements(); ++e) shares_[static_cast<std::size_t>(e)].fill(corner_mass(e));
   const double shortest = step_across_heights();
   if (!model_.all<model::Zone>().empty()) return shortest;
   std::vector<double> speed;  // m/s, per region
@@ -93,37 +101,23 @@ double ClothRates::membrane_step() const {
     const auto region = static_cast<std::size_t>(model_.region_of(e));
     rates[i] = plane_rate_of(e, stiffest[region], speed[region]);
   }
-  const std::vector<double> means = means_at_nodes(rates, corner_masses());
-  const double longer = 2 / std::sqrt(*std::max_element(means.begin(), means.end()));
+  SharedMasses found = share_masses(model_.mesh(), shares_, rates, [&](Index e) {
+    return plane_matrix_of(e, stiffest[static_cast<std::size_t>(model_.region_of(e))]);
+  });
+  shares_ = std::move(found.shares);
+  const double longer = 2 / std::sqrt(found.highest);
   constexpr double rounding = 1e-6;
   return longer > shortest * (1 + rounding) ? longer : shortest;
 }
 
-std::vector<double> ClothRates::corner_masses() const {
-  std::vector<double> all(static_cast<std::size_t>(elements()));
-  for (Index e = 0; e < elements(); ++e) all[static_cast<std::size_t>(e)] = corner_mass(e);
-  return all;
-}
-
-// Per node, over its elements.
-std::vector<double> ClothRates::means_at_nodes(std::span<const double> rates,
-                                               std::span<const double> weights) const {
-  std::vector<double> sum(model_.mesh().nodes.size(), 0), weight(model_.mesh().nodes.size(), 0);
-  for (std::size_t i = 0; i < rates.size(); ++i)
-    for (const Index n : model_.mesh().elements[i])
-      if (n >= 0) {
-        sum[static_cast<std::size_t>(n)] += weights[i] * rates[i];
-        weight[static_cast<std::size_t>(n)] += weights[i];
-      }
-  for (std::size_t n = 0; n < sum.size(); ++n) sum[n] = weight[n] > 0 ? sum[n] / weight[n] : 0;
-  return sum;
-}
-
 std::vector<double> ClothRates::rates_at_nodes(std::span<const double> rates, bool scaled) const {
   const FrequencyBounds& of = bounds(scaled);
-  std::vector<double> means = means_at_nodes(rates, of.masses);
+  const mesh::Mesh& mesh = model_.mesh();
+  std::vector<double> means =
+      means_at_nodes(mesh, rates, [&](std::size_t e, std::size_t c) { return shares_[e][c]; });
   if (of.inertias.empty()) return means;
-  const std::vector<double> turning = means_at_nodes(rates, of.inertias);
+  const std::vector<double> turning =
+      means_at_nodes(mesh, rates, [&](std::size_t e, std::size_t) { return of.inertias[e]; });
   std::transform(means.begin(), means.end(), turning.begin(), means.begin(),
                  [](double a, double b) { return std::max(a, b); });
   return means;
@@ -154,9 +148,10 @@ ClothRates::ElementBound ClothRates::bound_of(const ElementMatrix& stiffness, In
                                               double permitted) const {
   const auto& e = model_.mesh().elements[i];
   const auto region = static_cast<std::size_t>(model_.region_of(i));
-  const double mass = corner_mass(i), own = inertia_per_mass(model_.sections()[region], scaled);
+  const double equal = corner_mass(i), own = inertia_per_mass(model_.sections()[region], scaled);
+  const CornerMasses& mass = shares_[static_cast<std::size_t>(i)];
   const int n = corners(e);
-  const ElementBound bound{highest_rate(stiffness, n, mass, mass * own), own};
+  const ElementBound bound{highest_rate(stiffness, n, mass, equal * own), own};
   double wanted = 4 / (permitted * permitted);
   if (!scaled || bound.rate <= wanted) return bound;
   if (const double rate = rate_of_displacements(stiffness, n, mass); rate > wanted)
@@ -166,8 +161,8 @@ ClothRates::ElementBound ClothRates::bound_of(const ElementMatrix& stiffness, In
   for (int a = 0; a < n; ++a)
     longest = std::max(longest, (rest_.X(i, (a + 1) % n) - rest_.X(i, a)).squaredNorm());
   const double most = std::max(own, longest / 12);
-  const double more = std::clamp(inertia_for(stiffness, n, mass, wanted) / mass, own, most);
-  return {highest_rate(stiffness, n, mass, mass * more), more};
+  const double more = std::clamp(inertia_for(stiffness, n, mass, wanted) / equal, own, most);
+  return {highest_rate(stiffness, n, mass, equal * more), more};
 }
 
 std::array<ClothRates::ElementBound, lanes> ClothRates::bounds_of(const Batch& batch,
@@ -191,14 +186,24 @@ std::array<ClothRates::ElementBound, lanes> ClothRates::bounds_of(const Batch& b
   return all;
 }
 
-// Batches that share their geometry share their bounds.
+// Batches that share their geometry share their bounds where they have equal shares of the masses.
 const ClothRates::FrequencyBounds& ClothRates::bounds(bool scaled) const {
   FrequencyBounds& of = bounds_[scaled];
   if (of.made) return of;
-  std::map<std::pair<const double*, int>, std::size_t> known;
+  const auto even = [this](const Batch& batch) {
+    return std::all_of(batch.element.begin(), batch.element.begin() + batch.used, [this](Index e) {
+      const CornerMasses& mass = shares_[static_cast<std::size_t>(e)];
+      return std::equal(mass.begin() + 1, mass.end(), mass.begin());
+    });
+  };
+  bool alike = true;
+  std::map<std::tuple<const double*, int, std::size_t>, std::size_t> known;
   std::vector<std::size_t> same(batches_.size()), first;
   for (std::size_t b = 0; b < batches_.size(); ++b) {
-    const auto [place, is_new] = known.try_emplace({batches_[b].geometry, batches_[b].used}, first.size());
+    const bool shared = even(batches_[b]);
+    alike = alike && shared;
+    const auto [place, is_new] =
+        known.try_emplace({batches_[b].geometry, batches_[b].used, shared ? 0 : b + 1}, first.size());
     if (is_new) first.push_back(b);
     same[b] = place->second;
   }
@@ -213,9 +218,7 @@ const ClothRates::FrequencyBounds& ClothRates::bounds(bool scaled) const {
     found[i] = bounds_of(batch, stiffest[region], scaled, permitted);
   }
   of.rates.resize(place_.size());
-  of.masses = corner_masses();
   of.inertias.resize(place_.size());
-  bool alike = true;
   of.rotary.assign(model_.mesh().nodes.size(), 0);
   for (Index i = 0; i < elements(); ++i) {
     const auto& e = model_.mesh().elements[i];

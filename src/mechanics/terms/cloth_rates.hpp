@@ -8,6 +8,7 @@
 
 #include "law/bound.hpp"
 #include "mechanics/batch.hpp"
+#include "mechanics/mass_shares.hpp"
 #include "mechanics/rest_shape.hpp"
 
 namespace fabricsh::mechanics {
@@ -31,19 +32,19 @@ struct Stiffest {
 std::array<ElementMatrix, lanes> stiffest_matrices(const Batch& batch, const Stiffest& stiffest,
                                                    const double* x, const double* d, const double* b);
 
-// 1/s^2: the square of the highest frequency of an element with this stiffness, mass (kg) and rotary inertia
-// (kg m^2) at each of its corners.
-double highest_rate(const ElementMatrix& stiffness, int corners, double mass, double inertia);
+// 1/s^2: the square of the highest frequency of an element with this stiffness, masses (kg) and rotary
+// inertia (kg m^2) at each of its corners.
+double highest_rate(const ElementMatrix& stiffness, int corners, const CornerMasses& mass, double inertia);
 // The same of its displacements alone.
-double rate_of_displacements(const ElementMatrix& stiffness, int corners, double mass);
+double rate_of_displacements(const ElementMatrix& stiffness, int corners, const CornerMasses& mass);
 
 // kg m^2: the least rotary inertia at each corner with which no frequency squared is above `rate` (1/s^2).
 // Infinite if there is none, because the translations alone exceed it.
-double inertia_for(const ElementMatrix& stiffness, int corners, double mass, double rate);
+double inertia_for(const ElementMatrix& stiffness, int corners, const CornerMasses& mass, double rate);
 
-// 1/m^2, times the square of the speed of waves along the axes: the square of the highest frequency in the
-// plane of a flat element. Its corners along these axes, m; shear: the stiffness over that along the axes.
-double plane_rate(std::span<const Eigen::Vector2d> corners, double shear);
+// 1/m^2, times the square of the speed of waves along the axes: the stiffness of a flat element in its plane
+// over the mass of a corner. Its corners along these axes, m; shear: the stiffness over that along the axes.
+PlaneMatrix plane_matrix(std::span<const Eigen::Vector2d> corners, double shear);
 
 class ClothRates {
  public:
@@ -62,25 +63,24 @@ class ClothRates {
   // 1/s^2, per element: an upper bound of the squares of its frequencies in the reference configuration
   // (above), with true or scaled rotary inertia.
   const std::vector<double>& highest(bool scaled) const { return bounds(scaled).rates; }
-  // 1/s^2, per node: the mean of `rates` over its elements, weighted by their masses or by their rotary
-  // inertia, whichever is more. If no frequency squared of an element is above its rate, none of the cloth is
-  // above the largest of these.
+  // 1/s^2, per node: the mean of `rates` over its elements, weighted by their shares of its mass or by their
+  // rotary inertia, whichever is more. If no frequency squared of an element is above its rate, none of the
+  // cloth is above the largest of these.
   std::vector<double> rates_at_nodes(std::span<const double> rates, bool scaled) const;
   double smallest_size() const { return smallest_size_; }  // m, h of the smallest element
 
  private:
   Index elements() const { return static_cast<Index>(place_.size()); }
   double plane_rate_of(Index element, const Stiffest& stiffest, double speed) const;
-  double membrane_step() const;
-  std::vector<double> corner_masses() const;
-  std::vector<double> means_at_nodes(std::span<const double> rates, std::span<const double> weights) const;
+  PlaneMatrix plane_matrix_of(Index element, const Stiffest& stiffest) const;
+  double membrane_step();
   double inertia_per_mass(const section::Section& section, bool scaled) const;
   double corner_mass(Index element) const;  // kg
   // The rotary inertia of the nodes and the bounds of the elements' frequencies, computed when first used.
   struct FrequencyBounds {
     bool made = false;
     std::vector<double> rates, rotary;
-    std::vector<double> masses, inertias;  // of each corner of an element, kg, kg m^2; empty: as the masses
+    std::vector<double> inertias;  // of each corner of an element, kg m^2; empty: as the masses
   };
   const FrequencyBounds& bounds(bool scaled) const;
   struct ElementBound {
@@ -95,6 +95,7 @@ class ClothRates {
   const std::vector<Batch>& batches_;
   const std::vector<BatchLane>& place_;
   mutable FrequencyBounds bounds_[2];  // with true and with scaled rotary inertia
+  std::vector<CornerMasses> shares_;   // kg, per element; with zones and in squares all corners have the same
   double membrane_step_;               // s
   double smallest_size_ = std::numeric_limits<double>::infinity();
 };
