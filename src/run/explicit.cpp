@@ -146,7 +146,7 @@ void Explicit::check_stable_step(double undamped) const {
 
 double Explicit::usual_step() const {
   if (contact_ == nullptr) return std::min(kUsual * nominal_, kOfBound * bound_);
-  const double of_cloth = kOfBound * bound_ * contact_->share_of_cloth() / kUsual;
+  const double of_cloth = kOfBound * bound_ * contact_->share_of_cloth(bound_) / kUsual;
   return std::min({kUsual * nominal_, contact_->largest_step(scaled_), of_cloth});
 }
 
@@ -156,7 +156,7 @@ void Explicit::choose_step() {
   if (options_.force || now_.step <= usual * (1 + 1e-12)) return;
   if (contact_ != nullptr)
     throw Error("dynamic: field 'step': expected at most " + number(usual) +
-                " s, the largest step that contact allows (0.6 of the stable step of mesh and card, " +
+                " s, the largest step that contact allows (0.6 to 0.7 of the stable step of mesh and card, " +
                 number(stable_) + " s, and less where contact is stiff), got " + number(now_.step) +
                 " s (where contact is stiff, a smaller 'stiffness' of m:contact allows more; force=true uses "
                 "this step all the same)");

@@ -13,7 +13,9 @@ namespace {
 
 constexpr double kInGuard = 1;  // stiffness * step^2 / areal mass while the guard acts
 constexpr double kBesideTie =
-    0.5;  // of the step without ties to bodies, which take 10/4 of the cloth's stiffness
+    0.5;                       // of the step without ties to bodies, which take 10/4 of the cloth's stiffness
+constexpr double kPairs = 10;  // that press one node at once
+constexpr double kBesideSoft = 0.7;  // of the step of the cloth beside contact that takes hardly any of it
 // Where the smallest elements share the masses beside them: the step over that in which waves cross their
 // height, with which the default stiffness carries. Ten pairs that press one node at once are still stable.
 constexpr double kSpare = 1.2;
@@ -22,8 +24,26 @@ constexpr double kAboutNode = 2;  // areas of a node that press a ball on it: ha
 
 }  // namespace
 
-double ExplicitContact::share_of_cloth() const {
-  return state_.ties.any() ? kBesideTie * contact_step_of_cloth : contact_step_of_cloth;
+// Pa/m: of the stiffest contact, as of nodes that press.
+double ExplicitContact::stiffest() const {
+  const contact::Scene& scene = state_.surfaces.scene();
+  double most = 0;
+  for (std::size_t i = 0; i < state_.surfaces.meetings().size(); ++i)
+    if (const auto& it = scene.interactions()[i]; !it.rigid)
+      most = std::max(most, it.law.stiffest() / (state_.surfaces.meetings()[i].given ? 1 : eased(scene, it)));
+  return most;
+}
+
+// With r the share, and k dt^2 / sigma the stiffness of contact over what carries it, a node that ten pairs
+// press has r^2 + 10/4 k dt^2 / sigma of what is stable: as much as of a contact of the default stiffness.
+double ExplicitContact::share_of_cloth(double stable) const {
+  if (state_.ties.any()) return kBesideTie * contact_step_of_cloth;
+  const double by_contact = kPairs / 4 * stiffest() * stable * stable / state_.surfaces.least_areal(),
+               carried = contact_step_of_cloth * contact_step_of_cloth + kPairs / 4 * carried_stiffness;
+  const double share = std::sqrt(carried / (1 + by_contact));
+  constexpr double rounding = 1e-6;
+  return share > contact_step_of_cloth * (1 + rounding) ? std::min(share, kBesideSoft)
+                                                        : contact_step_of_cloth;
 }
 
 // s: what a light free body carries, whose mass is not that of the cloth that it presses: `share` of its
@@ -55,18 +75,13 @@ double ExplicitContact::carried_by_bodies(double share, bool guarded) const {
 
 double ExplicitContact::largest_step(bool scaled) const {
   const ContactSurfaces& surfaces = state_.surfaces;
-  const contact::Scene& scene = surfaces.scene();
-  double stiffest = 0;
-  for (std::size_t i = 0; i < surfaces.meetings().size(); ++i)
-    if (const auto& it = scene.interactions()[i]; !it.rigid)
-      stiffest =
-          std::max(stiffest, it.law.stiffest() / (surfaces.meetings()[i].given ? 1 : eased(scene, it)));
-  const double of_contact = std::sqrt(carried_stiffness * surfaces.least_areal() / stiffest),
+  const double of_contact = std::sqrt(carried_stiffness * surfaces.least_areal() / stiffest()),
                of_bodies = carried_by_bodies(carried_stiffness, false);
-  const double of_cloth = contact_step_of_cloth * cloth_.stable_step(scaled);
+  const double stable = cloth_.stable_step(scaled);
   if (state_.ties.any())
-    return std::min({kBesideTie * std::min(of_cloth, surfaces.step()), of_contact,
+    return std::min({kBesideTie * std::min(contact_step_of_cloth * stable, surfaces.step()), of_contact,
                      surfaces.bodies().loads().stable_step(), of_bodies});
+  const double of_cloth = share_of_cloth(stable) * stable;
   const double spare = std::clamp(of_cloth / surfaces.step(), 1.0, kSpare);
   return std::min({of_cloth, spare * of_contact, surfaces.bodies().loads().stable_step(), of_bodies});
 }
