@@ -10,12 +10,18 @@ namespace fabricsh {
 inline constexpr std::size_t ordered_block = 1024;
 
 // The sums of so many blocks from term `from` on, side by side, since each addition of a block has to wait
-// for the one before.
+// for the one before. A few terms of each are computed beforehand, which needs no order.
 template <std::size_t blocks, class Term>
 void sum_side_by_side(std::size_t from, Term& term, double* part) {
+  constexpr std::size_t few = 64;
   std::array<double, blocks> sum{};
-  for (std::size_t i = from; i < from + ordered_block; ++i)
-    for (std::size_t k = 0; k < blocks; ++k) sum[k] += term(i + k * ordered_block);
+  std::array<std::array<double, few>, blocks> terms;
+  for (std::size_t i = from; i < from + ordered_block; i += few) {
+    for (std::size_t k = 0; k < blocks; ++k)
+      for (std::size_t j = 0; j < few; ++j) terms[k][j] = term(i + j + k * ordered_block);
+    for (std::size_t j = 0; j < few; ++j)
+      for (std::size_t k = 0; k < blocks; ++k) sum[k] += terms[k][j];
+  }
   std::copy(sum.begin(), sum.end(), part);
 }
 

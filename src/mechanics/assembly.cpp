@@ -53,6 +53,11 @@ void Assembly::apply_increment(std::span<const double> delta, double scale, std:
   for (auto* const mover : terms_.movers()) mover->move(share.value_or(scale));
 }
 
+bool Assembly::limits() const {
+  const auto& all = terms_.limiters();
+  return std::any_of(all.begin(), all.end(), [](const auto* limiter) { return limiter->limits(); });
+}
+
 // Supports go to their targets whatever the fraction is; if that is not safe either, the result is 0.
 double Assembly::limit(std::span<const double> delta, std::span<const double> targets) {
   constexpr int tries = 5;

@@ -57,6 +57,7 @@ class Assembly {
   // The fraction, 0 to 1, of a step from the iterate along delta, with the supports at their targets, that
   // all terms consider safe. If one of them limits steps, the trial configuration is left somewhere along it.
   double limit(std::span<const double> delta, std::span<const double> targets);
+  bool limits() const;  // whether any does
 
   // --- at the trial configuration. False: a term failed (see outcome).
   bool forces(const law::Step& step);  // internal forces and trial states

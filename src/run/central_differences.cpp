@@ -30,11 +30,14 @@ void CentralDifferences::resize(std::vector<double> mass) {
 bool CentralDifferences::predict(std::span<const unsigned char> turns,
                                  const std::array<double, 2>& farthest) {
   const double dt = this->dt(), early = (1 - gamma_) * dt, least = std::min(farthest[0], farthest[1]);
+  const State before{{}, {}, committed_.kick, committed_.damping};
+  const double *const mass = mass_.data(), *const v0 = committed_.predicted.data(),
+                      *const residual = committed_.residual.data();
   double* const predicted = trial_.predicted.data();
-  int far = 0;  // unknowns whose increment exceeds the smaller limit or is not a number
-#pragma omp parallel for schedule(static) reduction(+ : far) if (mass_.size() >= kShare)
+  std::int64_t far = 0;  // unknowns whose increment exceeds the smaller limit or is not a number
+#pragma omp parallel for simd schedule(static) reduction(+ : far) if (mass_.size() >= kShare)
   for (std::size_t i = 0; i < mass_.size(); ++i) {
-    const double a = acceleration(committed_, i), v = committed_.predicted[i] + committed_.kick * a;
+    const double a = before.acceleration(residual[i] / mass[i], v0[i]), v = v0[i] + before.kick * a;
     predicted[i] = v + early * a;
     far += std::abs(dt * (v + dt / 2 * a)) < least ? 0 : 1;
   }

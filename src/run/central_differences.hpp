@@ -71,13 +71,15 @@ class CentralDifferences final : public mechanics::Motion {
   struct State {
     std::vector<double> predicted, residual;  // per unknown, m/s and 1/s, N and N m
     double kick = 0, damping = 0;             // s, gamma dt; 1/s, of the masses
+    double acceleration(double undamped, double predicted_rate) const {
+      if (damping == 0) return undamped;
+      return (undamped - damping * predicted_rate) / (1 + kick * damping);
+    }
     void keep(Archive& archive) { archive(predicted, residual, kick, damping); }
   };
   bool is_midpoint() const { return gamma_ == 0.5; }
   double acceleration(const State& state, std::size_t i) const {
-    const double undamped = state.residual[i] / mass_[i];
-    if (state.damping == 0) return undamped;
-    return (undamped - state.damping * state.predicted[i]) / (1 + state.kick * state.damping);
+    return state.acceleration(state.residual[i] / mass_[i], state.predicted[i]);
   }
   double velocity(const State& state, std::size_t i) const {
     return state.predicted[i] + state.kick * acceleration(state, i);

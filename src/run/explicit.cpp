@@ -342,7 +342,8 @@ bool Explicit::attempt(double size, StepReport& report) {
   if (problem_.begin_step() != Answer::ok) return ends(End::forces);
   problem_.accept();
   watch_jump(problem_.driven(), problem_.targets(), size, kJump * smallest_);
-  if (assembly_->limit(motion_.increments(), problem_.targets()) < 1) return ends(End::limited);
+  if (assembly_->limits() && assembly_->limit(motion_.increments(), problem_.targets()) < 1)
+    return ends(End::limited);
   problem_.advance_explicit(motion_.along(), motion_.reach());
   trial_time_ = size;
   if (contact_ != nullptr) contact_->barriers().ease(!block_.uneased, std::ldexp(report.step, block_.halved));

@@ -418,6 +418,9 @@ void Cloth::sum_node(Index n, Forces& forces) const {
   node_d[0] = dx, node_d[1] = dy, node_d[2] = dz;
 }
 
+// Number of batches from which on their numbers have left the cache when the next step needs them.
+constexpr Index in_cache = 384;
+
 // Computes the forces of all batches in their order, and sums those of each node as soon as its last batch is
 // computed, while they are still in the cache. Each thread has a part of the order; nodes with batches of an
 // earlier part are summed when all threads are done. Returns an element whose law failed, or -1.
@@ -430,7 +433,7 @@ Index Cloth::evaluate_and_sum(const law::Step& step, double* aside, Forces& forc
     const Index from = batches * self / threads, to = batches * (self + 1) / threads;
     std::vector<std::uint32_t> later;
     for (Index i = from; i < to; ++i) {
-      if (i + 1 < to) fetch(batches_[order_[i + 1]], aside);
+      if (i + 1 < to && batches >= in_cache) fetch(batches_[order_[i + 1]], aside);
       const Index b = order_[i];
       failed = std::max(failed, evaluate(b, step, aside == nullptr ? nullptr : aside + batches_[b].law, {}));
       for (auto k = first_finished_[i]; k < first_finished_[i + 1]; ++k) {
