@@ -440,23 +440,66 @@ void Contact::barriers_between(const VisitBetween& visit) const {
   }
 }
 
-void Contact::stiffness(std::span<const Vec3> x, const VisitStiffness& visit, const Way& way) {
-  prepare(x);
+// The slots of the pairs that are within reach.
+std::vector<std::uint32_t> Contact::touching(std::span<const Vec3> x) const {
+  const double change = change_ + rounding * skins_.inner;
+  std::vector<char> touches(inner_.size(), 0);
+#pragma omp parallel for schedule(static) if (inner_.size() > 256)
   for (std::size_t i = 0; i < inner_.size(); ++i) {
     const Candidate& c = inner_[i];
-    const Corners corners = corners_of(c, x);
+    if (margin_[i] <= change) touches[i] = gap_of(c, corners_of(c, x)) < law(c).gap() * c.pair.scale ? 1 : 0;
+  }
+  std::vector<std::uint32_t> slots;
+  for (std::size_t i = 0; i < inner_.size(); ++i)
+    if (touches[i] != 0) slots.push_back(std::uint32_t(i));
+  return slots;
+}
+
+Blocks Contact::wanted_of(const Candidate& c, const Wanted& wanted) {
+  const auto corners = [&c](std::span<const char> points) {
+    if (points.empty() || c.spot.any()) return Blocks().rows;
+    unsigned out = 0;
+    for (std::size_t k = 0; k < 4; ++k)
+      out |= (c.point[k] >= 0 && points[std::size_t(c.point[k])] != 0 ? 1u : 0u) << k;
+    return out;
+  };
+  return {corners(wanted.on), corners(wanted.by)};
+}
+
+// Threads share the pairs, some at a time, which are visited in their order.
+void Contact::stiffness(std::span<const Vec3> x, const VisitStiffness& visit, const Way& way,
+                        const Wanted& wanted) {
+  constexpr std::size_t at_a_time = 256;
+  prepare(x);
+  const std::vector<std::uint32_t> slots = touching(x);
+  const bool all = wanted.on.empty() && wanted.by.empty(), rubs = !way.start.empty();
+  std::vector<Matrix12> k(std::min(at_a_time, slots.size()));
+  std::vector<FrictionTangent> friction(all && rubs ? k.size() : 0);
+  const auto compute = [&](std::size_t slot, std::size_t place) {
+    const Candidate& c = inner_[slot];
     const Interaction& it = scene_->interactions()[std::size_t(c.interaction)];
-    if (gap_of(c, corners) >= it.law.gap() * c.pair.scale) continue;
-    Matrix12 k = pair_derivatives(it.law, c.pair, corners).hessian;
-    if (way.start.empty() || !it.rubs()) {
-      visit_in_nodes(c, k, nullptr, visit);
-      continue;
-    }
+    const Corners corners = corners_of(c, x);
+    const Blocks of = wanted_of(c, wanted);
+    k[place].setZero();
+    if (all && rubs) friction[place] = {};
+    if (c.pair.kind == PairKind::edges && !segments_crossing(corners)) return;
+    k[place] = pair_derivatives(it.law, c.pair, corners, of).hessian;
+    if (!rubs || !it.rubs()) return;
     Slip slip;
-    find_slip(i, x, way, slip);
-    const FrictionTangent friction = friction_tangent(it.law, c.pair, corners, slip);
-    k -= friction.jacobian;
-    visit_in_nodes(c, k, &friction, visit);
+    find_slip(slot, x, way, slip);
+    const FrictionTangent found = friction_tangent(it.law, c.pair, corners, slip, of);
+    k[place] -= found.jacobian;
+    if (all) friction[place] = found;
+  };
+  for (std::size_t from = 0; from < slots.size(); from += at_a_time) {
+    const std::size_t n = std::min(at_a_time, slots.size() - from);
+#pragma omp parallel for schedule(static) if (n > 32)
+    for (std::size_t i = 0; i < n; ++i) compute(slots[from + i], i);
+    for (std::size_t i = 0; i < n; ++i) {
+      const Candidate& c = inner_[slots[from + i]];
+      const bool rubs_here = scene_->interactions()[std::size_t(c.interaction)].rubs();
+      visit_in_nodes(c, k[i], friction.empty() || !rubs_here ? nullptr : &friction[i], visit);
+    }
   }
 }
 
@@ -504,54 +547,62 @@ void Contact::couples(std::span<const Vec3> x,
 
 double Contact::safe_fraction(std::span<const Vec3> x, std::span<const Vec3> by,
                               std::span<const char> among) const {
-  Vec3 mean = Vec3::Zero();
-  for (const Vec3& u : by) mean += u;
-  mean /= double(by.size());
-  double most = 0;
-  for (const Vec3& u : by) most = std::max(most, (u - mean).norm());
   std::vector<Vec3> end(x.begin(), x.end());
   for (std::size_t i = 0; i < end.size(); ++i) end[i] += by[i];
-  const double against =
-      vertex_motion_bounds_surface_motion(x, end) ? 2 * most : patches_.against_on_way(x, end);
-  std::vector<Candidate> pairs = find(x, against * (1 + rounding), by);
-  const auto other = [among](const Candidate& c) {
-    return std::any_of(c.point.begin(), c.point.end(),
-                       [among](std::int32_t p) { return p >= 0 && among[std::size_t(p)] == 0; });
-  };
-  if (!among.empty()) pairs.erase(std::remove_if(pairs.begin(), pairs.end(), other), pairs.end());
-  return share_of(pairs, x, by);
+  double most = patches_.against_on_way(x, end);
+  if (vertex_motion_bounds_surface_motion(x, end)) {
+    Vec3 mean = Vec3::Zero();
+    for (const Vec3& u : by) mean += u;
+    mean /= double(by.size());
+    double far = 0;
+    for (const Vec3& u : by) far = std::max(far, (u - mean).norm());
+    most = std::min(most, 2 * far);
+  }
+  most *= 1 + rounding;
+  const OnWay way{x, by, most, among};
+  if (lists_all_ && at_search_.size() == x.size() && vertex_motion_bounds_surface_motion(at_search_, x)) {
+    const double room = room_of_way * most,
+                 since = patches_.against(at_search_, x, room) + rounding * skins_.outer;
+    if (since + room < skins_.outer + narrowest_at_first_) return share_of(way, outer_, outer_margin_, since);
+  }
+  return share_of(way, find(x, most, by));
 }
 
+// The inner list is of the end of the way, as of the last forces; what is there at its beginning may have
+// come nearer by `most` since.
 bool Contact::may_have_passed(std::span<const Vec3> x, std::span<const Vec3> by, double gap) {
   std::vector<Vec3> end(x.begin(), x.end());
   for (std::size_t i = 0; i < end.size(); ++i) end[i] += by[i];
   // If two points approach each other by `most`, each of them moves by half of it.
-  const double most = patches_.against_on_way(x, end);
-  if (cannot_meet(most / 2 * (1 + rounding), gap)) return false;
-  if (most * (1 + rounding) < skins_.inner && lists_all_) return passes_in_list(x, by, most);
-  return share_of(find(x, most * (1 + rounding), by), x, by) < 1;
+  const double most = patches_.against_on_way(x, end) * (1 + rounding);
+  if (cannot_meet(most / 2, gap)) return false;
+  const OnWay way{x, by, most, {}};
+  const double since = change_ + most + rounding * skins_.inner;
+  if (lists_all_ && since + room_of_way * most < skins_.inner + narrowest_at_first_)
+    return share_of(way, inner_, margin_, since) < 1;
+  return share_of(way, find(x, most, by)) < 1;
 }
 
-// The inner list holds all pairs that are within its skin of their reach at the end of the way, as of the
-// last forces, and what meets on the way is there no farther off than `most`.
-bool Contact::passes_in_list(std::span<const Vec3> x, std::span<const Vec3> by, double most) const {
-  const double change = change_ + most + rounding * skins_.inner;
-  std::vector<Candidate> pairs;
-  for (std::size_t i = 0; i < inner_.size(); ++i)
-    if (!inner_[i].spot.any() && margin_[i] <= change) pairs.push_back(inner_[i]);
-  return share_of(pairs, x, by) < 1;
-}
-
-double Contact::share_of(const std::vector<Candidate>& pairs, std::span<const Vec3> x,
-                         std::span<const Vec3> by) const {
+// margin: of each pair how far out of reach it was where `pairs` were listed; since: how much near gaps may
+// have changed until the way begins, m.
+double Contact::share_of(const OnWay& way, const std::vector<Candidate>& pairs,
+                         std::span<const double> margin, double since) const {
+  const auto other = [&way](std::int32_t p) { return p >= 0 && way.among[std::size_t(p)] == 0; };
   double share = 1;
 #pragma omp parallel for schedule(static) reduction(min : share) if (pairs.size() > 64)
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    if (pairs[i].pair.scale == 0) continue;  // crack faces that were never apart
-    const Corners start = corners_of(pairs[i], x), step = corners_of(pairs[i], by);
+    const Candidate& c = pairs[i];
+    if (c.pair.scale == 0 || c.spot.any()) continue;  // crack faces that were never apart
+    const double floor = law(c).floor() * c.pair.scale;
+    if (!margin.empty() && margin[i] + law(c).gap() * c.whole - since - floor > room_of_way * way.most)
+      continue;
+    if (!way.among.empty() && std::any_of(c.point.begin(), c.point.end(), other)) continue;
+    const Corners start = corners_of(c, way.x);
+    if (!margin.empty() && gap_of(c, start) - floor > room_on_way(c, way.by, way.most)) continue;
+    const Corners step = corners_of(c, way.by);
     Corners end;
     for (std::size_t k = 0; k < 4; ++k) end[k] = start[k] + step[k];
-    share = std::min(share, safe_fraction_of(pairs[i], law(pairs[i]), start, end));
+    share = std::min(share, safe_fraction_of(c, law(c), start, end));
   }
   return share;
 }

@@ -75,12 +75,17 @@ class Contact {
   using VisitBetween = std::function<void(const std::array<std::int32_t, 4>&, const Force::Barrier&)>;
   void barriers_between(const VisitBetween& visit) const;
 
+  // By point: whether the forces on it are wanted, and what its motion does to them. Empty: those of all.
+  struct Wanted {
+    std::span<const char> on = {}, by = {};
+  };
   // Stiffness of the touching pairs, in the pairs' order: visit(points of the pair, Hessian of its energy,
   // N/m, its friction). With a way the Hessian contains the part of friction: -d force/dx, not symmetric.
-  // Otherwise the friction is null.
+  // Otherwise, and if not all is wanted, the friction is null. Blocks that are not wanted may be zero.
   using VisitStiffness =
       std::function<void(const std::array<std::int32_t, 4>&, const Matrix12&, const FrictionTangent*)>;
-  void stiffness(std::span<const Vec3> x, const VisitStiffness& visit, const Way& way = {});
+  void stiffness(std::span<const Vec3> x, const VisitStiffness& visit, const Way& way = {},
+                 const Wanted& wanted = {});
 
   // The elastic slips of friction are those of the last forces that were added with a way; or stay those of
   // the last commit.
@@ -169,17 +174,25 @@ class Contact {
   unsigned planes_of(const Candidate& c, std::span<const unsigned char> planes) const;
   std::array<double, 4> resists(const Candidate& c, const Force& force, const Way& way) const;
   double margin(const Candidate& c, std::span<const Vec3> x) const;
-  bool passes_in_list(std::span<const Vec3> x, std::span<const Vec3> by, double most) const;
   void mark_checked(std::span<const Vec3> x, double change);
   void search(std::span<const Vec3> x);
   void refine(std::span<const Vec3> x, double since_search);
   void clear_lists();
   void index_slots();
   void index_spots();
+  std::vector<std::uint32_t> touching(std::span<const Vec3> x) const;
+  static Blocks wanted_of(const Candidate& c, const Wanted& wanted);
   static void visit_in_nodes(const Candidate& c, const Matrix12& k, const FrictionTangent* friction,
                              const VisitStiffness& visit);
-  double share_of(const std::vector<Candidate>& pairs, std::span<const Vec3> x,
-                  std::span<const Vec3> by) const;
+  // The way `by` from x, m, on which near surfaces come nearer to each other by `most`; with `among` only
+  // pairs all of whose points are marked there stop it.
+  struct OnWay {
+    std::span<const Vec3> x, by;
+    double most;
+    std::span<const char> among;
+  };
+  double share_of(const OnWay& way, const std::vector<Candidate>& pairs, std::span<const double> margin = {},
+                  double since = 0) const;
   void press(std::size_t slot, std::span<const Vec3> x, const Way& way);
   void press_all(std::span<const Vec3> x, const Way& way, bool torques);
   // --- batches of pairs (press.cpp): each pair has a lane, those that are taken alone, too

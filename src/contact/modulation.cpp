@@ -33,16 +33,22 @@ Vector12 gradient_by_corners(const ByVectors& by, const double* first) {
 
 Matrix12 hessian_by_corners(const ByVectors& by, const Jet<double, true>& jet) {
   using Row5 = Eigen::Matrix<double, 5, 5, Eigen::RowMajor>;
-  Eigen::Matrix<double, 9, 9> h = by.slope * Eigen::Map<const Row5>(&jet.twice[0][0]) * by.slope.transpose();
+  const Eigen::Matrix<double, 9, 5> left = by.slope.lazyProduct(Eigen::Map<const Row5>(&jet.twice[0][0]));
+  Eigen::Matrix<double, 9, 9> h = left.lazyProduct(by.slope.transpose());
   const double own[3][3] = {{2 * jet.first[0], jet.first[1], jet.first[3]},
                             {jet.first[1], 2 * jet.first[2], jet.first[4]},
                             {jet.first[3], jet.first[4], 0}};
   for (int k = 0; k < 3; ++k)
     for (int l = 0; l < 3; ++l) h.block<3, 3>(3 * k, 3 * l).diagonal().array() += own[k][l];
-  Eigen::Matrix<double, 9, 12> map = Eigen::Matrix<double, 9, 12>::Zero();
+  Eigen::Matrix<double, 12, 9> rows = Eigen::Matrix<double, 12, 9>::Zero();
+  Matrix12 out = Matrix12::Zero();
   for (int k = 0; k < 3; ++k)
-    for (int i = 0; i < 4; ++i) map.block<3, 3>(3 * k, 3 * i).diagonal().array() = to_corner[k][i];
-  return map.transpose() * h * map;
+    for (int i = 0; i < 4; ++i)
+      if (to_corner[k][i] != 0) rows.middleRows<3>(3 * i) += to_corner[k][i] * h.middleRows<3>(3 * k);
+  for (int k = 0; k < 3; ++k)
+    for (int i = 0; i < 4; ++i)
+      if (to_corner[k][i] != 0) out.middleCols<3>(3 * i) += to_corner[k][i] * rows.middleCols<3>(3 * k);
+  return out;
 }
 
 template <bool second>

@@ -310,23 +310,38 @@ bool find_force(const ContactLaw& law, const Pair& pair, const Corners& x, const
   return touches;
 }
 
-Derivatives pair_derivatives(const ContactLaw& law, const Pair& pair, const Corners& x) {
+Derivatives pair_derivatives(const ContactLaw& law, const Pair& pair, const Corners& x, Blocks of) {
   Derivatives out;
-  Matrix12 bends = Matrix12::Zero();  // second derivatives of the modulation
+  Matrix12 bends;  // second derivatives of the modulation
+  if (modulates(pair.kind)) bends.setZero();
   visit_pressed(law, pair, x, &bends, [&](const PressedPlace& at, const Modulation* m) {
     const Touch& touch = at.place.touch;
     const Vector12 slope = distance_gradient(touch);
     out.contact += at.count * at.answer.contact;
     out.guard += at.count * at.answer.guard;
     out.gradient -= at.count * at.answer.pressure * slope;
-    out.hessian += at.count * (at.answer.stiffness * slope * slope.transpose() -
-                               at.answer.pressure * distance_hessian(x, touch));
+    const Matrix12 bend = distance_hessian(x, touch, of);
+    each_corner(of.rows & touch.corners(), [&](std::size_t i) {
+      each_corner(of.columns & touch.corners(), [&](std::size_t j) {
+        const auto a = 3 * int(i), b = 3 * int(j);
+        out.hessian.block<3, 3>(a, b) +=
+            at.count * (at.answer.stiffness * slope.segment<3>(a) * slope.segment<3>(b).transpose() -
+                        at.answer.pressure * bend.block<3, 3>(a, b));
+      });
+    });
     if (!changes(at, m)) return;
     const double share = pair.area * at.place.modulated,
                  energy = share * (at.answer.contact + at.answer.guard);
-    const Matrix12 mixed = m->gradient * slope.transpose();
     out.gradient += energy * m->gradient;
-    out.hessian += energy * bends - share * at.answer.pressure * (mixed + mixed.transpose());
+    each_corner(of.rows, [&](std::size_t i) {
+      each_corner(of.columns, [&](std::size_t j) {
+        const auto a = 3 * int(i), b = 3 * int(j);
+        out.hessian.block<3, 3>(a, b) += energy * bends.block<3, 3>(a, b) -
+                                         share * at.answer.pressure *
+                                             (m->gradient.segment<3>(a) * slope.segment<3>(b).transpose() +
+                                              slope.segment<3>(a) * m->gradient.segment<3>(b).transpose());
+      });
+    });
   });
   return out;
 }
@@ -365,26 +380,37 @@ Place3 sliding_by_corner(const Touch& touch, const Corners& x, const Slip& slip,
 
 }  // namespace
 
-FrictionTangent friction_tangent(const ContactLaw& law, const Pair& pair, const Corners& x,
-                                 const Slip& slip) {
+FrictionTangent friction_tangent(const ContactLaw& law, const Pair& pair, const Corners& x, const Slip& slip,
+                                 Blocks of) {
+  const bool turns = (of.rows & of.columns) == Blocks().rows;
   FrictionTangent out;
   visit_pressed(law, pair, x, nullptr, [&](const PressedPlace& at, const Modulation* m) {
     const Touch& touch = at.place.touch;
     const Slid s = slide(law, pair, at, slip);
     const bool modulated = changes(at, m);
+    const unsigned columns = modulated ? of.columns : of.columns & touch.corners();
     const double share = pair.area * at.place.modulated, pressure = at.answer.pressure + s.damping;
     const Slides slide = slides(x, touch);
     std::array<Place3, 4> by;
     Vector12 opened, press;  // derivatives of the opening, and of the normal force by all corners
-    for (std::size_t j = 0; j < 4; ++j) {
+    opened.setZero();
+    each_corner(columns, [&](std::size_t j) {
       by[j] = sliding_by_corner(touch, x, slip, s, pair.offset, slide, slip.held, j);
       opened.segment<3>(3 * int(j)) = by[j].opened;
-    }
+    });
     press = at.count * s.damping_slope * opened;
     if (modulated) press += share * s.damping * m->gradient;
-    if (s.damping != 0)
-      out.jacobian +=
-          distance_gradient(touch) * press.transpose() + at.count * s.damping * distance_hessian(x, touch);
+    if (s.damping != 0) {
+      const Vector12 slope = distance_gradient(touch);
+      const Matrix12 bend = distance_hessian(x, touch, of);
+      each_corner(of.rows & touch.corners(), [&](std::size_t i) {
+        each_corner(columns, [&](std::size_t j) {
+          const auto a = 3 * int(i), b = 3 * int(j);
+          out.jacobian.block<3, 3>(a, b) += slope.segment<3>(a) * press.segment<3>(b).transpose() +
+                                            at.count * s.damping * bend.block<3, 3>(a, b);
+        });
+      });
+    }
     const bool rubs = slip.rubs();
     if (!rubs && slip.film.viscous == 0) return;
     press -= at.count * at.answer.stiffness * distance_gradient(touch);
@@ -406,27 +432,30 @@ FrictionTangent friction_tangent(const ContactLaw& law, const Pair& pair, const 
     const Vec3 pull = force * direction + s.drag * s.slid;
     Vector12 thickens = s.drag_slope * distance_gradient(touch);  // the derivative of the film's drag
     if (modulated) thickens += s.drag / at.count * share * m->gradient;
-    // The lever is along the normal, so lever x turn has no part along it.
-    const Mat3 levers = cross_matrix(s.lever), drags = s.drag_by_slid(),
-               pull_by_turn = (turn + drags) * levers;
-    for (int i = 0; i < 4; ++i)
-      out.by_turn.block<3, 3>(3 * i, 0) -= touch.weight[std::size_t(i)] * pull_by_turn;
-    out.torque_by_turn += levers * pull_by_turn;
-    for (std::size_t j = 0; j < 4; ++j) {
+    const Mat3 levers = cross_matrix(s.lever), drags = s.drag_by_slid();
+    if (turns) {
+      // The lever is along the normal, so lever x turn has no part along it.
+      const Mat3 pull_by_turn = (turn + drags) * levers;
+      for (int i = 0; i < 4; ++i)
+        out.by_turn.block<3, 3>(3 * i, 0) -= touch.weight[std::size_t(i)] * pull_by_turn;
+      out.torque_by_turn += levers * pull_by_turn;
+    }
+    each_corner(columns, [&](std::size_t j) {
       Mat3 dpull = turn * by[j].sliding + direction * grows.segment<3>(3 * int(j)).transpose();
       if (slip.film.viscous > 0)
         dpull += drags * sliding_by_corner(touch, x, slip, s, pair.offset, slide, Vec3::Zero(), j).sliding +
                  s.slid * thickens.segment<3>(3 * int(j)).transpose();
-      out.torque_by_x.block<3, 3>(0, 3 * int(j)) += levers * dpull - cross_matrix(pull) * by[j].lever;
-      for (std::size_t i = 0; i < 4; ++i) {
+      if (turns)
+        out.torque_by_x.block<3, 3>(0, 3 * int(j)) += levers * dpull - cross_matrix(pull) * by[j].lever;
+      each_corner(of.rows & touch.corners(), [&](std::size_t i) {
         Mat3 block = touch.weight[i] * dpull;
         for (std::size_t k = 0; k < std::size_t(touch.freedoms()); ++k) {
           if (i == std::size_t(touch.plus[k])) block += pull * by[j].slide[k].transpose();
           if (i == std::size_t(touch.minus[k])) block -= pull * by[j].slide[k].transpose();
         }
         out.jacobian.block<3, 3>(3 * int(i), 3 * int(j)) -= block;
-      }
-    }
+      });
+    });
   });
   return out;
 }

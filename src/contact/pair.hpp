@@ -146,7 +146,8 @@ struct Derivatives {
   Vector12 gradient = Vector12::Zero();  // N; forces are its negative
   Matrix12 hessian = Matrix12::Zero();   // N/m
 };
-Derivatives pair_derivatives(const ContactLaw& law, const Pair& pair, const Corners& x);
+// `of`: the blocks of the Hessian that are wanted; others are zero.
+Derivatives pair_derivatives(const ContactLaw& law, const Pair& pair, const Corners& x, Blocks of = {});
 
 // Derivatives of friction and damping of an implicit or static step: of the forces on the corners by the
 // corners (N/m, not symmetric) and by the turn of the rigid side, and of the torque likewise.
@@ -156,6 +157,8 @@ struct FrictionTangent {
   Eigen::Matrix<double, 3, 12> torque_by_x = Eigen::Matrix<double, 3, 12>::Zero();
   Mat3 torque_by_turn = Mat3::Zero();
 };
-FrictionTangent friction_tangent(const ContactLaw& law, const Pair& pair, const Corners& x, const Slip& slip);
+// `of`: the blocks of the Jacobian that are wanted; with less than all of them what a turn does is left out.
+FrictionTangent friction_tangent(const ContactLaw& law, const Pair& pair, const Corners& x, const Slip& slip,
+                                 Blocks of = {});
 
 }  // namespace fabricsh::contact

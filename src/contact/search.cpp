@@ -30,7 +30,9 @@ class Search {
       const auto a = std::size_t(it.first), b = std::size_t(it.second);
       number_[a * surfaces.size() + b] = number_[b * surfaces.size() + a] = int(i);
       if (!has_facets(surfaces[a]) || !has_facets(surfaces[b])) continue;  // those are simple_shapes()
-      const double reach = it.law.gap() + surfaces[a].radius + surfaces[b].radius + (by.empty() ? skin : 0);
+      const double reach = surfaces[a].radius + surfaces[b].radius +
+                           (by.empty() ? it.law.gap() + skin
+                                       : std::min(it.law.gap(), it.law.floor() + (room_of_way - 1) * skin));
       reach_[a] = std::max(reach_[a], reach);
       reach_[b] = std::max(reach_[b], reach);
     }
@@ -212,24 +214,18 @@ class Search {
       for (const std::int32_t p : row.point) least = std::min(least, opening[std::size_t(p)]);
     return least;
   }
-  // Pairs out of reach at the law's whole gap need no further look.
+  // Pairs out of reach at the law's whole lengths need no further look.
   bool far(const Candidate& row, const ContactLaw& law) const {
-    return gap_of(row, corners_of(row, x_)) >= law.gap() + skin_of(row);
+    return gap_of(row, corners_of(row, x_)) >= reach_of(row, law);
   }
-  // m: no two points of the pair come nearer to each other on their ways than by this. Those between its
-  // corners move by means of these.
-  double skin_of(const Candidate& row) const {
-    if (by_.empty() || row.pair.kind == PairKind::plane) return skin_;
-    constexpr double rounding = 1 + 1e-9;
-    double most = 0;
-    for (std::size_t i = 1; i < 4; ++i)
-      for (std::size_t j = 0; j < i && row.point[i] >= 0; ++j)
-        most = std::max(most, (by_[std::size_t(row.point[i])] - by_[std::size_t(row.point[j])]).norm());
-    return std::min(skin_, rounding * most);
+  // m: how near a pair is to be listed.
+  double reach_of(const Candidate& row, const ContactLaw& law) const {
+    return by_.empty() ? law.gap() * row.pair.scale + skin_
+                       : law.floor() * row.pair.scale + room_on_way(row, by_, skin_);
   }
   bool keep(Candidate& row, const ContactLaw& law, Rows& rows) const {
     const double gap = gap_of(row, corners_of(row, x_));
-    if (gap >= law.gap() * row.pair.scale + skin_of(row)) return false;
+    if (gap >= reach_of(row, law)) return false;
     row.whole = row.pair.scale;
     row.start = start(row, scene_.interactions()[std::size_t(row.interaction)].opening);
     rows.push_back(row);
@@ -265,7 +261,8 @@ class Search {
     else
       out.pair.area = shared * std::min(scene_.area(p), surface(row.surface).mean_area);
     if (!keep(out, law, rows)) return;
-    if (neighbours || scene_.neighbours().is_sewn(p)) uncount_neighbours(rows.back(), row, law);
+    if (by_.empty() && (neighbours || scene_.neighbours().is_sewn(p)))
+      uncount_neighbours(rows.back(), row, law);
   }
 
   // Next to a facet that has the point as a neighbour nothing is
@@ -499,6 +496,16 @@ Corners corners_of(const Candidate& candidate, std::span<const Vec3> x) {
   for (; i < 4; ++i)
     out[i] = candidate.point[i] < 0 ? Vec3(Vec3::Zero()) : x[std::size_t(candidate.point[i])];
   return out;
+}
+
+double room_on_way(const Candidate& candidate, std::span<const Vec3> by, double most) {
+  if (candidate.pair.kind == PairKind::plane) return room_of_way * most;
+  const auto& point = candidate.point;
+  double square = 0;
+  for (std::size_t i = 1; i < 4; ++i)
+    for (std::size_t j = 0; j < i && point[i] >= 0; ++j)
+      square = std::max(square, (by[std::size_t(point[i])] - by[std::size_t(point[j])]).squaredNorm());
+  return room_of_way * std::min(most, std::sqrt(square));
 }
 
 double gap_of(const Candidate& candidate, const Corners& x) {

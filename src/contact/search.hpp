@@ -18,11 +18,18 @@ struct Candidate {
 // vertices). Their order depends on the surfaces only, so that it is the same for any skin and any number
 // of threads. Pairs of one cloth that share a node are left out. For neighbours whose reference distance
 // is smaller than the gap, the law's lengths are scaled down so that the gap is 0.9 of that distance. Crack
-// faces that shared a node before are no neighbours. by: m, displacements of all points; then a pair whose
-// corners do not come that near on their way is left out, too. Those with walls, which are larger than their
-// corners show, stay.
+// faces that shared a node before are no neighbours. by: m, displacements of all points, with which no two
+// that come nearer than the gap come nearer by more than `skin`; then only the pairs are found that
+// safe_fraction() may stop on that way. Those with walls, which are larger than their corners show, stay.
 std::vector<Candidate> find_pairs(const Scene& scene, std::span<const Vec3> x, double skin,
                                   std::span<const Vec3> by = {});
+
+// A way ends where a pair has less than a tenth of its distance to the floor left (safe_fraction). So none
+// stops a way that is shorter than that distance by more than this factor, rounding included.
+constexpr double room_of_way = 1 / 0.89;
+// m, above the floor: the distance of a pair that does not stop the way `by` (m), on which near surfaces come
+// nearer to each other by `most` (m). What is between its corners moves by means of these.
+double room_on_way(const Candidate& candidate, std::span<const Vec3> by, double most);
 
 // Distance of a pair less its radii, m.
 double gap_of(const Candidate& candidate, const Corners& x);

@@ -208,27 +208,31 @@ Vector12 distance_gradient(const Touch& touch) {
   return g;
 }
 
-Matrix12 distance_hessian(const Corners& x, const Touch& touch) {
+Matrix12 distance_hessian(const Corners& x, const Touch& touch, Blocks of) {
   // The Hessian of r.r/2 is w_i w_j I + sum over k of (dw_i/dxi_k r + w_i r,k) dxi_k/dx_j. Subtracting
   // the square of the gradient and dividing by the distance gives the Hessian of the distance.
   const Slides slide = slides(x, touch);
   const Vec3 r = touch.distance * touch.normal;
   const Mat3 across = Mat3::Identity() - touch.normal * touch.normal.transpose();
-  Matrix12 h = Matrix12::Zero();
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = 0; j < 4; ++j) {
-      Mat3 block = touch.weight[i] * touch.weight[j] * across;
-      for (std::size_t k = 0; k < std::size_t(touch.freedoms()); ++k) {
-        const auto plus = std::size_t(touch.plus[k]), minus = std::size_t(touch.minus[k]);
-        Vec3 left = touch.weight[i] * (x[plus] - x[minus]);
-        if (i == plus) left += r;
-        if (i == minus) left -= r;
-        block += left * slide[k][j].transpose();
-      }
-      h.block<3, 3>(3 * int(i), 3 * int(j)) = block;
+  const auto block = [&](std::size_t i, std::size_t j) {
+    Mat3 out = touch.weight[i] * touch.weight[j] * across;
+    for (std::size_t k = 0; k < std::size_t(touch.freedoms()); ++k) {
+      const auto plus = std::size_t(touch.plus[k]), minus = std::size_t(touch.minus[k]);
+      Vec3 left = touch.weight[i] * (x[plus] - x[minus]);
+      if (i == plus) left += r;
+      if (i == minus) left -= r;
+      out += left * slide[k][j].transpose();
     }
+    return out;
+  };
   // Terms that almost cancel leave an unsymmetric rounding error, which is removed here.
-  return 0.5 / touch.distance * (h + h.transpose());
+  Matrix12 h = Matrix12::Zero();
+  each_corner(of.rows & touch.corners(), [&](std::size_t i) {
+    each_corner(of.columns & touch.corners(), [&](std::size_t j) {
+      h.block<3, 3>(3 * int(i), 3 * int(j)) = 0.5 / touch.distance * (block(i, j) + block(j, i).transpose());
+    });
+  });
+  return h;
 }
 
 }  // namespace fabricsh::contact

@@ -37,7 +37,21 @@ struct Touch {
   int freedoms() const {
     return feature == Feature::point_point ? 0 : feature == Feature::point_edge ? 1 : 2;
   }
+  // The corners, a bit each, that the distance depends on.
+  unsigned corners() const {
+    unsigned out = 0;
+    for (std::size_t i = 0; i < 4; ++i) out |= (weight[i] != 0 ? 1u : 0u) << i;
+    for (std::size_t k = 0; k < std::size_t(freedoms()); ++k)
+      out |= 1u << unsigned(plus[k]) | 1u << unsigned(minus[k]);
+    return out;
+  }
 };
+// Calls visit(i) for the corners whose bits are set.
+template <class Visit>
+void each_corner(unsigned corners, Visit visit) {
+  for (std::size_t i = 0; i < 4; ++i)
+    if ((corners >> i & 1) != 0) visit(i);
+}
 
 // Corners are given by their index in `x`; corners that are not named have the weight zero.
 Touch point_point(const Corners& x, int p, int q);
@@ -71,6 +85,10 @@ Slides slides(const Corners& x, const Touch& touch);
 
 // First and second derivative of the distance by the corners' coordinates (x, y, z of corner 0 first).
 Vector12 distance_gradient(const Touch& touch);
-Matrix12 distance_hessian(const Corners& x, const Touch& touch);
+// Blocks of a matrix by the corners of a pair: of the corners whose bits are set.
+struct Blocks {
+  unsigned rows = 15, columns = 15;
+};
+Matrix12 distance_hessian(const Corners& x, const Touch& touch, Blocks of = {});  // the others are zero
 
 }  // namespace fabricsh::contact

@@ -22,20 +22,27 @@ void BodyUnknowns::move(double scale) {
 }
 
 void BodyUnknowns::clear() {
+  pairs_ = 0;
   blocks_.clear();
   on_bodies_.clear();
 }
 
-void BodyUnknowns::add(const PairBlock& block, const contact::FrictionTangent* friction) {
-  blocks_.push_back(block);
+void BodyUnknowns::add(const std::array<std::int32_t, 4>& points, const contact::Matrix12& k,
+                       const contact::FrictionTangent* friction) {
+  const auto nodes = static_cast<std::int32_t>(this->nodes());
+  for (int a = 0; a < 4; ++a)
+    for (int b = 0; b < 4 && points[a] >= 0 && points[a] < nodes; ++b)
+      if (points[b] >= 0 && (points[b] < nodes || leads()) && !k.block<3, 3>(3 * a, 3 * b).isZero(0))
+        blocks_.push_back({points[a], points[b], k.block<3, 3>(3 * a, 3 * b)});
+  ++pairs_;
   if (own_unknowns() == 0) return;
   const auto begin = on_bodies_.size();
   for (int q = 0; q < 4; ++q) {
-    const auto v = static_cast<std::size_t>(block.point[q]) - nodes();
-    if (block.point[q] < static_cast<std::int32_t>(nodes()) || bodies().state().free_of[v] < 0) continue;
+    const auto v = static_cast<std::size_t>(points[q] - nodes);
+    if (points[q] < nodes || bodies().state().free_of[v] < 0) continue;
     const int body = bodies().state().free_of[v];
     if (on_bodies_.size() == begin || on_bodies_.back().body != body)
-      on_bodies_.push_back({blocks_.size() - 1, body, Columns::Zero(), Columns::Zero(),
+      on_bodies_.push_back({pairs_, points, body, Columns::Zero(), Columns::Zero(),
                             Eigen::Matrix<double, 6, 12>::Zero(), BodyEquations::Matrix6::Zero()});
     auto& by = on_bodies_.back().by;
     by.block<3, 3>(3 * q, 0).setIdentity();
@@ -43,8 +50,8 @@ void BodyUnknowns::add(const PairBlock& block, const contact::FrictionTangent* f
   }
   for (std::size_t i = begin; i < on_bodies_.size(); ++i) {
     OnBody& out = on_bodies_[i];
-    out.force = block.k * out.by;
-    out.answer = -out.by.transpose() * block.k;
+    out.force = k * out.by;
+    out.answer = -out.by.transpose() * k;
     if (friction == nullptr) continue;
     out.force.rightCols<3>() -= friction->by_turn;
     out.answer.bottomRows<3>() += friction->torque_by_x;
@@ -56,12 +63,11 @@ void BodyUnknowns::add(const PairBlock& block, const contact::FrictionTangent* f
 void BodyUnknowns::add_ties() {
   for (const BodyTies::Tie& tie : state_.ties.all()) {
     const double stiffness = state_.ties.stiffness(tie);
-    PairBlock block{{static_cast<std::int32_t>(tie.node), static_cast<std::int32_t>(tie.point), -1, -1},
-                    contact::Matrix12::Zero()};
+    contact::Matrix12 k = contact::Matrix12::Zero();
     for (int a = 0; a < 2; ++a)
       for (int b = 0; b < 2; ++b)
-        block.k.block<3, 3>(3 * a, 3 * b) = (a == b ? stiffness : -stiffness) * Mat3::Identity();
-    add(block, nullptr);
+        k.block<3, 3>(3 * a, 3 * b) = (a == b ? stiffness : -stiffness) * Mat3::Identity();
+    add({static_cast<std::int32_t>(tie.node), static_cast<std::int32_t>(tie.point), -1, -1}, k, nullptr);
     const std::size_t vertex = tie.point - nodes();
     if (own_unknowns() == 0 || bodies().state().free_of[vertex] < 0) continue;
     const Vec3 force = stiffness * (state_.x[tie.node] - state_.x[tie.point]);
@@ -74,7 +80,7 @@ void BodyUnknowns::add_to_nodes(const OnBody& part, const BodyEquations::Vector6
                                 std::span<double> on_x) const {
   const contact::Vector12 f = part.force * moved;
   for (int a = 0; a < 4; ++a)
-    if (const std::int32_t p = blocks_[part.block].point[a]; p >= 0 && p < static_cast<std::int32_t>(nodes()))
+    if (const std::int32_t p = part.point[a]; p >= 0 && p < static_cast<std::int32_t>(nodes()))
       at(on_x, p) += weight * f.segment<3>(3 * a);
 }
 
@@ -117,8 +123,7 @@ Eigen::VectorXd BodyUnknowns::own_answer(std::span<const double> move) const {
   for (const OnBody& part : on_bodies_) {
     contact::Vector12 x = contact::Vector12::Zero();
     for (int a = 0; a < 4; ++a)
-      if (const std::int32_t p = blocks_[part.block].point[a];
-          p >= 0 && p < static_cast<std::int32_t>(nodes()))
+      if (const std::int32_t p = part.point[a]; p >= 0 && p < static_cast<std::int32_t>(nodes()))
         x.segment<3>(3 * a) = at(move, p);
     out.segment<6>(6 * part.body) += part.answer * x;
   }
@@ -153,7 +158,7 @@ Eigen::MatrixXd BodyUnknowns::answers(bool with_volumes) const {
   };
   for (std::size_t i = 0; i < on_bodies_.size(); ++i) {
     add(on_bodies_[i], on_bodies_[i]);
-    if (i + 1 == on_bodies_.size() || on_bodies_[i + 1].block != on_bodies_[i].block) continue;
+    if (i + 1 == on_bodies_.size() || on_bodies_[i + 1].pair != on_bodies_[i].pair) continue;
     add(on_bodies_[i], on_bodies_[i + 1]);
     add(on_bodies_[i + 1], on_bodies_[i]);
   }
@@ -211,10 +216,9 @@ Eigen::VectorXd BodyUnknowns::own_residual() const {
   if (state_.share >= 1) return out;
   const auto &from = bodies().state().committed, &to = bodies().state().target;
   for (const OnBody& part : on_bodies_) {
-    const PairBlock& block = blocks_[part.block];
     contact::Vector12 x = contact::Vector12::Zero();
     for (int a = 0; a < 4; ++a)
-      if (const std::int32_t p = block.point[a]; p >= static_cast<std::int32_t>(nodes()))
+      if (const std::int32_t p = part.point[a]; p >= static_cast<std::int32_t>(nodes()))
         x.segment<3>(3 * a) = (1 - state_.share) * (to[p - nodes()] - from[p - nodes()]);
     out.segment<6>(6 * part.body) += part.answer * x;
   }
@@ -239,17 +243,24 @@ void ContactTangent::couple(const contact::Way& way, std::vector<NodePair>& pair
         if (high < nodes) visit(low * nodes + high);
       }
   };
+  contact::Contact::Wanted wanted;  // all, where bodies are free
+  if (bodies_.own_unknowns() == 0) {
+    cloth_.assign(state_.x.size(), 0);
+    std::fill_n(cloth_.begin(), nodes, 1);
+    wanted.on = cloth_;
+    if (!bodies_.leads()) wanted.by = cloth_;
+  }
   if (state_.surfaces.any())
     state_.pairs.stiffness(
         state_.x,
         [&](const std::array<std::int32_t, 4>& points, const contact::Matrix12& k,
             const contact::FrictionTangent* friction) {
-          bodies_.add({points, k}, friction);
+          bodies_.add(points, k, friction);
           add(points, [&](std::int64_t pair) {
             known = known && std::binary_search(pairs_.begin(), pairs_.end(), pair);
           });
         },
-        way);
+        way, wanted);
   bodies_.add_ties();
   if (!known) {
     const contact::Scene& scene = state_.surfaces.scene();
@@ -266,22 +277,14 @@ void ContactTangent::add(TangentSink& sink) const {
   const auto &from = bodies.state().committed, &to = bodies.state().target;
   const auto nodes = static_cast<std::int32_t>(state_.surfaces.nodes());
   const double left = 1 - state_.share;
-  const bool moves = state_.surfaces.moves();
-  for (const PairBlock& block : bodies_.blocks())
-    for (int a = 0; a < 4; ++a) {
-      const std::int32_t p = block.point[a];
-      if (p < 0 || p >= nodes) continue;
-      for (int b = 0; b < 4; ++b) {
-        const std::int32_t q = block.point[b];
-        if (q < 0) continue;
-        const Mat3 k = state_.weight * block.k.block<3, 3>(3 * a, 3 * b);
-        if (q < nodes)
-          sink.on_positions(p, q, k);
-        else if (moves)
-          sink.on_lead(p, k * left * (to[q - nodes] - from[q - nodes]));
-      }
-    }
-  if (!gas_.any() || !moves || state_.share >= 1) return;
+  for (const PairBlock& block : bodies_.blocks()) {
+    const Mat3 k = state_.weight * block.k;
+    if (block.by < nodes)
+      sink.on_positions(block.node, block.by, k);
+    else
+      sink.on_lead(block.node, k * left * (to[block.by - nodes] - from[block.by - nodes]));
+  }
+  if (!gas_.any() || !bodies_.leads()) return;
   const auto change = gas_.change({}, gas_.way_left(), true);
   for (Index n = 0; n < nodes; ++n) sink.on_lead(n, at(std::span<const double>(change), n));
 }

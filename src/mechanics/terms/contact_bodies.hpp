@@ -8,10 +8,10 @@
 
 namespace fabricsh::mechanics {
 
-// The stiffness of a pair that touches.
+// Of a pair that touches: what the motion of the point `by` does to the force on a node, N/m.
 struct PairBlock {
-  std::array<std::int32_t, 4> point;
-  contact::Matrix12 k;
+  std::int32_t node, by;
+  Mat3 k;
 };
 
 // Six unknowns for each free body, the force on it at the step's end; in static steps its place and turn.
@@ -44,17 +44,20 @@ class BodyUnknowns final : public OwnUnknowns {
   // The places at rest are unknowns from here on.
   void go_static(double rise);  // s, see Bodies
 
-  // The pairs of the tangent; of each the coupling with the free bodies that it has: one, or two that meet.
+  // The tangent; of each pair the coupling with the free bodies that it has: one, or two that meet.
   const std::vector<PairBlock>& blocks() const { return blocks_; }
+  bool leads() const { return state_.share < 1 && state_.surfaces.moves(); }  // driven bodies have a way left
   void clear();
-  void add(const PairBlock& block, const contact::FrictionTangent* friction);
+  void add(const std::array<std::int32_t, 4>& points, const contact::Matrix12& k,
+           const contact::FrictionTangent* friction);
   void add_ties();
 
  private:
   // How a pair's forces and torque change with the place and the turn of a free body. Two bodies that meet
   // have one each of the same pair.
   struct OnBody {
-    std::size_t block;
+    std::size_t pair;
+    std::array<std::int32_t, 4> point;
     int body;                             // of the free ones
     Eigen::Matrix<double, 12, 6> by;      // its corners, by the body's place and turn
     Eigen::Matrix<double, 12, 6> force;   // on its corners, by the body's place and turn, with the other sign
@@ -73,6 +76,7 @@ class BodyUnknowns final : public OwnUnknowns {
   ContactState& state_;
   const GasOnBodies& gas_;
   bool static_ = false;
+  std::size_t pairs_ = 0;
   std::vector<PairBlock> blocks_;
   std::vector<OnBody> on_bodies_;
 };
@@ -95,6 +99,7 @@ class ContactTangent {
   // Pairs of nodes coupled at any time: a * nodes + b, a < b, ascending. They only become more, and a
   // rollback takes back those since the last commit.
   std::vector<std::int64_t> pairs_, committed_pairs_;
+  std::vector<char> cloth_;  // by point: whether it is a node
 };
 
 }  // namespace fabricsh::mechanics
