@@ -55,7 +55,7 @@ double safe_fraction_of(const Candidate& c, const ContactLaw& law, const Corners
 double narrowest(const Scene& scene, double least) {
   double gap = 0;
   for (const Interaction& it : scene.interactions()) {
-    least = std::min(least, it.law.gap() - it.law.floor());
+    least = std::min(least, it.guarded * (it.law.gap() - it.law.floor()));
     gap = std::max(gap, it.law.gap());
   }
   for (const Candidate& c : find_pairs(scene, scene.reference(), 0.2 * gap)) {

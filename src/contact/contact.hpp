@@ -43,6 +43,12 @@ struct Totals {
   std::size_t touching = 0;  // pairs
 };
 
+// Of a stiffness, by point: whether the forces on it are wanted, and what its motion does to them. Empty:
+// all.
+struct Wanted {
+  std::span<const char> on = {}, by = {};
+};
+
 struct Skins {
   double outer = 0, inner = 0;  // m; 0: a third and an eighth of the cloth's mean edge
 };
@@ -75,10 +81,6 @@ class Contact {
   using VisitBetween = std::function<void(const std::array<std::int32_t, 4>&, const Force::Barrier&)>;
   void barriers_between(const VisitBetween& visit) const;
 
-  // By point: whether the forces on it are wanted, and what its motion does to them. Empty: those of all.
-  struct Wanted {
-    std::span<const char> on = {}, by = {};
-  };
   // Stiffness of the touching pairs, in the pairs' order: visit(points of the pair, Hessian of its energy,
   // N/m, its friction). With a way the Hessian contains the part of friction: -d force/dx, not symmetric.
   // Otherwise, and if not all is wanted, the friction is null. Blocks that are not wanted may be zero.

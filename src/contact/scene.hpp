@@ -122,6 +122,10 @@ struct Interaction {
   // its triangles is divided into parts[i]^2 of equal area, and has a point in the middle of each. 0: it has
   // none, and its nodes and edges take part. Empty: no triangle has any. Set by Scene::spread.
   std::vector<std::int8_t> parts = {};
+  // The share of the law's lengths from which on vertices of the second surface, a solid, press the facets of
+  // the first, and edges each other. Below 1: nodes stand so close for what they are pressed into that they
+  // carry the law, and the others keep what is between them apart.
+  double guarded = 1;
   // Opening of overlaps at the start: for each point the share, 0 to 1, of the law's lengths with which it
   // begins; two edges begin with the smallest share of their ends, and sheets of one surface that share no
   // node do not count as neighbours. Empty: nothing is opened.

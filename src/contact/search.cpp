@@ -25,16 +25,19 @@ class Search {
     const auto& surfaces = scene.surfaces();
     number_.assign(surfaces.size() * surfaces.size(), -1);
     reach_.assign(surfaces.size(), 0);
+    facet_reach_ = reach_;
     for (std::size_t i = 0; i < scene.interactions().size(); ++i) {
       const Interaction& it = scene.interactions()[i];
       const auto a = std::size_t(it.first), b = std::size_t(it.second);
       number_[a * surfaces.size() + b] = number_[b * surfaces.size() + a] = int(i);
       if (!has_facets(surfaces[a]) || !has_facets(surfaces[b])) continue;  // those are simple_shapes()
-      const double reach = surfaces[a].radius + surfaces[b].radius +
-                           (by.empty() ? it.law.gap() + skin
-                                       : std::min(it.law.gap(), it.law.floor() + (room_of_way - 1) * skin));
-      reach_[a] = std::max(reach_[a], reach);
-      reach_[b] = std::max(reach_[b], reach);
+      const double gap = it.law.gap(),
+                   far = by.empty() ? gap : std::min(gap, it.law.floor() + (room_of_way - 1) * skin),
+                   more = surfaces[a].radius + surfaces[b].radius + (by.empty() ? skin : 0),
+                   guarded = more + (by.empty() ? it.guarded : 1) * far;
+      for (const std::size_t s : {a, b}) reach_[s] = std::max(reach_[s], guarded);
+      facet_reach_[a] = std::max(facet_reach_[a], guarded);
+      facet_reach_[b] = std::max(facet_reach_[b], more + far);
     }
     measure();
   }
@@ -82,7 +85,7 @@ class Search {
       }
     }
     double most = 0;
-    for (const double reach : reach_) most = std::max(most, reach);
+    for (const double reach : facet_reach_) most = std::max(most, reach);
     room_ = room_.grown(most + half_way_);
     cell_ = std::max(count > 0 ? sum / count : 1, 1e-12);
   }
@@ -135,7 +138,7 @@ class Search {
     const Boxes places(points.order(), [&](std::int32_t i) { return box_of({points_[std::size_t(i)]}, 0); });
     join(scene_.triangles().size(), out, [&](std::size_t t, std::vector<std::int32_t>& near, Rows& rows) {
       const TriangleRow& row = scene_.triangles()[t];
-      const double reach = reach_[std::size_t(row.surface)];
+      const double reach = facet_reach_[std::size_t(row.surface)];
       if (reach == 0) return;
       const Box box = box_of({row.nodes[0], row.nodes[1], row.nodes[2]}, reach);
       meeting(points, places, box.grown(half_way_), box, near, [](std::int32_t) { return true; });
@@ -258,8 +261,10 @@ class Search {
       out.pair.area = scene_.area(p);
     else if (cloth(owner))
       out.pair.area = shared * scene_.area(p);
-    else
+    else {
       out.pair.area = shared * std::min(scene_.area(p), surface(row.surface).mean_area);
+      out.pair.scale = scene_.interactions()[std::size_t(which)].guarded;
+    }
     if (!keep(out, law, rows)) return;
     if (by_.empty() && (neighbours || scene_.neighbours().is_sewn(p)))
       uncount_neighbours(rows.back(), row, law);
@@ -300,6 +305,7 @@ class Search {
     out.interaction = which;
     out.pair.kind = PairKind::edges;
     out.pair.offset = surface(a.surface).radius + surface(b.surface).radius;
+    if (a.surface != b.surface) out.pair.scale = scene_.interactions()[std::size_t(which)].guarded;
     if (a.surface == b.surface && same_sheet(which, a.a, b.a)) {
       if (far(out, law)) return;
       const double apart =
@@ -473,7 +479,8 @@ class Search {
   std::span<const Vec3> x_, by_;
   double skin_;
   std::vector<int> number_;
-  std::vector<double> reach_;                 // of each surface to others that have facets, m; 0: to none
+  // m: of each surface's edges to others, and of its facets to points; 0: it meets none that has facets.
+  std::vector<double> reach_, facet_reach_;
   std::vector<std::int32_t> points_, owner_;  // points of cloths and solids
   std::vector<std::int32_t> cloth_edges_;
   Box room_;

@@ -285,6 +285,67 @@ TEST_CASE(
   CHECK(scales() == 1);
 }
 
+TEST_CASE("contact: the stiffness of wanted points is a part of the whole", "[contact]") {
+  const Heap heap;
+  Contact contact(heap.scene);
+  Random random(7);
+  std::vector<Vec3> start = heap.x;
+  for (Vec3& p : start) p += random.vector(1e-4);
+  const std::vector<Vec3> turn = none(start.size());
+  std::vector<char> cloth(start.size(), 0);
+  std::fill_n(cloth.begin(), heap.scene.nodes(), char(1));
+  struct Of {
+    std::array<std::int32_t, 4> points;
+    Matrix12 k;
+  };
+  const auto all = [&](const Wanted& wanted) {
+    std::vector<Of> found;
+    const auto keep = [&](const auto& points, const Matrix12& k, const FrictionTangent*) {
+      found.push_back({points, k});
+    };
+    contact.stiffness(heap.x, keep, {start, turn}, wanted);
+    return found;
+  };
+  const std::vector<Of> whole = all({}), part = all({cloth, cloth}), rows = all({cloth, {}});
+  REQUIRE((whole.size() > 100 && part.size() == whole.size() && rows.size() == whole.size()));
+  bool same = true, left_out = false;
+  for (std::size_t n = 0; n < whole.size(); ++n)
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = 0; j < 4; ++j) {
+        const auto block = [&](const Of& of) { return Mat3(of.k.block<3, 3>(3 * int(i), 3 * int(j))); };
+        const auto is_cloth = [&](std::size_t k) {
+          const std::int32_t p = whole[n].points[k];
+          return p >= 0 && cloth[std::size_t(p)] != 0;
+        };
+        if (is_cloth(i)) same = same && block(rows[n]) == block(whole[n]);
+        if (is_cloth(i) && is_cloth(j)) same = same && block(part[n]) == block(whole[n]);
+        left_out = left_out || block(part[n]) != block(whole[n]);
+      }
+  CHECK(same);
+  CHECK(left_out);
+}
+
+TEST_CASE("contact: the lists limit a step as a search does", "[contact]") {
+  const Heap heap;
+  Contact listed(heap.scene);
+  const Contact unlisted(heap.scene);
+  auto force = none(heap.x.size());
+  listed.add_forces(heap.x, force);
+  Random random(11);
+  std::size_t limited = 0;
+  for (const double size : {1e-5, 1e-4, 3e-4, 1e-3, 1e-2}) {
+    std::vector<Vec3> x = heap.x, by(x.size());
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      if (i < heap.scene.nodes()) x[i] += random.vector(1e-5);
+      by[i] = random.vector(size);
+    }
+    const double share = listed.safe_fraction(x, by);
+    CHECK(share == unlisted.safe_fraction(x, by));
+    limited += share < 1 ? 1 : 0;
+  }
+  CHECK((limited > 0 && limited < 5));
+}
+
 TEST_CASE("contact: stiffness is the derivative of the forces, friction's unsymmetric part included",
           "[contact]") {
   const Heap heap;

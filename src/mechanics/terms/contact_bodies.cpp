@@ -243,7 +243,7 @@ void ContactTangent::couple(const contact::Way& way, std::vector<NodePair>& pair
         if (high < nodes) visit(low * nodes + high);
       }
   };
-  contact::Contact::Wanted wanted;  // all, where bodies are free
+  contact::Wanted wanted;  // all, where bodies are free
   if (bodies_.own_unknowns() == 0) {
     cloth_.assign(state_.x.size(), 0);
     std::fill_n(cloth_.begin(), nodes, 1);

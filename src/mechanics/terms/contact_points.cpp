@@ -15,6 +15,8 @@ constexpr double kOfSide =
     1.2 * (1 + 1e-9);  // of the root of an element's area: the largest radius with points
 // Half of the width that is pressed, as the distance of the points: along a rod there are many of them.
 constexpr double kOfPatch = 0.75, kOfRods = 1;
+// Of the law's lengths: from there on others than nodes press a solid where these carry the law.
+constexpr double kGuarded = 0.25;
 
 // m2, of the smallest element with points inside; 0 where there is none.
 double smallest_element(const contact::Scene& scene, const contact::Interaction& it) {
@@ -119,11 +121,16 @@ std::vector<std::string> ContactSurfaces::dependent() const {
 // that an eighth of the way from gap to floor presses several of them. That needs a law that is meant as one:
 // a given stiffness, with which cloth is pressed through a good part of the range. A stiffer one is a
 // constraint, and one that is assumed is chosen for the step; with these, only bodies that are small against
-// the elements have points, and larger ones keep nodes, edges and facets.
+// the elements have points, and larger ones keep nodes, edges and facets. Into a solid with such a law nodes
+// are pressed alone where they are no farther apart than they are pressed.
 void ContactSurfaces::spread_points() {
   for (std::size_t i = 0; i < meetings_.size(); ++i) {
-    const auto& it = scene_.interactions()[i];
+    auto& it = scene_.interaction(i);
     const auto& body = scene_.surfaces()[static_cast<std::size_t>(it.second)];
+    if (body.shape == contact::Shape::solid && meetings_[i].given && !meetings_[i].bodies &&
+        it.law.stiffest() <= softest_constraint(it.law) &&
+        it.law.gap() - it.law.floor() >= std::sqrt(scene_.surfaces()[it.first].mean_area))
+      it.guarded = kGuarded;
     if (it.rigid || (body.shape != contact::Shape::ball && body.shape != contact::Shape::rod)) continue;
     const double apart = wanted_apart(body, it.law);
     const bool any_radius = meetings_[i].given && it.law.stiffest() <= softest_constraint(it.law);
