@@ -3,7 +3,7 @@
 -- What is smaller than an element does not pass between its nodes.
 local fabric = require "fabric"
 local mm = fabric.units.mm
-local gap, stiffness, floor = 6.2 * mm, 2.5e6, 0.146e-3
+local gap, stiffness, floor = 6.2 * mm, 2.5e6, 0.0747333 * mm -- the floor is half of the thickness of the fibres alone
 
 local function cloth(cells, side, height, card)
   local mesh = fabric.mesh.rectangle { width = side, height = side, nx = cells, ny = cells, origin = { -side / 2, -side / 2, height } }
