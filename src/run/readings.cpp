@@ -299,7 +299,7 @@ EnergyAccount Readings::energy() const {
   sum.damping += scheme_loss();
   sum.relaxed = relaxed();
   sum.external = work_.total() + (started_ ? driven_work() : 0);
-  sum.initial = started_ ? initial_energy_ : sum.kinetic + sum.internal();
+  sum.initial = started_ ? initial_energy_ : sum.taken_over();
   const double scale = std::max({work_.largest(), sum.initial, energy_of_rest()});
   if (scale > 0) sum.error = imbalance(sum, scale) / scale;
   return sum;

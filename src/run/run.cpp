@@ -131,7 +131,7 @@ void Run::start() {
   }
   warned_idle_ = true;
   begin();
-  initial_energy_ = energy().kinetic + energy().internal();
+  initial_energy_ = energy().taken_over();
   begin_schedule();
   started_ = true;
   windows_.sample(*this);

@@ -54,7 +54,9 @@ struct EnergyAccount {  // J
   std::vector<EnergyPart> lost;
   double lost_in(std::string_view name) const;  // J, the sum of those with this name
   double internal() const { return stored + dissipated; }
-  double initial = 0;  // kinetic, stored and dissipated energy at the beginning
+  // At the beginning what is there, and what another run from which this one goes on has lost.
+  double taken_over() const { return kinetic + internal() + damping; }
+  double initial = 0;  // that
   // kinetic + stored + dissipated + damping + relaxed - external - initial; zero if no energy is created.
   double surplus() const { return kinetic + stored + dissipated + damping + relaxed - external - initial; }
   // |surplus| / largest |external| so far (a free flight: / initial). In statics of the part that is more
