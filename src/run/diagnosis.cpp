@@ -150,8 +150,9 @@ ResidualSite find_residual_site(mechanics::Assembly& assembly, const mesh::Mesh&
   ResidualSite site;
   std::vector<mesh::Index> about;
   const auto x = std::as_const(assembly).state().x();
-  const bool no_forces =
-      last.status == solver::NewtonStatus::law_failed || last.status == solver::NewtonStatus::broken;
+  const bool no_forces = last.status == solver::NewtonStatus::law_failed ||
+                         last.status == solver::NewtonStatus::broken ||
+                         last.status == solver::NewtonStatus::blocked;
   if (no_forces) site.reason = assembly.outcome().why;
   if (no_forces && assembly.outcome().element >= 0) {
     about = {assembly.outcome().element};
@@ -218,6 +219,8 @@ void Diagnosis::complete(const model::Model& model, const mechanics::Assembly& a
   if (site.sheared >= 0 && !std::holds_alternative<card::Woven>(model.card_of(site.sheared).law))
     site.shear_angle = 0;  // it has no yarns
   if (const auto* contact = assembly.terms().find<mechanics::Contacts>()) {
+    if (contact->readings().touching() > 0)
+      nearest = contact->surfaces().words(contact->readings().nearest().point);
     const auto rubs = contact->readings().held_friction();
     constexpr double most = 0.8;  // of all friction
     if (rubs.sliding > 0 && rubs.of_sliding >= most * rubs.force) {

@@ -129,6 +129,7 @@ struct Diagnosis {
   Jumps jump = {};       // those loads and motions; none: of a term that a program has added
   double sliding = 0;    // N, friction of the pairs that slide, if these have most of it; 0: they have not
   std::string slides;    // the pair of them with the largest force, in words
+  std::string nearest;   // the two surfaces that are nearest to each other, in words; empty: none are
   double aspect = 0;     // of the element with the residual: its longest side over its shortest
   bool bends = false;    // cloth with bending of its own, which relaxation takes along the overdamped path
   std::string loose;     // the rigid bodies that nothing holds, in words

@@ -154,6 +154,11 @@ void advise_on_iterations(const Diagnosis& f, std::vector<std::string>& all) {
     all.push_back((f.stabilised || f.dynamic ? "a smaller step" : next_way(f)) + " (" +
                   std::to_string(f.site.switching) + " of " + std::to_string(f.site.elements) +
                   " elements switch branches, the residual swings)");
+  if (last.status == solver::NewtonStatus::blocked)
+    all.push_back(
+        "a stiffer contact where they press, stiffness= of m:contact, or more room for it, thickness=; "
+        "slower "
+        "motion; or a larger gap for cloth between tools");
   if (last.status == solver::NewtonStatus::law_failed && f.site.reason.empty())
     all.push_back("a smaller step, and a check of the units of loads and motions (a strain is not finite)");
 }
@@ -204,6 +209,8 @@ std::string cause_of(const Diagnosis& f) {
   if (slides_in_statics(f))
     return "friction is at its limit and cloth slides: pairs with " + number(f.sliding) +
            " N of it slide, most of all " + f.slides + "; " + solver::describe(f.last.status);
+  if (f.last.status == solver::NewtonStatus::blocked && f.site.reason.empty() && !f.nearest.empty())
+    return solver::describe(f.last.status) + (": the nearest are " + f.nearest);
   return f.site.reason.empty() ? solver::describe(f.last.status) : f.site.reason;
 }
 

@@ -36,6 +36,8 @@ const char* describe(NewtonStatus status) {
       return "the equilibrium found is not stable, and no lower one was found beside it";
     case NewtonStatus::inverted:
       return "an element turned inside out, or a director turned over, on the way";
+    case NewtonStatus::blocked:
+      return "nothing can move on without surfaces passing through each other";
     case NewtonStatus::broken:
       return "the forces cannot be computed, whatever the step";
     default:
@@ -64,7 +66,9 @@ bool Newton::direction(Problem& problem) {
 }
 
 // On return r_ is the residual at the trial configuration.
-Answer Newton::search(Problem& problem, bool search) {
+std::optional<NewtonStatus> Newton::search(Problem& problem, bool search) {
+  const double largest = problem.limit(delta_);
+  if (!(largest > 0)) return NewtonStatus::blocked;
   const auto try_fraction = [&](double a) -> TriedFraction {
     problem.apply_increment(delta_, a);
     const Answer answer = checked(problem.residual(trial_r_), trial_r_);
@@ -72,7 +76,8 @@ Answer Newton::search(Problem& problem, bool search) {
     r_.swap(trial_r_);
     return {answer, dot(delta_, r_)};
   };
-  return line_search(dot(delta_, r_), {search, true, problem.limit(delta_)}, try_fraction).answer;
+  const Answer answer = line_search(dot(delta_, r_), {search, true, largest}, try_fraction).answer;
+  return answer == Answer::ok ? std::nullopt : std::optional(status_of(answer));
 }
 
 namespace {
@@ -167,7 +172,8 @@ NewtonResult Newton::follow_branches(Problem& problem, const NewtonOptions& opti
     ++result.iterations;
     result.negative_pivots = linear_->report().negative_pivots;
     if (i == 0) furthest = std::clamp(problem.turn_of(delta_), kFurthest, kFurthestFirst);
-    const double fraction = bring_within(furthest, problem, result) ? problem.limit(delta_) : 0;
+    if (!bring_within(furthest, problem, result)) return failed();
+    const double fraction = problem.limit(delta_);
     if (!(fraction > 0)) return failed();
     problem.apply_increment(delta_, fraction);
     if (checked(problem.residual(trial_r_), trial_r_) != Answer::ok) return failed();
@@ -203,8 +209,8 @@ NewtonResult Newton::iterate(Problem& problem, const NewtonOptions& options, boo
     if (!direction(problem)) return stop(NewtonStatus::singular);
     ++result.iterations;
     result.negative_pivots = linear_->report().negative_pivots;
-    const Answer found = search(problem, options.line_search && !(predicted && i == 0));
-    if (found != Answer::ok) return stop(status_of(found));
+    if (const auto failed = search(problem, options.line_search && !(predicted && i == 0)))
+      return stop(*failed);
     problem.accept();
     if (const auto judged = judge(problem, r_, options.tolerance, result)) return stop(*judged);
     if (const Answer answer = problem.tangent(K_); answer != Answer::ok) return stop(status_of(answer));

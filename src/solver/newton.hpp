@@ -90,6 +90,7 @@ enum class NewtonStatus {
   turned_back,
   unstable,
   inverted,
+  blocked,  // the problem permits no part of a direction
   broken
 };
 const char* describe(NewtonStatus status);
@@ -125,7 +126,8 @@ class Newton {
   std::optional<NewtonStatus> judge(Problem& problem, std::span<const double> r, double tolerance,
                                     NewtonResult& result) const;
   bool direction(Problem& problem);  // delta_ = K^-1 r_, and what the problem adds
-  Answer search(Problem& problem, bool line_search);
+  // Empty: done.
+  std::optional<NewtonStatus> search(Problem& problem, bool line_search);
   void resize(Index size);
   std::unique_ptr<LinearSolver> linear_;
   Matrix K_;

@@ -213,7 +213,7 @@ TEST_CASE("a limit of nothing is a step that cannot be done, not one that goes n
   problem.safe = [](double, double) { return 0.0; };
   problem.set_time(1);
   CHECK(Newton(fabricsh::linear::make_unsymmetric_solver()).solve(problem, {}).status ==
-        NewtonStatus::law_failed);
+        NewtonStatus::blocked);
   CHECK(problem.shares.empty());
   ArcLength arc(fabricsh::linear::make_unsymmetric_solver());
   CHECK(arc.solve(problem, {}, {.time = 1, .landing = 2, .length = 1, .largest_step = 1}).status ==
