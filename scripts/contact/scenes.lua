@@ -1,5 +1,5 @@
 -- Implicit motion in steps of 1, 5 and 10 ms: scenes drawn at random. Cloth of the shipped cards or elastic, quadrilaterals, triangles or a distorted
--- mesh, one or two layers, a folded strip or a tube, falls on, is pressed by, is drawn over or hit by balls, rods, boxes, limbs and walls that stand,
+-- mesh, one or two layers, a folded strip or a tube, falls on, is pressed by, is drawn over or hit by balls, rods, boxes, trunks and walls that stand,
 -- are driven or fly. Each scene runs in a process of its own, so that one that ends without a word is told, too.
 --
 --   fabricsh scripts/contact/scenes.lua                  six short ones
@@ -300,7 +300,9 @@ function scenes.throw(s, c)
     local kind = boxes and i == 1 and "box" or "ball"
     local d = shape(kind, c.cell * between(0.7, 2.5), c.wide / 2)
     z = z + max(d.half, d.aside)
-    s.add(d.make({ between(-0.4, 0.4) * c.wide, between(-0.4, 0.4) * c.deep, z }, kind .. " " .. i, 10 ^ between(-3.3, -1.5)))
+    -- Away from what is held: nodes that give no way would have to stop the body by contact alone.
+    local off = held == "none" and 1 or 0.3
+    s.add(d.make({ off * between(-0.4, 0.4) * c.wide, off * between(-0.4, 0.4) * c.deep, z }, kind .. " " .. i, 10 ^ between(-3.3, -1.5)))
     z = z + max(d.half, d.aside) + 1 * mm
     local turning = chance(0.5) and between(-720, 720) or 0
     s.fly[#s.fly + 1] = { d, { x = between(-0.5, 0.5), y = between(-0.5, 0.5), z = -between(0.2, 3), spin = { turning, 0, turning } } }

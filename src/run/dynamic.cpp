@@ -491,7 +491,7 @@ void Dynamic::check() {
   const double scale = ledger_scale(e);
   const bool swings = options_.hht.value_or(0) != 0 || options_.beta || options_.spectral_radius ||
                       now_.damping == Damping::hht;
-  watch_accounts(e, scale, swings ? options_.ledger_limit : 0);
+  watch_accounts(e, scale, swings ? options_.ledger_limit : 0, is_implicit ? options_.ledger_limit : 0);
   const double made = imbalance(e, scale) + e.created;
   const mechanics::Contacts* contact = assembly_->terms().find<mechanics::Contacts>();
   if (now_.touched < 0 && contact != nullptr && contact->bodies().any_driven() &&
@@ -500,6 +500,9 @@ void Dynamic::check() {
   // A run of a few explicit steps is over before it is of age: what it ends with counts all the same.
   const bool is_short = !is_implicit && end && !is_driven();
   const bool is_lenient = is_implicit && is_driven() && (is_young() || has_few_steps());
+  if (is_lenient) now_.early = std::max(0.0, made);
+  // What was made in steps in which that was allowed is judged at the end, when more work has been done.
+  const double later = is_lenient || end ? made : made - now_.early;
   const double unsaid = !is_young()   ? (is_lenient ? kShortWarning : kWarning)
                         : is_implicit ? kYoungLimit * options_.ledger_limit
                         : is_short    ? kShortWarning
@@ -511,7 +514,7 @@ void Dynamic::check() {
   const std::string share = share_text(made, e, scale);
   // Alpha's loss is the work of its forces: what it does not know, is missing from the ledger.
   const bool may_damp = std::isfinite(made) && (e.surplus() > 0 || now_.damping == Damping::hht);
-  const std::string damping = may_damp ? begin_to_damp(made / scale) : "";
+  const std::string damping = may_damp && later > kWarning * scale ? begin_to_damp(later / scale) : "";
   if (!now_.reported_error || !damping.empty()) {
     now_.reported_error = true;
     now_.began = suspect();
@@ -522,7 +525,7 @@ void Dynamic::check() {
          now_.began);
   }
   const double limit = (is_lenient ? kYoungLimit : 1) * options_.ledger_limit;
-  const bool over = !(made <= limit * scale), twice = now_.was_over;
+  const bool over = !(later <= limit * scale), twice = now_.was_over;
   now_.was_over = over;
   if (std::isfinite(made) && !(over && (twice || end))) return;
   const std::string accounts = "\nenergies   kinetic " + number(e.kinetic) + ", stored " + number(e.stored) +

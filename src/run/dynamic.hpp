@@ -19,8 +19,8 @@ enum class Scheme { explicit_steps, implicit_steps };
 inline constexpr double kDampingAlpha = -0.2;
 
 // How an implicit run whose deck chose no scheme has begun to damp, because it made energy: by kDampingAlpha,
-// or with gamma = 1.
-enum class Damping { none, hht, strong };
+// with gamma = 1, or by Euler's backward rule.
+enum class Damping { none, hht, strong, backward };
 
 // The run ends when all seams that are drawn have closed, and the kinetic energy has been at most `calm` of
 // the energy stored for as long as the window.
@@ -144,6 +144,7 @@ class Dynamic : public Run {
     mesh::Index began = -1;          // element in which energy was created at the first warning
     std::int64_t touched = -1;       // committed steps when a moved body first touched; -1: not yet
     double forgiven = 0;     // the ledger's error over its scale when steps were shortened for a turning
+    double early = 0;        // J, the ledger's error while ten times the limit was allowed
     int short_steps = 0;     // steps that contact has made much shorter
     int flat_looks = 0;      // how often it was asked whether a flat sheet is stable
     double calm_since = -1;  // s; -1: it is not calm
@@ -156,7 +157,7 @@ class Dynamic : public Run {
     void keep(Archive& archive) {
       archive(step, loss, driven_kinetic_at_0, next_check, steps, looked, reported_error, reported_split,
               reported_jump, reported_scaled, was_over, damping, settling, settles, surplus, base, kinetic,
-              scaled, began, touched, forgiven, short_steps, flat_looks, calm_since, rested);
+              scaled, began, touched, forgiven, early, short_steps, flat_looks, calm_since, rested);
     }
   } now_;
 

@@ -27,7 +27,10 @@ constexpr int kSettlingHalvings = 12;
 // Where a stiff strip turns within a step, forces that alpha averages over it still make energy; those at the
 // step's end do not. Leaves a third of the amplitude of what no step resolves after a step.
 constexpr double kStrongGamma = 1;
-constexpr double kTooMuch = 0.2;  // share of the ledger's limit from which on hht is not enough
+constexpr double kTooMuch = 0.2;  // share of the ledger's limit from which on hht, or that, is not enough
+// Contact acts at the step's end, the tension of cloth over a curve as a mean. On cloth that slides by the
+// angle a in a step their sum pushes it on, (1 - theta) a times its tension. All forces at the end do not.
+constexpr double kBackward = 1;
 // A step whose error is more than this share of the ledger's limit is repeated at half its size, so many
 // times.
 constexpr double kErrorOfStep = 0.1;
@@ -298,15 +301,17 @@ const mechanics::NodalRates& Implicit::rates() const { return newmark_.velocitie
 // Average acceleration keeps the energy of linear systems alone: the kinks of a fabric's law feed frequencies
 // that no step resolves, until they carry more than the motion [hughes1978].
 std::string Implicit::begin_to_damp(double error) {
-  if (!chooses_scheme() || now_.damping == Damping::strong) return {};
-  if (now_.damping == Damping::hht) {
+  if (!chooses_scheme() || now_.damping == Damping::backward) return {};
+  if (now_.damping != Damping::none) {
     if (error - now_.forgiven <= kTooMuch * options_.ledger_limit) return {};
-    if (std::string text = shorten_for_turning(); !text.empty()) {
-      now_.forgiven = error;
-      return text;
-    }
+    const bool is_hht = now_.damping == Damping::hht;
+    std::string text = is_hht ? shorten_for_turning() : "";
+    now_.forgiven = error;
+    if (!text.empty()) return text;
   }
-  damp(now_.damping == Damping::none ? Damping::hht : Damping::strong);
+  damp(now_.damping == Damping::none  ? Damping::hht
+       : now_.damping == Damping::hht ? Damping::strong
+                                      : Damping::backward);
   return damping_text();
 }
 
@@ -366,7 +371,10 @@ void Implicit::watch_turning() {
 }
 
 void Implicit::damp(Damping damping) {
-  now_.base = damping == Damping::strong ? energy().surplus() : now_.loss;
+  const EnergyAccount now = energy();
+  now_.base = damping == Damping::hht ? now_.loss : now.surplus();
+  if (damping != Damping::hht)
+    now_.forgiven = std::max(now_.forgiven, (now.surplus() - now_.early) / ledger_scale(now));
   now_.damping = damping;
   take_scheme();
   // With average acceleration those of frequencies that no step resolves grow from step to step.
@@ -374,9 +382,10 @@ void Implicit::damp(Damping damping) {
 }
 
 std::string Implicit::damping_text() const {
-  const bool strong = now_.damping == Damping::strong;
   return "from here on high frequencies are damped (" +
-         (strong ? "gamma=" + number(kStrongGamma) : "hht=" + number(kDampingAlpha)) +
+         (now_.damping == Damping::hht      ? "hht=" + number(kDampingAlpha)
+          : now_.damping == Damping::strong ? "gamma=" + number(kStrongGamma)
+                                            : "as with slow=true") +
          ", the loss is in energy.damping); ";
 }
 
@@ -394,7 +403,7 @@ bool Implicit::takes_back() {
   if (repeatable_.settling) return shortens(std::max(0.0, made), energy_made, kSettlingHalvings);
   if (which == Try::first) {
     if (repeatable_.halved == 0) repeatable_.young = is_young();
-    const bool may_damp = chooses_scheme() && now_.damping != Damping::strong && repeatable_.halved == 0;
+    const bool may_damp = chooses_scheme() && now_.damping < Damping::strong && repeatable_.halved == 0;
     if (!(made > options_.ledger_limit && may_damp)) return shortens(made, energy_made, kMostHalvings);
     return_to_start(Try::first);
     if (const std::string text = shorten_for_turning(); !text.empty()) {
@@ -471,10 +480,11 @@ void Implicit::halve(double end, int halved) {
 }
 
 void Implicit::take_scheme() {
-  newmark_.set_scheme(now_.settling > 0                 ? NewmarkScheme::trapezoidal(kSettling)
-                      : now_.damping == Damping::strong ? damping_by(kStrongGamma)
-                      : now_.damping == Damping::hht    ? NewmarkScheme::of_hht(kDampingAlpha)
-                                                        : scheme_of(options_));
+  newmark_.set_scheme(now_.settling > 0                   ? NewmarkScheme::trapezoidal(kSettling)
+                      : now_.damping == Damping::backward ? NewmarkScheme::trapezoidal(kBackward)
+                      : now_.damping == Damping::strong   ? damping_by(kStrongGamma)
+                      : now_.damping == Damping::hht      ? NewmarkScheme::of_hht(kDampingAlpha)
+                                                          : scheme_of(options_));
   weigh_step_ends();
 }
 
