@@ -598,7 +598,7 @@ double Contact::share_of(const OnWay& way, const std::vector<Candidate>& pairs,
       continue;
     if (!way.among.empty() && std::any_of(c.point.begin(), c.point.end(), other)) continue;
     const Corners start = corners_of(c, way.x);
-    if (!margin.empty() && gap_of(c, start) - floor > room_on_way(c, way.by, way.most)) continue;
+    if (!margin.empty() && gap_of(c, start) >= reach_on_way(c, law(c), way.by, way.most)) continue;
     const Corners step = corners_of(c, way.by);
     Corners end;
     for (std::size_t k = 0; k < 4; ++k) end[k] = start[k] + step[k];

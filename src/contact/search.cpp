@@ -223,8 +223,7 @@ class Search {
   }
   // m: how near a pair is to be listed.
   double reach_of(const Candidate& row, const ContactLaw& law) const {
-    return by_.empty() ? law.gap() * row.pair.scale + skin_
-                       : law.floor() * row.pair.scale + room_on_way(row, by_, skin_);
+    return by_.empty() ? law.gap() * row.pair.scale + skin_ : reach_on_way(row, law, by_, skin_);
   }
   bool keep(Candidate& row, const ContactLaw& law, Rows& rows) const {
     const double gap = gap_of(row, corners_of(row, x_));
@@ -505,14 +504,16 @@ Corners corners_of(const Candidate& candidate, std::span<const Vec3> x) {
   return out;
 }
 
-double room_on_way(const Candidate& candidate, std::span<const Vec3> by, double most) {
-  if (candidate.pair.kind == PairKind::plane) return room_of_way * most;
+double reach_on_way(const Candidate& candidate, const ContactLaw& law, std::span<const Vec3> by,
+                    double most) {
   const auto& point = candidate.point;
   double square = 0;
-  for (std::size_t i = 1; i < 4; ++i)
+  for (std::size_t i = 1; i < 4 && candidate.pair.kind != PairKind::plane; ++i)
     for (std::size_t j = 0; j < i && point[i] >= 0; ++j)
       square = std::max(square, (by[std::size_t(point[i])] - by[std::size_t(point[j])]).squaredNorm());
-  return room_of_way * std::min(most, std::sqrt(square));
+  const double nearer = candidate.pair.kind == PairKind::plane ? most : std::min(most, std::sqrt(square));
+  return std::min(law.gap() * candidate.pair.scale + nearer,
+                  law.floor() * candidate.pair.scale + room_of_way * nearer);
 }
 
 double gap_of(const Candidate& candidate, const Corners& x) {

@@ -27,9 +27,10 @@ std::vector<Candidate> find_pairs(const Scene& scene, std::span<const Vec3> x, d
 // A way ends where a pair has less than a tenth of its distance to the floor left (safe_fraction). So none
 // stops a way that is shorter than that distance by more than this factor, rounding included.
 constexpr double room_of_way = 1 / 0.89;
-// m, above the floor: the distance of a pair that does not stop the way `by` (m), on which near surfaces come
-// nearer to each other by `most` (m). What is between its corners moves by means of these.
-double room_on_way(const Candidate& candidate, std::span<const Vec3> by, double most);
+// m: from that distance on a pair is not looked at for the way `by` (m), on which near surfaces come nearer
+// to each other by `most` (m): it does not stop it, or does not come within reach of the law. What is between
+// its corners moves by means of these.
+double reach_on_way(const Candidate& candidate, const ContactLaw& law, std::span<const Vec3> by, double most);
 
 // Distance of a pair less its radii, m.
 double gap_of(const Candidate& candidate, const Corners& x);
