@@ -491,7 +491,7 @@ void Dynamic::check() {
   const double scale = ledger_scale(e);
   const bool swings = options_.hht.value_or(0) != 0 || options_.beta || options_.spectral_radius ||
                       now_.damping == Damping::hht;
-  watch_accounts(e, scale, swings ? options_.ledger_limit : 0, is_implicit ? options_.ledger_limit : 0);
+  watch_accounts(e, scale, swings ? options_.ledger_limit : 0);
   const double made = imbalance(e, scale) + e.created;
   const mechanics::Contacts* contact = assembly_->terms().find<mechanics::Contacts>();
   if (now_.touched < 0 && contact != nullptr && contact->bodies().any_driven() &&

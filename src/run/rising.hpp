@@ -18,10 +18,9 @@ class RisingAccounts {
     double since = 0;       // s, when it was that
   };
   // The account that has fallen farthest below the most that it was in earlier calls, if that is by more than
-  // `tolerance` (J), or, for what the time scheme takes, `of_scheme`, and for the dampers of drawn seams,
-  // whose forces the steps average, `of_threads`.
+  // `tolerance` (J), or, for what the time scheme takes, `of_scheme`.
   std::optional<RisingAccounts::Fall> look(const EnergyAccount& account, double time, double tolerance,
-                                           double of_scheme, double of_threads) {
+                                           double of_scheme) {
     std::vector<EnergyPart> parts = {{"damping", account.damping}};
     for (const EnergyPart& part : account.lost) {
       const auto same =
@@ -35,9 +34,7 @@ class RisingAccounts {
       if (known == highest_.end()) known = highest_.insert(known, {part.name, part.value, time});
       // Explicit steps may go back to an earlier time.
       if (part.value >= known->value || known->time > time) *known = {part.name, part.value, time};
-      const double by = known->value - part.value, most = part.name == "damping"  ? of_scheme
-                                                          : part.name == "sewing" ? of_threads
-                                                                                  : tolerance;
+      const double by = known->value - part.value, most = part.name == "damping" ? of_scheme : tolerance;
       if (!(by <= most) && !(worst && by <= worst->by)) worst = Fall{part.name, by, part.value, known->time};
     }
     return worst;

@@ -350,15 +350,14 @@ bool yarns_are_dissipative(const model::Model& model) {
 }
 }  // namespace
 
-void Run::watch_accounts(const EnergyAccount& energies, double scale, double of_scheme, double of_threads) {
+void Run::watch_accounts(const EnergyAccount& energies, double scale, double of_scheme) {
   constexpr double rounding = 5e-4;  // of the trapezoidal rule, too, by which explicit friction is summed
   EnergyAccount rising = energies;
   if (!yarns_are_dissipative(*model_))
     std::erase_if(rising.lost, [](const EnergyPart& part) {
       return part.name == "warp" || part.name == "weft" || part.name == "shear";
     });
-  const auto fall = accounts_.look(rising, time(), rounding * scale, std::max(rounding, of_scheme) * scale,
-                                   std::max(rounding, of_threads) * scale);
+  const auto fall = accounts_.look(rising, time(), rounding * scale, std::max(rounding, of_scheme) * scale);
   if (!fall) return;
   const std::string text =
       "stopped at time " + number(time()) + " s: the energy '" + fall->name + "', which can only rise, is " +

@@ -147,8 +147,7 @@ class Run : public Readings, public Schedule {
   [[noreturn]] virtual void give_up(const StepReport& report) = 0;
   // Ends the run if an account of energy that can only rise has fallen by more than rounding. scale: J, the
   // largest energies of the run; of_scheme: the share of it by which the loss to the time scheme may swing.
-  void watch_accounts(const EnergyAccount& energies, double scale, double of_scheme = 0,
-                      double of_threads = 0);
+  void watch_accounts(const EnergyAccount& energies, double scale, double of_scheme = 0);
   // Reports once, at the end of a run, that the guard of the directors stores more than 1 % of the energy.
   void watch_guard(const EnergyAccount& energies);
   // Likewise that contact does, whose stiffness was assumed.

@@ -179,7 +179,11 @@ void Seams::pull(const law::Step& step, const Trial& trial, std::size_t i) {
     }
     const Vec3 stretch = (t.gap - t.gap_before) - (t.target - t.target_before);
     t.damping = moves ? Vec3(t.c / step.dt * stretch) : Vec3(Vec3::Zero());
-    t.lost = t.lost_before + (t.damping + t.damping_before).dot(stretch) / 2;
+    double lost = (t.damping + t.damping_before).dot(stretch) / 2;
+    // Where the stretch swings from one implicit step to the next, the mean of the forces would give energy
+    // back: that is an error of the ledger.
+    if (moves && trial.motion->damping_weight() > 0) lost = std::max(lost, 0.0);
+    t.lost = t.lost_before + lost;
   }
   if (t.is_led()) deflect(i, trial.configuration.x());
   t.widest = t.widest_before;
