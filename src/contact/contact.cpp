@@ -472,24 +472,23 @@ void Contact::stiffness(std::span<const Vec3> x, const VisitStiffness& visit, co
   constexpr std::size_t at_a_time = 256;
   prepare(x);
   const std::vector<std::uint32_t> slots = touching(x);
-  const bool all = wanted.on.empty() && wanted.by.empty(), rubs = !way.start.empty();
+  const bool rubs = !way.start.empty();
   std::vector<Matrix12> k(std::min(at_a_time, slots.size()));
-  std::vector<FrictionTangent> friction(all && rubs ? k.size() : 0);
+  std::vector<FrictionTangent> friction(rubs ? k.size() : 0);
   const auto compute = [&](std::size_t slot, std::size_t place) {
     const Candidate& c = inner_[slot];
     const Interaction& it = scene_->interactions()[std::size_t(c.interaction)];
     const Corners corners = corners_of(c, x);
     const Blocks of = wanted_of(c, wanted);
     k[place].setZero();
-    if (all && rubs) friction[place] = {};
+    if (rubs) friction[place] = {};
     if (c.pair.kind == PairKind::edges && !segments_crossing(corners)) return;
     k[place] = pair_derivatives(it.law, c.pair, corners, of).hessian;
     if (!rubs || !it.rubs()) return;
     Slip slip;
     find_slip(slot, x, way, slip);
-    const FrictionTangent found = friction_tangent(it.law, c.pair, corners, slip, of);
-    k[place] -= found.jacobian;
-    if (all) friction[place] = found;
+    friction[place] = friction_tangent(it.law, c.pair, corners, slip, of);
+    k[place] -= friction[place].jacobian;
   };
   for (std::size_t from = 0; from < slots.size(); from += at_a_time) {
     const std::size_t n = std::min(at_a_time, slots.size() - from);
@@ -509,28 +508,35 @@ void Contact::visit_in_nodes(const Candidate& c, const Matrix12& k, const Fricti
                              const VisitStiffness& visit) {
   if (!c.spot.any()) return visit(c.point, k, friction);
   const auto block = [&k](int a, int b) { return k.block<3, 3>(3 * a, 3 * b); };
-  for (int q = 1; q < 4 && c.point[std::size_t(q)] >= 0; ++q) {
+  // By the nodes, and the corner q in the last place.
+  const auto in_nodes = [&c](const Matrix12& of, int q) {
     Matrix12 on = Matrix12::Zero();
+    on.block<3, 3>(9, 9) = of.block<3, 3>(3 * q, 3 * q);
+    for (int i = 0; i < 3; ++i) {
+      const double w = c.spot.weight(std::size_t(i));
+      on.block<3, 3>(3 * i, 9) = w * of.block<3, 3>(0, 3 * q);
+      on.block<3, 3>(9, 3 * i) = w * of.block<3, 3>(3 * q, 0);
+      for (int j = 0; j < 3 && q == 1; ++j)
+        on.block<3, 3>(3 * i, 3 * j) = w * c.spot.weight(std::size_t(j)) * of.block<3, 3>(0, 0);
+    }
+    return on;
+  };
+  for (int q = 1; q < 4 && c.point[std::size_t(q)] >= 0; ++q) {
     FrictionTangent part;
     if (friction != nullptr) {
+      part.apart = in_nodes(friction->apart, q);
       part.by_turn.bottomRows<3>() = friction->by_turn.middleRows<3>(3 * q);
       part.torque_by_x.rightCols<3>() = friction->torque_by_x.middleCols<3>(3 * q);
       if (q == 1) part.torque_by_turn = friction->torque_by_turn;
     }
-    on.block<3, 3>(9, 9) = block(q, q);
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < 3 && q == 1 && friction != nullptr; ++i) {
       const double w = c.spot.weight(std::size_t(i));
-      on.block<3, 3>(3 * i, 9) = w * block(0, q);
-      on.block<3, 3>(9, 3 * i) = w * block(q, 0);
-      if (q != 1) continue;
-      for (int j = 0; j < 3; ++j)
-        on.block<3, 3>(3 * i, 3 * j) = w * c.spot.weight(std::size_t(j)) * block(0, 0);
-      if (friction == nullptr) continue;
       part.by_turn.middleRows<3>(3 * i) = w * friction->by_turn.topRows<3>();
       part.torque_by_x.middleCols<3>(3 * i) = w * friction->torque_by_x.leftCols<3>();
     }
     const auto& node = c.spot.node;
-    visit({node[0], node[1], node[2], c.point[std::size_t(q)]}, on, friction == nullptr ? nullptr : &part);
+    visit({node[0], node[1], node[2], c.point[std::size_t(q)]}, in_nodes(k, q),
+          friction == nullptr ? nullptr : &part);
   }
   if (c.point[2] < 0) return;
   Matrix12 between = Matrix12::Zero();

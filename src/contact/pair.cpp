@@ -426,9 +426,11 @@ FrictionTangent friction_tangent(const ContactLaw& law, const Pair& pair, const 
     if (rubs && sticks && modulated) grows = share * slip.stiffness * m->gradient;
     const Vec3 direction = sticks ? s.trial : Vec3(s.trial / length);
     Mat3 turn = force * Mat3::Identity();
+    Vec3 by_trial = Vec3::Zero();  // the derivative of its size by the trial slip
+    if (rubs && !sticks) by_trial = at.count * pressure * s.mu_by_trial;
     if (!sticks)
       turn = force / length * (Mat3::Identity() - direction * direction.transpose()) +
-             (rubs ? at.count * pressure : 0) * direction * s.mu_by_trial.transpose();
+             direction * by_trial.transpose();
     const Vec3 pull = force * direction + s.drag * s.slid;
     Vector12 thickens = s.drag_slope * distance_gradient(touch);  // the derivative of the film's drag
     if (modulated) thickens += s.drag / at.count * share * m->gradient;
@@ -447,6 +449,7 @@ FrictionTangent friction_tangent(const ContactLaw& law, const Pair& pair, const 
                  s.slid * thickens.segment<3>(3 * int(j)).transpose();
       if (turns)
         out.torque_by_x.block<3, 3>(0, 3 * int(j)) += levers * dpull - cross_matrix(pull) * by[j].lever;
+      const Vec3 larger = grows.segment<3>(3 * int(j)) + by[j].sliding.transpose() * by_trial;
       each_corner(of.rows & touch.corners(), [&](std::size_t i) {
         Mat3 block = touch.weight[i] * dpull;
         for (std::size_t k = 0; k < std::size_t(touch.freedoms()); ++k) {
@@ -454,9 +457,12 @@ FrictionTangent friction_tangent(const ContactLaw& law, const Pair& pair, const 
           if (i == std::size_t(touch.minus[k])) block -= pull * by[j].slide[k].transpose();
         }
         out.jacobian.block<3, 3>(3 * int(i), 3 * int(j)) -= block;
+        out.apart.block<3, 3>(3 * int(i), 3 * int(j)) -= touch.weight[i] * direction * larger.transpose();
       });
     });
   });
+  const Matrix12 rest = out.jacobian - out.apart;
+  out.apart += (rest - rest.transpose()) / 2;
   return out;
 }
 

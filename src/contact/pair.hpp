@@ -153,6 +153,9 @@ Derivatives pair_derivatives(const ContactLaw& law, const Pair& pair, const Corn
 // corners (N/m, not symmetric) and by the turn of the rigid side, and of the torque likewise.
 struct FrictionTangent {
   Matrix12 jacobian = Matrix12::Zero();
+  // The part of it that is not symmetric: how friction follows the normal force, and half of what else
+  // differs from its transpose. The rest is as if the normal force stayed.
+  Matrix12 apart = Matrix12::Zero();
   Eigen::Matrix<double, 12, 3> by_turn = Eigen::Matrix<double, 12, 3>::Zero();
   Eigen::Matrix<double, 3, 12> torque_by_x = Eigen::Matrix<double, 3, 12>::Zero();
   Mat3 torque_by_turn = Mat3::Zero();

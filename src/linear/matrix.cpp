@@ -68,11 +68,13 @@ Index Pattern::slot(Index r, Index c) const {
 
 void Matrix::clear() {
   std::fill(value.begin(), value.end(), 0.0);
+  apart.clear();
   ranks = {};
 }
 
 void Matrix::scale(double factor) {
   for (double& v : value) v *= factor;
+  for (double& v : apart) v *= factor;
   if (!ranks.empty()) ranks.core *= factor;
 }
 
@@ -80,17 +82,21 @@ void Matrix::follow(const std::shared_ptr<const Pattern>& p) {
   if (p->version == pattern->version) return;
   pattern = p;
   value.assign(static_cast<std::size_t>(pattern->entries()), 0.0);
+  apart.clear();
 }
 
 void Matrix::change_pattern(const std::shared_ptr<const Pattern>& p) {
   if (p->version == pattern->version) return;
-  std::vector<double> moved(static_cast<std::size_t>(p->entries()), 0.0);
-  for (Index c = 0; c < size(); ++c)
-    for (Index k = pattern->column[c]; k < pattern->column[c + 1]; ++k)
-      if (const double v = value[static_cast<std::size_t>(k)]; v != 0)
-        moved[static_cast<std::size_t>(p->slot(pattern->row[k], c))] = v;
+  for (auto* const entries : {&value, &apart}) {
+    if (entries->empty()) continue;
+    std::vector<double> moved(static_cast<std::size_t>(p->entries()), 0.0);
+    for (Index c = 0; c < size(); ++c)
+      for (Index k = pattern->column[c]; k < pattern->column[c + 1]; ++k)
+        if (const double v = (*entries)[static_cast<std::size_t>(k)]; v != 0)
+          moved[static_cast<std::size_t>(p->slot(pattern->row[k], c))] = v;
+    *entries = std::move(moved);
+  }
   pattern = p;
-  value = std::move(moved);
 }
 
 namespace {
@@ -150,7 +156,7 @@ void absolute_sums(const Matrix& A, std::vector<double>& sums) {
     for (Index k = pattern.column[c]; k < pattern.column[c + 1]; ++k) {
       const Index r = pattern.row[k];
       if (pattern.upper && r > c) break;
-      const double a = std::abs(A.value[static_cast<std::size_t>(k)]);
+      const double a = std::abs(A.entry(k));
       sums[static_cast<std::size_t>(c)] += a;
       if (pattern.upper && r < c) sums[static_cast<std::size_t>(r)] += a;
     }
@@ -171,7 +177,7 @@ void multiply(const Matrix& A, std::span<const double> x, std::span<double> y) {
     for (Index k = pattern.column[c]; k < pattern.column[c + 1]; ++k) {
       const Index r = pattern.row[k];
       if (pattern.upper && r > c) break;
-      const double a = A.value[static_cast<std::size_t>(k)];
+      const double a = A.entry(k);
       y[r] += a * x[c];
       if (pattern.upper && r < c) y[c] += a * x[r];
     }
@@ -180,15 +186,16 @@ void multiply(const Matrix& A, std::span<const double> x, std::span<double> y) {
 
 double symmetric_part(const Matrix& K, std::span<const double> D, Matrix& S) {
   S = K;
+  S.apart.clear();
   if (!S.ranks.empty()) S.ranks.core = ((K.ranks.core + K.ranks.core.transpose()) / 2).eval();
   const Pattern& pattern = *K.pattern;
   double most = 0;
   for (Index c = 0; c < K.size() && !pattern.upper; ++c)
-    for (Index k = pattern.column[c]; k < pattern.column[c + 1] && pattern.row[k] < c; ++k) {
-      const Index r = pattern.row[k];
-      const auto slot = static_cast<std::size_t>(pattern.slot(c, r));
-      const double above = K.value[static_cast<std::size_t>(k)], below = K.value[slot];
-      S.value[static_cast<std::size_t>(k)] = S.value[slot] = (above + below) / 2;
+    for (Index k = pattern.column[c]; k < pattern.column[c + 1] && pattern.row[k] <= c; ++k) {
+      const Index r = pattern.row[k], opposite = pattern.slot(c, r);
+      const double above = K.entry(k), below = K.entry(opposite);
+      S.value[static_cast<std::size_t>(k)] = S.value[static_cast<std::size_t>(opposite)] =
+          (above + below) / 2;
       most = std::max(most, std::abs(above - below) / std::max(D[r], D[c]));
     }
   return most;

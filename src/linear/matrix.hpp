@@ -53,6 +53,9 @@ struct Matrix {
       : pattern(std::move(p)), value(static_cast<std::size_t>(pattern->entries()), 0.0) {}
   std::shared_ptr<const Pattern> pattern;
   std::vector<double> value;
+  // Added to the entries: what is not symmetric of a matrix whose other entries are, as friction's dependence
+  // on the pressure. make_near_symmetric_solver() has the factors of the others. Empty: there is none.
+  std::vector<double> apart = {};
   FewRanks ranks =
       {};  // added to the entries; only solvers made by with_ranks() and the functions below know
 
@@ -60,7 +63,11 @@ struct Matrix {
   void add(Index r, Index c, double v) {
     if (!pattern->upper || r <= c) value[static_cast<std::size_t>(pattern->slot(r, c))] += v;
   }
-  void clear();  // sets all entries to zero, without ranks
+  double entry(Index slot) const {
+    const auto s = static_cast<std::size_t>(slot);
+    return apart.empty() ? value[s] : value[s] + apart[s];
+  }
+  void clear();  // sets all entries to zero, without ranks and what is apart
   void scale(double factor);
   // Takes over another pattern if its version differs; the values are then zero.
   void follow(const std::shared_ptr<const Pattern>& p);

@@ -1,11 +1,13 @@
 // Matrices that are symmetric but for a few entries, as sliding friction makes them. The factors of the
 // symmetric part, which Cholesky's method finds in a fraction of the time of others, precondition GMRES
-// [saad1986]: with parts of few unknowns that are not symmetric it ends after few iterations.
+// [saad1986]: with parts of few unknowns that are not symmetric it ends after few iterations. What a matrix
+// keeps apart is not in that part: half of it would often make it indefinite.
 #include "linear/near_symmetric.hpp"
 
 #include <algorithm>
 #include <cmath>
 
+#include "linear/supernodal/factors.hpp"
 #include "linear/vector.hpp"
 
 namespace fabricsh::linear {
@@ -15,6 +17,7 @@ namespace {
 constexpr double kEnough = 1e-6;    // of the right-hand side, left of it
 constexpr double kRounded = 1e-12;  // of two opposite entries: they differ by rounding alone
 constexpr Index kMost = 40;         // iterations, beyond which the whole matrix is factorised
+constexpr double kHalfWay = 0.05;   // left after half of them, with which they do not lead there
 
 class NearSymmetric final : public LinearSolver {
  public:
@@ -41,8 +44,8 @@ class NearSymmetric final : public LinearSolver {
 
   bool factorise_numbers(const Matrix& A) override {
     by_whole_ = false;
-    skew_.clear();
-    if (A.pattern->upper) return half_->factorise(A);
+    rest_.clear();
+    if (A.pattern->upper) return half_->factorise(A) || by_whole(A);
     const double* const value = A.value.data();
     double* const mean = S_.value.data();
     for (std::size_t i = 0; i < above_.size(); ++i) {
@@ -51,20 +54,30 @@ class NearSymmetric final : public LinearSolver {
       if (std::abs(a - b) > kRounded * std::abs(a + b)) {
         const auto& starts = S_.pattern->column;
         const auto next = std::upper_bound(starts.begin(), starts.end(), static_cast<Index>(i));
-        skew_.push_back({S_.pattern->row[i], next - starts.begin() - 1, (a - b) / 2});
+        const Index row = S_.pattern->row[i], column = next - starts.begin() - 1;
+        rest_.push_back({row, column, (a - b) / 2});
+        rest_.push_back({column, row, (b - a) / 2});
       }
     }
+    for (Index c = 0; c < A.size() && !A.apart.empty(); ++c)
+      for (Index k = A.pattern->column[c]; k < A.pattern->column[c + 1]; ++k)
+        if (const double v = A.apart[static_cast<std::size_t>(k)]; v != 0)
+          rest_.push_back({A.pattern->row[k], c, v});
     return half_->factorise(S_) || by_whole(A);
   }
 
   bool solve(const Matrix& A, std::span<const double> b, std::span<double> x) override {
     if (by_whole_) return whole_->solve(A, b, x);
-    if (A.pattern->upper) return half_->solve(A, b, x);
-    if (skew_.empty()) return half_->solve(S_, b, x);
-    return gmres(b, x) || (by_whole(A) && whole_->solve(A, b, x));
+    const bool solved = A.pattern->upper ? half_->solve(A, b, x)
+                        : rest_.empty()  ? half_->solve(S_, b, x)
+                                         : gmres(b, x);
+    return solved || (by_whole(A) && whole_->solve(A, b, x));
   }
 
-  LinearReport report() const override { return by_whole_ ? whole_->report() : half_->report(); }
+  // Where the half is singular that of the whole.
+  LinearReport report() const override {
+    return half_->report().singular ? whole_->report() : half_->report();
+  }
 
  private:
   bool by_whole(const Matrix& A) {
@@ -73,7 +86,7 @@ class NearSymmetric final : public LinearSolver {
     return by_whole_;
   }
 
-  // x = S^-1 u with (S + N) S^-1 u = b and N, which is not symmetric. Rotations turn the small least-squares
+  // x = S^-1 u with (S + N) S^-1 u = b and N, the rest. Rotations turn the small least-squares
   // problem into a triangle as it grows.
   bool gmres(std::span<const double> b, std::span<double> x) {
     const double size = std::sqrt(dot(b, b));
@@ -84,24 +97,25 @@ class NearSymmetric final : public LinearSolver {
     if (!std::isfinite(size)) return false;
     const auto most = static_cast<std::size_t>(kMost);
     basis_.resize(most + 1);
+    solved_.resize(most);
     basis_[0].assign(b.begin(), b.end());
     for (double& v : basis_[0]) v /= size;
-    Vector along(b.size()), rest{size}, cosine, sine;
+    Vector rest{size}, cosine, sine;
     std::vector<Vector> R;  // columns
     while (std::abs(rest.back()) > kEnough * size) {
       const std::size_t k = R.size();
-      if (k == most || !half_->solve(S_, basis_[k], along)) return false;
+      if (k == most || (k == most / 2 && std::abs(rest.back()) > kHalfWay * size)) return false;
+      Vector& along = solved_[k];
+      along.resize(b.size());
+      if (!half_->solve(S_, basis_[k], along)) return false;
       basis_[k + 1] = basis_[k];
-      for (const Skew& n : skew_) {
-        basis_[k + 1][n.row] += n.value * along[n.column];
-        basis_[k + 1][n.column] -= n.value * along[n.row];
-      }
+      for (const Entry& n : rest_) basis_[k + 1][n.row] += n.value * along[n.column];
       R.push_back(orthogonal(k));
       turn(R.back(), cosine, sine, rest);
       if (!std::isfinite(rest.back())) return false;
     }
-    combine(R, rest, along);
-    return half_->solve(S_, along, x);
+    combine(R, rest, x);
+    return true;
   }
 
   // Takes from the vector after k its parts along those before; returns them, and what is left of it.
@@ -132,27 +146,27 @@ class NearSymmetric final : public LinearSolver {
     rest[k] *= cosine[k];
   }
 
-  void combine(const std::vector<Vector>& R, const Vector& rest, Vector& u) const {
+  void combine(const std::vector<Vector>& R, const Vector& rest, std::span<double> x) const {
     Vector weight(rest.begin(), rest.end() - 1);
     for (std::size_t i = R.size(); i-- > 0;) {
       for (std::size_t j = i + 1; j < R.size(); ++j) weight[i] -= R[j][i] * weight[j];
       weight[i] /= R[i][i];
     }
-    std::fill(u.begin(), u.end(), 0.0);
+    std::fill(x.begin(), x.end(), 0.0);
     for (std::size_t j = 0; j < R.size(); ++j)
-      for (std::size_t i = 0; i < u.size(); ++i) u[i] += weight[j] * basis_[j][i];
+      for (std::size_t i = 0; i < x.size(); ++i) x[i] += weight[j] * solved_[j][i];
   }
 
-  std::unique_ptr<LinearSolver> half_ = make_symmetric_solver(), whole_;
+  std::unique_ptr<LinearSolver> half_ = make_symmetric_factors(), whole_;
   Matrix S_;                          // the symmetric part
   std::vector<Index> above_, below_;  // for each entry of S its place in A, and that of the entry opposite
-  struct Skew {
+  struct Entry {
     Index row, column;
-    double value;  // half of what the entry has more than that opposite
+    double value;
   };
-  std::vector<Skew> skew_;
+  std::vector<Entry> rest_;  // what A has beyond S
   bool by_whole_ = false;
-  std::vector<Vector> basis_;
+  std::vector<Vector> basis_, solved_;  // S^-1 times the basis
 };
 
 }  // namespace

@@ -6,8 +6,9 @@
 
 namespace fabricsh::linear {
 
-// The factors of the symmetric part, and for the rest iterations to a relative residual of 1e-6, which
-// Newton's iterations correct. Its negative pivots are those of the symmetric part.
+// The factors of the symmetric part of the entries that are not apart (Matrix), and for the rest iterations
+// to a relative residual of 1e-6, which Newton's iterations correct. Its negative pivots are those of that
+// part.
 std::unique_ptr<LinearSolver> make_near_symmetric_solver();
 
 }  // namespace fabricsh::linear

@@ -35,6 +35,8 @@ class Assembly {
   // For runs whose tangents are symmetric and go to a solver of symmetric matrices alone: they keep the upper
   // triangle. To be called before the first tangent.
   void keep_upper() { upper_ = true; }
+  // For runs whose solver knows of entries that a matrix keeps apart.
+  void keep_apart() { apart_ = true; }
 
   // --- configurations: see Dofs
   void begin_iterate();
@@ -137,7 +139,7 @@ class Assembly {
   Configuration configuration_;
   Dofs dofs_;
   TermList terms_;
-  bool upper_ = false;
+  bool upper_ = false, apart_ = false;
   std::unique_ptr<Stiffness> stiffness_;
   std::vector<NodePair> coupled_, committed_coupled_;  // pairs in the pattern, ascending; at the last commit
   std::vector<double> force_x_, force_d_;              // internal, 3 per node

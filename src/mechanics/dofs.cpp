@@ -442,7 +442,7 @@ double Dofs::rounding_floor(const linear::Matrix& K) const {
   double stiffest[2] = {0, 0}, farthest = 0;  // displacements, rotations; largest coordinate
   for (int turning = 0; turning < 2; ++turning)
     for (const Index entry : diagonal_[turning])
-      stiffest[turning] = std::max(stiffest[turning], std::abs(K.value[entry]));
+      stiffest[turning] = std::max(stiffest[turning], std::abs(K.entry(entry)));
   for (const double x : std::as_const(configuration_).x()) farthest = std::max(farthest, std::abs(x));
   return 16 * std::numeric_limits<double>::epsilon() *
          std::max(farthest * stiffest[0], stiffest[1] / length_);

@@ -438,15 +438,22 @@ bool Stiffness::Sink::through_ties(Index a, Index b) const {
   return stiffness_.dofs_.has_ties() && (freedoms.ties(a) || freedoms.ties(b));
 }
 
-void Stiffness::Sink::on_positions(Index a, Index b, const Mat3& k) {
+void Stiffness::Sink::on_positions_apart(Index a, Index b, const Mat3& k, const Mat3& apart) {
+  if (apart_ == nullptr || apart.isZero(0)) return add_positions(a, b, k, to_);
+  has_apart_ = true;
+  add_positions(a, b, k - apart, to_);
+  add_positions(a, b, apart, {*apart_, to_.lead, to_.product});
+}
+
+void Stiffness::Sink::add_positions(Index a, Index b, const Mat3& k, const Target& to) {
   const auto& nodes = stiffness_.dofs_.freedoms().nodes;
   const Mat3 turned = nodes[a].frame * k * nodes[b].frame.transpose();
   if (through_ties(a, b)) {
     Eigen::Matrix<double, 5, 5> block = Eigen::Matrix<double, 5, 5>::Zero();
     block.topLeftCorner<3, 3>() = turned;
-    return stiffness_.add_block(a, b, block, to_);
+    return stiffness_.add_block(a, b, block, to);
   }
-  add_free<3>(stiffness_.dofs_, stiffness_.upper_, a, b, 0, turned, to_);
+  add_free<3>(stiffness_.dofs_, stiffness_.upper_, a, b, 0, turned, to);
 }
 
 void Stiffness::Sink::on_nodes(Index a, Index b, const Eigen::Matrix<double, 5, 5>& k) {

@@ -95,16 +95,23 @@ class Stiffness {
 
 class Stiffness::Sink final : public TangentSink {
  public:
-  Sink(const Stiffness& stiffness, const Target& to) : stiffness_(stiffness), to_(to) {}
-  void on_positions(Index a, Index b, const Mat3& k) override;
+  // apart: for what is kept apart; null: nothing is.
+  Sink(const Stiffness& stiffness, const Target& to, linear::Matrix* apart)
+      : stiffness_(stiffness), to_(to), apart_(apart) {}
+  bool has_apart() const { return has_apart_; }
+  void on_positions(Index a, Index b, const Mat3& k) override { add_positions(a, b, k, to_); }
+  void on_positions_apart(Index a, Index b, const Mat3& k, const Mat3& apart) override;
   void on_director(Index a, const Eigen::Matrix2d& k) override;
   void on_nodes(Index a, Index b, const Eigen::Matrix<double, 5, 5>& k) override;
   void on_lead(Index a, const Vec3& force) override;
 
  private:
   bool through_ties(Index a, Index b) const;
+  void add_positions(Index a, Index b, const Mat3& k, const Target& to);
   const Stiffness& stiffness_;
   const Target& to_;
+  linear::Matrix* apart_;
+  bool has_apart_ = false;
 };
 
 }  // namespace fabricsh::mechanics

@@ -53,6 +53,10 @@ class TangentSink {
   virtual ~TangentSink() = default;
   // d(internal force on x_a) / d(x_b), N/m, global.
   virtual void on_positions(Index a, Index b, const Mat3& k) = 0;
+  // The same with the part of it that is not symmetric, which a matrix may keep apart (linear::Matrix).
+  virtual void on_positions_apart(Index a, Index b, const Mat3& k, const Mat3& /*apart*/) {
+    on_positions(a, b, k);
+  }
   // On the two rotations of a node's director (q1 along b1, q2 along d x b1), N m.
   virtual void on_director(Index a, const Eigen::Matrix2d& k) = 0;
   // d(internal force on x_a and the rotations of a) / d(those of b): N/m, N and N m, positions global.
@@ -117,6 +121,7 @@ class Term {
   // --- tangent
   virtual void add_tangent(const Trial&, TangentSink&) const {}
   virtual bool symmetric() const { return true; }
+  virtual bool symmetric_but_apart() const { return symmetric(); }  // but for what the sink may keep apart
   // Adds the pairs of nodes that the tangent at the trial configuration couples, in addition to those of the
   // elements. Called before each tangent; the pairs may differ each time. If the pattern lacks a pair, a new
   // one is made from the pairs of that moment, and the solver must analyse it. A term whose pairs come and go

@@ -49,6 +49,11 @@ bool TermList::symmetric() const {
   return std::all_of(terms_.begin(), terms_.end(), [](const auto& term) { return term->symmetric(); });
 }
 
+bool TermList::symmetric_but_apart() const {
+  return std::all_of(terms_.begin(), terms_.end(),
+                     [](const auto& term) { return term->symmetric_but_apart(); });
+}
+
 bool TermList::constant_loads() const {
   return std::all_of(terms_.begin(), terms_.end(), [](const auto& term) { return term->constant(); });
 }

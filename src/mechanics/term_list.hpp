@@ -60,6 +60,7 @@ class TermList {
   void external(double time, std::vector<double>& out) const;
   const std::vector<Vec3>* moments() const;  // see FollowerLoad
   bool symmetric() const;                    // whether the tangents of all terms are symmetric
+  bool symmetric_but_apart() const;          // but for what the matrix may keep apart
   bool constant_loads() const;               // whether the dead loads are constant in time
   bool at_target() const;  // whether everything that the step moves besides the supports is at its end
   void expect_energies(bool expected);       // see Term

@@ -101,11 +101,11 @@ Implicit::Implicit(std::shared_ptr<model::Model> model, const DynamicOptions& op
     : Dynamic(std::move(model), options, std::move(notices), beginning),
       newmark_(*assembly_, *inertia_, scheme_of(options_)),
       problem_(*assembly_, newmark_, poll_),
-      newton_(make_motion_solver(options_.solver, !takes_unsymmetric(),
-                                 options_.linear == Symmetry::automatic && assembly_->cloth().symmetric())),
+      newton_(make_solver(options_.solver, !takes_unsymmetric(), is_near_symmetric())),
       control_(control_of(options, *assembly_)) {
   // Damping by stiffness multiplies its matrix, and a solver of one's own may read all of it.
   if (!takes_unsymmetric() && !(options_.stiffness_damping > 0) && !options_.solver) assembly_->keep_upper();
+  if (is_near_symmetric()) assembly_->keep_apart();
   check_contact(options_, *assembly_);
   weigh_step_ends();
   take_beginning();

@@ -21,6 +21,10 @@ class Implicit final : public Dynamic {
   bool takes_unsymmetric() const override {
     return !takes_symmetric(options_.linear, assembly_->terms().symmetric());
   }
+  bool is_near_symmetric() const {  // but for what contact and loads add
+    return options_.linear == Symmetry::automatic && !options_.solver && takes_unsymmetric() &&
+           assembly_->cloth().symmetric();
+  }
   void begin() override;
   void take_options(const DynamicOptions& options) override;
   void set_motion(const mechanics::NodalRates& rates) override;

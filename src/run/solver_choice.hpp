@@ -31,10 +31,9 @@ inline std::unique_ptr<linear::LinearSolver> make_solver(const std::optional<Sol
                                         : linear::make_unsymmetric_solver());
 }
 
-// For the steps of a motion, whose matrices are not asked whether they are definite. near: they are symmetric
-// but for what contact and loads add.
-inline std::unique_ptr<linear::LinearSolver> make_motion_solver(const std::optional<SolverChoice>& choice,
-                                                                bool symmetric, bool near) {
+// near: the matrices are symmetric but for what contact and loads add.
+inline std::unique_ptr<linear::LinearSolver> make_solver(const std::optional<SolverChoice>& choice,
+                                                         bool symmetric, bool near) {
   if (choice || symmetric || !near) return make_solver(choice, symmetric);
   return linear::with_ranks(linear::make_near_symmetric_solver());
 }

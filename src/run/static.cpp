@@ -111,6 +111,8 @@ Static::Static(std::shared_ptr<model::Model> model, const StaticOptions& options
       remembers_path_(depends_on_path()),
       places_bodies_(has_free_bodies(*assembly_)),
       has_energy_(assembly_->cloth().symmetric() && !places_bodies_),
+      near_symmetric_(takes_unsymmetric() && options_.linear == Symmetry::automatic && !options_.solver &&
+                      options_.control == Control::load && assembly_->terms().symmetric_but_apart()),
       now_{control_of(options, *assembly_)} {
   check_options(options_);
   if (options_.limit == Limit::stop) stop_beyond();
@@ -122,8 +124,9 @@ Static::Static(std::shared_ptr<model::Model> model, const StaticOptions& options
   if (options_.stabilise > 0)
     stabilisation_ =
         &assembly_->terms().add(std::make_unique<mechanics::Stabilisation>(*assembly_, options_.stabilise));
-  auto linear = make_solver(options_.solver, !takes_unsymmetric());
+  auto linear = make_linear();
   if (!takes_unsymmetric() && !options_.solver) assembly_->keep_upper();  // one of the user's may read both
+  if (near_symmetric_) assembly_->keep_apart();
   if (options_.control == Control::arc && assembly_->cloth().is_rate_dependent())
     throw Error(
         "static: field 'control': \"arc\" follows the path of the loads, not the time: expected \"load\" "
@@ -136,22 +139,25 @@ Static::Static(std::shared_ptr<model::Model> model, const StaticOptions& options
   if (options_.control == Control::arc)
     arc_ = std::make_unique<solver::ArcLength>(std::move(linear));
   else
-    stable_ = std::make_unique<solver::TrustRegion>(std::move(linear), assembly_->terms().symmetric(),
-                                                    judge_of(*model_, *assembly_));
+    stable_ = std::make_unique<solver::TrustRegion>(
+        std::move(linear), near_symmetric_ || assembly_->terms().symmetric(), judge_of(*model_, *assembly_));
   if (arc_ && tears_ != nullptr) tears_->follow_path();
-  if (!arc_) newton_ = std::make_unique<solver::Newton>(make_solver(options_.solver, !takes_unsymmetric()));
+  if (!arc_) newton_ = std::make_unique<solver::Newton>(make_linear());
   if (options_.method == Method::automatic && !arc_ && has_energy_)
-    helper_ = std::make_unique<solver::Descent>(make_solver(options_.solver, !takes_unsymmetric()));
+    helper_ = std::make_unique<solver::Descent>(make_linear());
   if (options_.method != Method::newton && !arc_ && !places_bodies_) {
     relaxation_ = std::make_unique<solver::Relaxation>();
-    if (bends_by_itself(*model_))
-      descent_ = std::make_unique<solver::Descent>(make_solver(options_.solver, !takes_unsymmetric()));
+    if (bends_by_itself(*model_)) descent_ = std::make_unique<solver::Descent>(make_linear());
   }
   take_beginning();
   report_contacts();
 }
 
 Static::~Static() = default;
+
+std::unique_ptr<linear::LinearSolver> Static::make_linear() const {
+  return make_solver(options_.solver, !takes_unsymmetric(), near_symmetric_);
+}
 
 bool Static::takes_unsymmetric() const { return !takes_symmetric(options_, *assembly_); }
 
@@ -401,7 +407,7 @@ bool Static::settle_jump(double size, StepReport& report) {
     return false;
   settling_ = true;
   const Diagnosis before = step_;
-  solver::Descent descent(make_solver(options_.solver, !takes_unsymmetric()));
+  solver::Descent descent(make_linear());
   problem_->set_time(size);
   const bool solved = finish(descent.solve(*problem_, {options_.tolerance, many_descents}), size, report);
   if (!solved) {  // as if it had not been tried

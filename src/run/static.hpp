@@ -91,6 +91,7 @@ class Static final : public Run {
   void check() override;
 
   void check_bodies() const;  // Error: a body that this kind of run cannot move
+  std::unique_ptr<linear::LinearSolver> make_linear() const;
   double plan(double limit);  // size of the next step
   double damping_factor() const { return stabilisation_ == nullptr ? 0 : stabilisation_->factor(); }
   void calibrate(double size, StepReport& report);    // adapts the damping of the first step
@@ -142,6 +143,7 @@ class Static final : public Run {
   const bool remembers_path_;  // whether a law does
   const bool places_bodies_;   // rigid ones, whose places are unknowns that only Newton's method knows of
   const bool has_energy_;      // whether the law's forces have one, which a search for equilibrium can lower
+  const bool near_symmetric_;  // tangents, but for what friction adds
   std::unique_ptr<EquilibriumProblem> problem_;
   mechanics::Stabilisation* stabilisation_ = nullptr;  // a term of the assembly; null: none
   std::unique_ptr<solver::TrustRegion> stable_;        // each is created if it is used

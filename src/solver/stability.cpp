@@ -107,6 +107,42 @@ class Lanczos {
   Eigen::Index chosen_ = -1;
 };
 
+// Whether 1 + M, with which M v = apply(v), has no negative eigenvalue: by the eigenvalues of its part in a
+// Krylov space that solves (1 + M) x = b for some b [saad1986]. False: it has, or the space does not suffice.
+bool turns_nothing(std::size_t size, const Solve& apply) {
+  constexpr int most = 40, each = 5;
+  constexpr double enough = 1e-6;  // of b
+  std::vector<linear::Vector> basis{linear::Vector(size)};
+  fill(basis[0]);
+  const double length = std::sqrt(dot(basis[0], basis[0]));
+  for (double& v : basis[0]) v /= length;
+  Eigen::MatrixXd H = Eigen::MatrixXd::Zero(most + 1, most);
+  for (int k = 0; k < most; ++k) {
+    linear::Vector w(size);
+    if (!apply(basis.back(), w)) return false;
+    for (std::size_t i = 0; i < size; ++i) w[i] += basis.back()[i];
+    for (int j = 0; j <= k; ++j) {
+      H(j, k) = dot(basis[static_cast<std::size_t>(j)], w);
+      for (std::size_t i = 0; i < size; ++i) w[i] -= H(j, k) * basis[static_cast<std::size_t>(j)][i];
+    }
+    H(k + 1, k) = std::sqrt(dot(w, w));
+    if (!std::isfinite(H(k + 1, k))) return false;
+    const bool whole = H(k + 1, k) < enough;
+    if (whole || (k + 1) % each == 0) {
+      const Eigen::MatrixXd part = H.topLeftCorner(k + 2, k + 1);
+      const Eigen::VectorXd b = Eigen::VectorXd::Unit(k + 2, 0);
+      if (whole || (b - part * part.householderQr().solve(b)).norm() < enough) {
+        const Eigen::VectorXcd values = part.topRows(k + 1).eigenvalues();
+        return std::none_of(values.begin(), values.end(),
+                            [](const auto& v) { return v.imag() == 0 && !(v.real() > 0); });
+      }
+    }
+    for (double& v : w) v /= H(k + 1, k);
+    basis.push_back(std::move(w));
+  }
+  return false;
+}
+
 }  // namespace
 
 Mode lowest_mode(const linear::Matrix& K, std::span<const double> D, double, const Solve& solve) {
@@ -146,9 +182,10 @@ Stability StabilityCheck::of(const linear::Matrix& K, std::span<const double> D)
   mode_ = {};
   if (judge_ == Judge::never) return Stability::unchecked;
   if (K.size() == 0) return Stability::stable;
-  if (symmetric_) return by_symmetric_part(K, D, linear_);
+  if (symmetric_ && K.apart.empty()) return by_symmetric_part(K, D, linear_);
   const bool unsymmetric = linear::symmetric_part(K, D, S_) > kSymmetric;
   if (!own_) own_ = linear::with_ranks(linear::make_symmetric_solver());
+  if (unsymmetric && !K.apart.empty()) return with_friction(K, D);
   const Stability part = by_symmetric_part(S_, D, *own_);
   if (!unsymmetric || (judge_ == Judge::work && part == Stability::stable)) return part;
   // A negative determinant means a direction in which the shape leaves its place by itself.
@@ -157,6 +194,35 @@ Stability StabilityCheck::of(const linear::Matrix& K, std::span<const double> D)
   negative_ = linear_.report().negative_pivots;
   if (negative_ == 0 || part == Stability::stable) return Stability::unchecked;
   return Stability::unstable;
+}
+
+// The rest is the tangent while the bounds of friction stay, and its lowest mode is that of the shape. What
+// the bounds add as they follow the pressure may still turn a direction; then the whole is asked, as any
+// matrix.
+Stability StabilityCheck::with_friction(const linear::Matrix& K, std::span<const double> D) {
+  linear::Matrix rest = K, friction = K;
+  rest.apart.clear();
+  friction.value.swap(friction.apart);
+  friction.apart.clear();
+  friction.ranks = {};
+  const Stability part = by_symmetric_part(rest, D, *own_);
+  const linear::Matrix& factorised = factorisations_ > 1 ? A_ : rest;
+  const auto follow = [&](std::span<const double> v, std::span<double> w) {
+    linear::Vector moved(v.size());
+    if (!own_->solve(factorised, v, moved)) return false;
+    linear::multiply(friction, moved, w);
+    return true;
+  };
+  if (part == Stability::stable && turns_nothing(static_cast<std::size_t>(K.size()), follow))
+    return Stability::unchecked;
+  if (!whole_) whole_ = linear::with_ranks(linear::make_unsymmetric_solver());
+  ++factorisations_;
+  whole_->factorise(K);
+  const Index negative = whole_->report().negative_pivots;
+  const bool stays =
+      negative == 0 || (part == Stability::stable && by_symmetric_part(S_, D, *own_) == Stability::stable);
+  negative_ = negative;
+  return stays ? Stability::unchecked : Stability::unstable;
 }
 
 }  // namespace fabricsh::solver

@@ -32,7 +32,7 @@ enum class Judge {
 
 class StabilityCheck {
  public:
-  // linear: factorises the tangents of the problem; symmetric: for such ones only.
+  // linear: factorises the tangents of the problem; symmetric: they are, but for what they keep apart.
   StabilityCheck(linear::LinearSolver& linear, bool symmetric, Judge judge)
       : linear_(linear), symmetric_(symmetric), judge_(judge) {}
   // Of the tangent at an equilibrium and its absolute sums. One factorisation where it is stable.
@@ -45,10 +45,12 @@ class StabilityCheck {
   bool definite(const linear::Matrix& K, linear::LinearSolver& linear);
   Stability by_symmetric_part(const linear::Matrix& S, std::span<const double> D,
                               linear::LinearSolver& linear);
+  Stability with_friction(const linear::Matrix& K, std::span<const double> D);
   linear::LinearSolver& linear_;
   const bool symmetric_;
   const Judge judge_;
-  std::unique_ptr<linear::LinearSolver> own_;  // of symmetric parts
+  std::unique_ptr<linear::LinearSolver> own_,
+      whole_;  // of symmetric parts; of all of a matrix with such apart
   linear::Matrix S_, A_;
   Mode mode_;
   Index negative_ = 0;

@@ -176,9 +176,28 @@ TEST_CASE("pair: the Jacobian of friction by slope, its unsymmetric part include
       const Matrix12 all = at.jacobian - pair_derivatives(law(), pair, x).hessian;
       CHECK(test::order(force, along.dot(all * by), x, by, h) > 1.8);
       skew = std::max(skew, (at.jacobian - at.jacobian.transpose()).norm() / at.jacobian.norm());
+      const Matrix12 rest = at.jacobian - at.apart;
+      CHECK((rest - rest.transpose()).norm() < 1e-14 * at.jacobian.norm());
     });
     CHECK(skew > 0.1);
   }
+}
+
+TEST_CASE(
+    "pair: apart is how friction grows with the pressure; without it sliding has no stiffness along itself",
+    "[contact]") {
+  const Pair pair = pair_of(PairKind::plane);
+  Slip slip{0.4, 1e6};
+  const Vec3 way(0.3, 0.4, 0), along = way.normalized(), normal(0, 0, 1);
+  slip.moved[0] = way;
+  const FrictionTangent at = friction_tangent(law(), pair, flat, slip);
+  const auto pressed = law()(0.4 - pair.offset);
+  const Mat3 apart = at.apart.block<3, 3>(0, 0), rest = at.jacobian.block<3, 3>(0, 0) - apart;
+  const Mat3 grows = 0.4 * pair.area * pressed.stiffness * along * normal.transpose(),
+             across = Mat3::Identity() - along * along.transpose() - normal * normal.transpose(),
+             turns = 0.4 * pair.area * pressed.pressure / way.norm() * across;
+  CHECK((apart - grows).norm() < 1e-12 * grows.norm());
+  CHECK((rest + turns).norm() < 1e-12 * turns.norm());
 }
 
 TEST_CASE("pair: a film that thins resists with Carreau's traction, and its Jacobian is the slope",

@@ -52,7 +52,7 @@ double error(LinearSolver& solver, const Matrix& A) {
   for (Index i = 0; i < A.size(); ++i) x0[i] = std::sin(1.0 + static_cast<double>(i));
   for (Index c = 0; c < A.size(); ++c)
     for (Index k = A.pattern->column[c]; k < A.pattern->column[c + 1]; ++k)
-      b[A.pattern->row[k]] += A.value[k] * x0[c];
+      b[A.pattern->row[k]] += A.entry(k) * x0[c];
   REQUIRE(solver.factorise(A));
   REQUIRE(solver.solve(A, b, x));
   double worst = 0;
@@ -120,6 +120,35 @@ TEST_CASE(
   }
   CHECK(error(*solver, laplacian(n, 0, -0.9)) < 1e-4);  // by the factors of the whole where that is slow
   CHECK(solver->analyses() == 4);
+}
+
+TEST_CASE("what a matrix keeps apart may be large: the factors are those of the rest") {
+  const Index n = 24;
+  auto A = laplacian(n, 0);
+  A.apart.assign(A.value.size(), 0.0);
+  for (Index c = 20; c < 500; c += 40) A.apart[A.pattern->slot(c + 1, c)] = -30;
+  std::vector<double> ones(A.size(), 1), y(A.size()), sums;
+  Matrix S;
+  absolute_sums(A, sums);
+  CHECK(sums[20] == 4 + 2 + 31);
+  multiply(A, ones, y);
+  CHECK(y[21] == -29);
+  CHECK(symmetric_part(A, ones, S) == 30);
+  CHECK((S.apart.empty() && S.value[S.pattern->slot(20, 21)] == -16));
+  const auto near = make_near_symmetric_solver(), general = make_unsymmetric_solver(),
+             symmetric = make_symmetric_solver();
+  REQUIRE(symmetric->factorise(S));
+  CHECK(symmetric->report().negative_pivots > 0);
+  CHECK(error(*near, A) < 1e-4);
+  CHECK(near->report().negative_pivots == 0);
+  CHECK(error(*general, A) < 1e-10);
+  A.scale(2);
+  CHECK(A.entry(A.pattern->slot(21, 20)) == -62);
+  A.change_pattern(std::make_shared<const Pattern>(
+      A.pattern->with(std::vector<std::vector<Index>>(static_cast<std::size_t>(A.size()), {0}))));
+  CHECK(A.entry(A.pattern->slot(21, 20)) == -62);
+  A.clear();
+  CHECK(A.apart.empty());
 }
 
 TEST_CASE("the symmetric solver solves matrices that are indefinite and counts their negative eigenvalues") {

@@ -82,3 +82,28 @@ TEST_CASE("without a potential there is no answer, and a law without one is judg
   CHECK(asked(unstable, false, Judge::work, value, factorisations) != Stability::stable);
   CHECK(asked(chain(20, 0), true, Judge::never, value, factorisations) == Stability::unchecked);
 }
+
+TEST_CASE(
+    "what follows friction's bounds is judged beside the rest, whose lowest mode is that of the shape") {
+  const int n = 20;
+  double value = 0;
+  int factorisations = 0;
+  const auto with = [&](double shift, double apart) {
+    linear::Matrix K = chain(n, shift);
+    K.apart.assign(K.value.size(), 0.0);
+    K.apart[static_cast<std::size_t>(K.pattern->slot(8, 9))] = -apart;
+    return K;
+  };
+  // The determinant over that of the rest is 1 - apart 9 (n + 1 - 10) / (n + 1).
+  const double none = (n + 1.0) / 9 / (n - 9);
+  CHECK(asked(with(0, 0.9 * none), true, Judge::energy, value, factorisations) == Stability::unchecked);
+  CHECK(factorisations == 1);
+  CHECK(asked(with(0, -20), true, Judge::energy, value, factorisations) == Stability::unchecked);
+  CHECK(asked(with(0, 1.1 * none), true, Judge::energy, value, factorisations) == Stability::unstable);
+  CHECK(value < 0);
+  const double shift = (eigenvalue(n, 1) + eigenvalue(n, 2)) / 2;
+  CHECK(asked(with(shift, 1e-3), true, Judge::energy, value, factorisations) == Stability::unstable);
+  CHECK(std::abs(value - (eigenvalue(n, 1) - shift)) < 1e-9);
+  // Zeros apart are none.
+  CHECK(asked(with(0, 0), true, Judge::energy, value, factorisations) == Stability::stable);
+}

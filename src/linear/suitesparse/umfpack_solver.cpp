@@ -1,9 +1,12 @@
 #include <umfpack.h>
 
+#include <algorithm>
+#include <functional>
 #include <new>
 
 #include "linear/linear_solver.hpp"
 #include "linear/suitesparse/ordering.hpp"
+#include "linear/vector.hpp"
 
 extern "C" void openblas_set_num_threads(int);
 
@@ -50,8 +53,8 @@ class Umfpack final : public LinearSolver {
     clear(false);
     if (symbolic_ == nullptr) return false;
     const Matrix& A = whole(given);
-    const auto status = umfpack_dl_numeric(as_long(A.pattern->column), as_long(A.pattern->row),
-                                           A.value.data(), symbolic_, &numeric_, control_, info_);
+    const auto status = umfpack_dl_numeric(as_long(A.pattern->column), as_long(A.pattern->row), entries_of(A),
+                                           symbolic_, &numeric_, control_, info_);
     check_memory(status);
     // A pivot that is rounding error beside the largest one: a part can move freely; its sign means nothing.
     report_.singular = status != UMFPACK_OK || info_[UMFPACK_RCOND] < kRounding;
@@ -64,7 +67,7 @@ class Umfpack final : public LinearSolver {
     if (numeric_ == nullptr) return false;
     const Matrix& A = given.pattern->upper ? both_ : given;
     const auto status = umfpack_dl_solve(UMFPACK_A, as_long(A.pattern->column), as_long(A.pattern->row),
-                                         A.value.data(), x.data(), b.data(), numeric_, control_, info_);
+                                         entries_of(A), x.data(), b.data(), numeric_, control_, info_);
     check_memory(status);
     return status == UMFPACK_OK;
   }
@@ -83,6 +86,12 @@ class Umfpack final : public LinearSolver {
     if (!A.pattern->upper) return A;
     mirror(A, both_of_, both_);
     return both_;
+  }
+  const double* entries_of(const Matrix& A) {
+    if (A.apart.empty()) return A.value.data();
+    joined_.resize(A.value.size());
+    std::transform(A.value.begin(), A.value.end(), A.apart.begin(), joined_.begin(), std::plus<>());
+    return joined_.data();
   }
   void clear(bool symbolic) {
     if (numeric_ != nullptr) umfpack_dl_free_numeric(&numeric_);
@@ -117,7 +126,8 @@ class Umfpack final : public LinearSolver {
   void* symbolic_ = nullptr;
   void* numeric_ = nullptr;
   LinearReport report_;
-  Matrix both_;  // of a matrix that keeps its upper triangle
+  Vector joined_;  // entries of a matrix of which some are apart
+  Matrix both_;    // of a matrix that keeps its upper triangle
   std::uint64_t both_of_ = 0;
 };
 

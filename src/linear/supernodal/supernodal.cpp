@@ -18,6 +18,7 @@
 #include "linear/linear_solver.hpp"
 #include "linear/suitesparse/ordering.hpp"
 #include "linear/supernodal/dense.hpp"
+#include "linear/supernodal/factors.hpp"
 #include "linear/vector.hpp"
 #include "simd/aligned.hpp"
 #include "simd/copies.hpp"
@@ -40,7 +41,7 @@ constexpr long up_to(long n, long multiple) { return (n + multiple - 1) / multip
 
 class Supernodal final : public LinearSolver {
  public:
-  explicit Supernodal(Ordering ordering) : ordering_(ordering) {}
+  explicit Supernodal(Ordering ordering, bool alone = false) : ordering_(ordering), alone_(alone) {}
 
   bool analyse(const Matrix& A) override {
     cholmod_common common;
@@ -83,7 +84,8 @@ class Supernodal final : public LinearSolver {
       for (const double s : sign_) report_.negative_pivots += s < 0;
       return true;
     }
-    return by_general(A);
+    report_.singular = alone_;
+    return !alone_ && by_general(A);
   }
 
   // Without an exchange of rows an indefinite matrix may be solved badly: what is left is looked at.
@@ -95,7 +97,7 @@ class Supernodal final : public LinearSolver {
     for (bool refined = false;; refined = true) {
       left_of(A, b, x);
       if (std::sqrt(dot(left_, left_)) <= enough) return true;
-      if (refined) return by_general(A) && general_->solve(A, b, x);
+      if (refined) return !alone_ && by_general(A) && general_->solve(A, b, x);
       substitute(left_, left_);
       for (std::size_t i = 0; i < x.size(); ++i) x[i] += left_[i];
     }
@@ -528,6 +530,7 @@ class Supernodal final : public LinearSolver {
   }
 
   const Ordering ordering_;
+  const bool alone_;  // without general_
   const DenseKernels kernels_ = FABRICSH_COPY_FOR(best_isa(), dense_kernels_of_isa)();
   std::vector<Node> nodes_;
   std::vector<Part> parts_;
@@ -553,6 +556,10 @@ class Supernodal final : public LinearSolver {
 
 std::unique_ptr<LinearSolver> make_symmetric_solver(Ordering ordering) {
   return std::make_unique<Supernodal>(ordering);
+}
+
+std::unique_ptr<LinearSolver> make_symmetric_factors() {
+  return std::make_unique<Supernodal>(Ordering::automatic, true);
 }
 
 }  // namespace fabricsh::linear

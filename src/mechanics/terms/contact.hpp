@@ -26,6 +26,7 @@ class Contacts final : public Term {
   Outcome add_forces(const law::Step& step, const Trial& trial, Forces& forces) override;
   void add_tangent(const Trial&, TangentSink& sink) const override { tangent_.add(sink); }
   bool symmetric() const override { return !surfaces_.friction(); }
+  bool symmetric_but_apart() const override { return true; }
   void couple(const Trial& trial, std::vector<NodePair>& pairs) override;
   void add_energies(const Trial&, std::vector<Energy>& out) const override;
   // Of what drives bodies, of gravity on free ones, and of what opens overlaps.

@@ -33,7 +33,9 @@ void BodyUnknowns::add(const std::array<std::int32_t, 4>& points, const contact:
   for (int a = 0; a < 4; ++a)
     for (int b = 0; b < 4 && points[a] >= 0 && points[a] < nodes; ++b)
       if (points[b] >= 0 && (points[b] < nodes || leads()) && !k.block<3, 3>(3 * a, 3 * b).isZero(0))
-        blocks_.push_back({points[a], points[b], k.block<3, 3>(3 * a, 3 * b)});
+        blocks_.push_back(
+            {points[a], points[b], k.block<3, 3>(3 * a, 3 * b),
+             friction == nullptr ? Mat3(Mat3::Zero()) : Mat3(-friction->apart.block<3, 3>(3 * a, 3 * b))});
   ++pairs_;
   if (own_unknowns() == 0) return;
   const auto begin = on_bodies_.size();
@@ -280,7 +282,7 @@ void ContactTangent::add(TangentSink& sink) const {
   for (const PairBlock& block : bodies_.blocks()) {
     const Mat3 k = state_.weight * block.k;
     if (block.by < nodes)
-      sink.on_positions(block.node, block.by, k);
+      sink.on_positions_apart(block.node, block.by, k, state_.weight * block.apart);
     else
       sink.on_lead(block.node, k * left * (to[block.by - nodes] - from[block.by - nodes]));
   }

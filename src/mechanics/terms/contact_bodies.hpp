@@ -12,6 +12,7 @@ namespace fabricsh::mechanics {
 struct PairBlock {
   std::int32_t node, by;
   Mat3 k;
+  Mat3 apart;  // the part of it that is not symmetric, see contact::FrictionTangent
 };
 
 // Six unknowns for each free body, the force on it at the step's end; in static steps its place and turn.
