@@ -375,8 +375,9 @@ class Supernodal final : public LinearSolver {
 #pragma omp for schedule(dynamic, 1)
       for (Index p = 0; p < parts; ++p)
         if (!factors_of(parts_[order_[p]], A, work)) possible = false;
-      // Read between loops that end before it is written again, so that all threads leave together.
-      for (std::size_t t = 0; t < top_.size() && possible;) {
+      // All threads come to the end of each loop, where they wait for each other, also when a node has
+      // failed: one that reads so late could already see the failure of a node that others still work on.
+      for (std::size_t t = 0; t < top_.size();) {
         if (!wide(top_[t])) {
           const std::size_t begin = t;
           while (t < top_.size() && !wide(top_[t])) ++t;
@@ -409,6 +410,7 @@ class Supernodal final : public LinearSolver {
     const long fills = blocks(n.rows);
 #pragma omp for schedule(dynamic, 1)
     for (long b = 0; b < fills; ++b) {
+      if (!possible) continue;
       fill(s, A, b * kBlock, std::min(n.rows, (b + 1) * kBlock), work);
       if (b == 0 && !pivots(n, 0, work)) possible = false;
     }
@@ -417,6 +419,7 @@ class Supernodal final : public LinearSolver {
       const long first = up_to(end, kRows), rest = up_to(next, kRows), all = 1 + blocks(n.rows - rest);
 #pragma omp for schedule(dynamic, 1)
       for (long b = 0; b < all; ++b) {
+        if (!possible) continue;
         const long from = b == 0 ? first : rest + (b - 1) * kBlock;
         extend(n, p, end, from, std::min(b == 0 ? rest : from + kBlock, n.rows), work);
         if (b == 0 && end < n.columns && !pivots(n, end, work)) possible = false;
