@@ -31,7 +31,8 @@ function brute.triangles(mesh)
   return list
 end
 
-local function edges_of(triangles)
+-- The edges of triangles, each once, as two corners in ascending order.
+function brute.edges(triangles)
   local list, known = {}, {}
   for _, t in ipairs(triangles) do
     for k = 1, 3 do
@@ -131,7 +132,7 @@ function brute.watch(mesh, balls, planes)
   balls, planes = balls or {}, planes or {}
   local place = type(mesh) == "table" and mesh.place or setmetatable({}, { __index = function(_, n) return n end })
   local triangles = brute.triangles(mesh)
-  local edges = edges_of(triangles)
+  local edges = brute.edges(triangles)
   local X, Y, Z, moved, quantum = {}, {}, {}, 0, nil
   -- Pairs are numbered (edge - 1) * n_triangles + triangle. due[k]: the pairs to be looked at when the nodes have moved by k quanta in all.
   local due = {}

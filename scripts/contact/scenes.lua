@@ -484,18 +484,6 @@ local function facets_of_cloth(run, bodies)
   return facets
 end
 
-local function edges_of(facets)
-  local list, known = {}, {}
-  for _, t in ipairs(facets) do
-    for k = 1, 3 do
-      local a, b = min(t[k], t[k % 3 + 1]), max(t[k], t[k % 3 + 1])
-      local key = a * 1000003 + b
-      if not known[key] then known[key], list[#list + 1] = true, { a, b } end
-    end
-  end
-  return list
-end
-
 local function volume(a, b, c, d)
   local ux, uy, uz, vx, vy, vz = a[1] - d[1], a[2] - d[2], a[3] - d[3], b[1] - d[1], b[2] - d[2], b[3] - d[3]
   return ux * (vy * (c[3] - d[3]) - vz * (c[2] - d[2])) + uy * (vz * (c[1] - d[1]) - vx * (c[3] - d[3])) + uz * (vx * (c[2] - d[2]) - vy * (c[1] - d[1]))
@@ -509,7 +497,7 @@ local function cuts(p, q, a, b, c)
   return s * u > 0 and u * v > 0
 end
 
--- Edges in the cells of a grid that their boxes touch; calls found(edge, facet) where boxes meet and `apart(edge, facet)` is not so.
+-- Edges in the cells of a grid that their boxes touch; calls found(edge, facet) where boxes meet.
 local function each_near(x, edges, y, facets, size, found)
   local cells = {}
   local function each_cell(low, high, visit)
@@ -610,15 +598,17 @@ end
 local function watch(s)
   local run, c = s.run, s.cloth
   local facets = facets_of_cloth(run, c.bodies)
-  local edges, place = edges_of(facets), {}
+  local edges, place = brute.edges(facets), {}
   for i = 1, #run.mesh.nodes do place[i] = i end
   if c.sewn then
     local one, two = run.mesh:set "low.bottom", run.mesh:set "low.top"
     for i = 1, #one do place[two[i]] = one[i] end
   end
   for _, d in ipairs(s.parts) do
-    if d.mesh then d.facets_ = brute.triangles(d.mesh) end
-    if d.facets_ then d.edges_ = edges_of(d.facets_) end
+    if d.mesh then
+      d.facets_ = brute.triangles(d.mesh)
+      d.edges_ = brute.edges(d.facets_)
+    end
   end
   local function shares(e, f)
     for i = 1, 2 do
