@@ -482,6 +482,7 @@ void Dynamic::check() {
   const EnergyAccount e = energy();
   weigh_inertia(e.kinetic, e.scaled);
   watch_flat(e);
+  if (is_implicit) watch_barrier(e);
   if (end) {
     watch_guard(e);
     watch_pressed(e);

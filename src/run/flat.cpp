@@ -1,6 +1,7 @@
 #include "run/flat.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "geometry/box.hpp"
 #include "geometry/node_view.hpp"
@@ -58,13 +59,20 @@ mesh::Index leaves_by(const mechanics::Assembly& assembly, const linear::Vector&
 
 }  // namespace
 
+// Coordinates are rounded, and with them the first element's normal, which the whole sheet is held against.
 bool is_flat(const mechanics::Assembly& assembly) {
   constexpr double rounding = 1e-12;
   const auto x = assembly.state().x();
+  const auto& first = assembly.cloth().model().mesh().elements.front();
   const Vec3 normal = normal_of(assembly), from = at(x, 0);
   const double size = box_of(assembly.dofs().reference()).size().norm();
+  const double side = (at(x, first[1]) - at(x, first[0])).norm(),
+               width = (at(x, first[2]) - at(x, first[1])).norm();
+  const double far =
+      *std::max_element(x.begin(), x.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+  const double coarse = 8 * std::numeric_limits<double>::epsilon() * std::abs(far) / std::min(side, width);
   for (std::ptrdiff_t n = 0; n < static_cast<std::ptrdiff_t>(x.size() / 3); ++n)
-    if (!(std::abs((at(x, n) - from).dot(normal)) <= rounding * size)) return false;
+    if (!(std::abs((at(x, n) - from).dot(normal)) <= (rounding + coarse) * size)) return false;
   return true;
 }
 

@@ -1,6 +1,7 @@
 // Driving a run: steps and where they end.
 #include "run/run.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -170,16 +171,38 @@ void Run::step() {
   if (!stopped_ && time() < duration_ - same_time * duration_) advance_to(duration_);
 }
 
+namespace {
+
+// s, up to `to`: until then the turn is at most a quarter of a circle. The directors of a longer step would
+// go by the shorter way, and lose whole turns. A function of time may do anything between the looks at it.
+double end_of_turn(const model::History& angle, double from, double to) {
+  constexpr int looks = 32, tries = 60;
+  constexpr double quarter = 90 * (1 + 1e-9);  // degrees
+  const int parts = angle.is_constant() || !angle.kinks().empty() ? 1 : looks;
+  for (int k = 0; k < tries; ++k) {
+    double most = 0;
+    for (int i = 1; i <= parts; ++i)
+      most = std::max(most, std::abs(angle.value(from + (to - from) * i / parts) - angle.value(from)));
+    if (!(most > quarter)) break;
+    to = from + (to - from) / std::clamp(std::ceil(most / quarter), 2.0, 1e6);
+  }
+  return to;
+}
+
+}  // namespace
+
 double Run::next_landing(double limit, double step) {
   const double now = committed_time(), landing = next_landing(limit);
   const double whole = std::min(landing, now + step);
-  double end = whole;
+  double turned = whole;
+  for (const auto& turn : model_->all<model::PrescribedTurn>()) turned = end_of_turn(turn.angle, now, turned);
+  double end = turned;
   for (const auto* const term : assembly_->terms().all<mechanics::StepLimiter>()) end = term->latest_end(end);
   if (end >= whole) return landing;
-  const std::string text = std::string(kind()) +
-                           ": contact follows the bodies that turn or fly in steps of " + number(end - now) +
-                           " s from time " + number(now) + " s on";
-  notices_->once("contact follows", text);
+  const std::string what = end < turned ? ": contact follows the bodies that turn or fly in steps of "
+                                        : ": nodes turn by at most 90 degrees in a step: steps of ";
+  notices_->once(end < turned ? "contact follows" : "turns",
+                 std::string(kind()) + what + number(end - now) + " s from time " + number(now) + " s on");
   return end;
 }
 
@@ -276,6 +299,18 @@ void Run::watch_guard(const EnergyAccount& e) {
            " % of the stored energy, and the answer depends on it as much: the cloth folds more sharply than "
            "its elements show, or these are long across stiff fibres; expected at most 1 %, with smaller "
            "elements");
+}
+
+// Explicit steps tell it themselves, with what they do about it.
+void Run::watch_barrier(const EnergyAccount& e) {
+  constexpr double shows = 0.01;
+  const auto* const contact = std::as_const(*assembly_).terms().find<mechanics::Contacts>();
+  if (contact == nullptr || !(e.guard > shows * e.contact) || warned("guard")) return;
+  const auto nearest = contact->readings().nearest();
+  note("guard", std::string(kind()) + ": at time " + number(time()) + " s " +
+                    contact->surfaces().words(nearest.point) +
+                    " are pressed farther than the law of their contact: a barrier keeps them apart, " +
+                    number(nearest.gap) + " m above the smallest distance (its energy: a.energy.guard)");
 }
 
 // The potential energy at equilibrium changes with the logarithm of a stiffness by the energy that it stores.

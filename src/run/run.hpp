@@ -152,6 +152,7 @@ class Run : public Readings, public Schedule {
   void watch_guard(const EnergyAccount& energies);
   // Likewise that contact does, whose stiffness was assumed.
   void watch_pressed(const EnergyAccount& energies);
+  void watch_barrier(const EnergyAccount& energies);
   // Reports once an element that is turned inside out in the committed state, and a fold that the mesh is too
   // coarse for.
   void watch_shape();
@@ -168,7 +169,8 @@ class Run : public Readings, public Schedule {
   void go_back(const std::string& save_state);
 
   double next_landing(double limit) const { return landing_after(committed_time(), limit); }
-  // The same, or earlier: where contact follows the bodies no farther in a step of this length, s.
+  // The same, or earlier: where contact follows the bodies no farther in a step of this length, s, or nodes
+  // have turned by a quarter of a circle.
   double next_landing(double limit, double step);
   void rollback();  // the trial state
 

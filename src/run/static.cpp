@@ -715,6 +715,7 @@ void Static::check_balance() {
 // stores, which is no measure of the steps.
 void Static::check() {
   watch_shape();
+  watch_barrier(energy());
   check_balance();
   watch_accounts(
       energy(), std::max({work_.largest(), now_.internal, energy_of_rest(), energy_of_rounding(*assembly_)}));

@@ -156,7 +156,8 @@ Argument far_end_row(const char* sentence, bool frame) {
   if (frame) rows = frame_row().rows;
   rows.push_back(std::move(to));
   return fields_("options?", std::move(rows),
-                 frame ? "frame = {e1, e2} for oblique directions; to = where a body's spring ends"
+                 frame ? "frame = {e1, e2} for x and y that are not those of space, e2 is made normal to e1; "
+                         "to = where a body's spring ends"
                        : "to = where it ends");
 }
 

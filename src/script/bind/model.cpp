@@ -58,8 +58,10 @@ std::string sample_model() {
 Argument set_or_body_row() { return object_("set", "body", "name of a node set, or a rigid body", text); }
 
 Argument frame_row() {
-  return fields_("options?", {value_("frame?", table, "{e1, e2}: directions of x and y in this call")},
-                 "frame = {e1, e2} for oblique directions");
+  return fields_(
+      "options?",
+      {value_("frame?", table, "{e1, e2}: directions of x and, made normal to it, y in this call")},
+      "frame = {e1, e2} for x and y that are not those of space; e2 is made normal to e1");
 }
 
 Argument components_row(const char* unit, const char* sentence) {
@@ -210,7 +212,9 @@ std::vector<Entry> model_entries() {
        move},
       {"model:gravity()",
        {Argument{"acceleration", table, "m/s^2", everything, "{gx, gy, gz}, each a history"}},
-       "Lets gravity act on the whole cloth, and on rigid bodies that have a mass and forces place.",
+       "Lets gravity act on the whole cloth, and on rigid bodies that have a mass and forces place. A second "
+       "call "
+       "takes the place of the first.",
        sample + "m:gravity{0, 0, -9.81}",
        gravity},
       without_arguments(

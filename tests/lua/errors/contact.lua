@@ -276,6 +276,10 @@ wrong("fabric.lab.capstan", "fabric.lab.capstan{ card=card, radius='1' }",
   "deck.lua:1: capstan: field 'radius': expected a positive number in m, got '1'")
 wrong("fabric.lab.capstan", "fabric.lab.capstan{ card=card, radius=-1 }",
   "deck.lua:1: capstan: field 'radius': expected a positive number in m, got -1")
+wrong("fabric.lab.capstan", "fabric.lab.capstan{ card=card, draw=0.3, lead=2 }",
+  "deck.lua:1: capstan: field 'lead': expected at least 12, got 2: the held edge comes onto the cylinder")
+wrong("fabric.lab.capstan", "fabric.lab.capstan{ card=card, draw=0.5 }",
+  "deck.lua:1: capstan: field 'draw': expected less than 0.5, got 0.5: the held edge comes onto the cylinder")
 wrong("fabric.lab.capstan", "fabric.lab.capstan{ card=card, around=2.5 }",
   "deck.lua:1: capstan: field 'around': expected an integer of at least 4, got 2.5")
 

@@ -32,7 +32,17 @@ local function strip(t)
   return mesh, along, half
 end
 
+-- The elements that are drawn onto the cylinder have to be of the straight part: beyond it the held edge would leave its tangent.
+local function enough(t)
+  local drawn = t.draw < 0.5 and math.ceil(t.draw * t.around / (1 - 2 * t.draw) - 1e-9) or math.huge
+  if not t.lead and drawn < math.huge then return math.max(2, drawn) end
+  if t.lead and t.lead >= drawn then return t.lead end
+  if drawn == math.huge then define.fail(("capstan: field 'draw': expected less than 0.5, got %g: the held edge comes onto the cylinder"):format(t.draw)) end
+  define.fail(("capstan: field 'lead': expected at least %d, got %d: the held edge comes onto the cylinder"):format(drawn, t.lead))
+end
+
 local function run(t)
+  t.lead = enough(t)
   local mesh, along, half = strip(t)
   local model = fabric.model { mesh = mesh, card = t.card, warp = along, points = t.card.bending and 1 or 3 }
   local first, last = { math.cos(half), 0, math.sin(half) }, { math.cos(half), 0, -math.sin(half) }
@@ -70,7 +80,8 @@ define {
     { name = "tension", kind = "number", unit = "N/m", above = 0, default = 10, sentence = "T1, that the strip is held by" },
     { name = "width", kind = "number", unit = "m", above = 0, default = 0.01, sentence = "of the strip" },
     { name = "around", kind = "integer", low = 4, default = 16, sentence = "elements of the wrap" },
-    { name = "lead", kind = "integer", low = 1, default = 2, sentence = "elements of the straight part on either side" },
+    { name = "lead", kind = "integer", low = 1, optional = true,
+      sentence = "elements of the straight part on either side; default: 2, or as many as are drawn onto the cylinder" },
     { name = "draw", kind = "number", above = 0, high = 1, default = 0.05, sentence = "of the strip's length: how far it is drawn" },
     { name = "step", kind = "number", unit = "s", above = 0, default = 0.05, sentence = "largest step: 1 s is the tension, 1 s more the drawing" },
     { name = "stiffness", kind = "number", unit = "Pa/m", above = 0, optional = true, sentence = "of contact, as for model:contact" },
