@@ -41,7 +41,7 @@ struct alignas(64) BatchPairs {
   ByLane scale, zone[2], area;
 };
 
-// The memory of friction by lane; slides: 0 or 1; gap: m.
+// The memory of friction by lane; slides: 0 to 1; gap: m.
 struct alignas(64) BatchMemory {
   ByLane slip[3], pull[3], damped, slides, gap;
 };

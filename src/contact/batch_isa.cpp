@@ -323,11 +323,12 @@ void Pairs::rub(const Place& at, Pack pressure, Pack stiffness, bool nearest, Su
   const Pack3 held = load3(step.held->slip, first);
   const Pack3 trial = slid + held - dot(n, held) * n;
   const Pack length = norm(trial), spring = Pack(law.spring) * abs(at.count),
-             against = abs(at.count) * (pressure + damping), most = Pack(law.friction) * against;
-  const PackMask goes_on = (load(step.held->slides + first) > zero) & (dot(slid, held) > zero);
-  const Pack holds = select(goes_on, most, Pack(law.holding) * against);
-  const PackMask sticks = spring * length <= holds;
-  const Pack bound = select(sticks, holds, most), kept = select(sticks, one, most / (spring * length));
+             against = abs(at.count) * (pressure + damping);
+  const Pack before = select(dot(slid, held) > zero, load(step.held->slides + first), zero);
+  const PackMask goes_on = before >= one;
+  const Pack most = select(goes_on, Pack(law.friction), Pack(law.holding)) * against;
+  const PackMask sticks = spring * length <= most;
+  const Pack kept = select(sticks, one, most / (spring * length));
   // The resistance of an explicit step.
   const Pack times = counts_once ? Pack(one) : at.count / area;
   Pack lightness = zero, alone = zero;
@@ -345,7 +346,7 @@ void Pairs::rub(const Place& at, Pack pressure, Pack stiffness, bool nearest, Su
   const Pack resists = select(gives_way, 0.2 * abs(times) / (lightness * Pack(law.dt) * Pack(law.dt)), zero);
   Pack3 pull = spring * trial + resists * slid;
   const Pack size = norm(pull);
-  pull = select(size > bound, (bound / size) * pull, pull);
+  pull = select(size > most, (most / size) * pull, pull);
   pull = select(at.count < zero, Pack3{-pull.x, -pull.y, -pull.z}, pull);
   for (int i = 0; i < 4; ++i) sums.on[i] = sums.on[i] - at.weight[i] * pull;
   if (law.offset != 0) sums.torque = sums.torque + cross(lever, pull);
@@ -354,7 +355,8 @@ void Pairs::rub(const Place& at, Pack pressure, Pack stiffness, bool nearest, Su
   sums.work += 0.5 * dot(pull, slid);
   if (!nearest) return;
   sums.work += 0.5 * dot(load3(step.held->pull, first), slid);
-  store(step.tried->slides + first, select(goes_on | !sticks, one, zero));
+  const Pack slides = select(most > zero, min(one, before + (spring * length - most) / most), one);
+  store(step.tried->slides + first, select(sticks, before, slides));
   store3(step.tried->slip, first, turned(law.kind, kept * trial, start, x));
 }
 

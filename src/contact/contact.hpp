@@ -270,7 +270,7 @@ class Contact {
   struct Kept {
     Vec3 slip = Vec3::Zero(), pull = Vec3::Zero();
     double gap = 0, damped = 0;  // m, N
-    bool slides = false;
+    double slides = 0;
   };
   struct Held : Kept {
     std::array<std::int32_t, 4> point{};

@@ -73,18 +73,21 @@ struct Slid {
   double length = 0;  // m, of that slip
   double damping = 0, damping_slope = 0;  // Pa, by which an approach is resisted; Pa/m, by the opening
   double spring = 0, most = 0;            // N/m; N, mu times the normal force
-  double mu = 0;                          // in the direction of the trial slip
-  Vec3 mu_by_trial = Vec3::Zero();        // 1/m, its derivative
+  double mu = 0;                    // in the direction of the trial slip; static, unless it slides already
+  Vec3 mu_by_trial = Vec3::Zero();  // 1/m, its derivative
   // N/m, of the film for the step's sliding; its derivative by the gap, N/m2; and by the sliding, over its
   // length, N/m3.
   double drag = 0, drag_slope = 0, thins = 0;
   Mat3 drag_by_slid() const { return drag * Mat3::Identity() + thins * slid * slid.transpose(); }
-  double holds = 0;      // N, what sticks holds: of static friction, unless it slides already
-  bool goes_on = false;  // slides, and in this step on in the same direction
-  bool sticks() const { return spring * length <= holds; }
-  double bound() const { return sticks() ? holds : most; }
+  double before = 0;  // of Slip::slides, if it goes on in the same direction
+  bool goes_on() const { return before >= 1; }
+  bool sticks() const { return spring * length <= most; }
   // Share of the trial slip that friction holds.
   double kept() const { return sticks() ? 1 : most / (spring * length); }
+  double slides() const {
+    if (sticks()) return before;
+    return most > 0 ? std::min(1.0, before + (spring * length - most) / most) : 1;
+  }
 };
 
 // Whether a side of a pair is neither held nor driven.
@@ -157,10 +160,12 @@ void wet(const ContactLaw& law, const Pair& pair, const PressedPlace& at, const 
   direct(touch, slip, out);
   wet(law, pair, at, slip, out);
   out.spring = slip.stiffness * std::fabs(at.count);
-  const double normal = std::fabs(at.count) * (at.answer.pressure + out.damping);
-  out.most = out.mu * normal;
-  out.goes_on = slip.slides && out.slid.dot(slip.held) > 0;
-  out.holds = out.goes_on ? out.most : std::max(slip.across < 0 ? slip.sticking : 0, out.mu) * normal;
+  out.before = out.slid.dot(slip.held) > 0 ? slip.slides : 0;
+  // What breaks away is held by static friction until it has slid by its elastic slip. If it fell at once,
+  // that of pairs under uneven pressure would fall one by one, and the whole would never hold; and if an
+  // iteration could lower the bound, those of a static step would go past an elastic slip of a micrometre.
+  if (!out.goes_on() && slip.across < 0) out.mu = std::max(out.mu, slip.sticking);
+  out.most = out.mu * std::fabs(at.count) * (at.answer.pressure + out.damping);
   return out;
 }
 
@@ -199,7 +204,7 @@ class Friction {
     Vec3 pull = Vec3::Zero();
     if (slip_.rubs()) pull = s.spring * s.trial + resistance(touch, slip_, times, force_.resists) * s.slid;
     const double size = pull.norm(), kept = s.kept();
-    if (size > s.bound()) pull *= s.bound() / size;
+    if (size > s.most) pull *= s.most / size;
     if (at.count < 0) pull = -pull;
     if (s.drag != 0) pull += s.drag * s.slid;
     for (std::size_t i = 0; i < 4; ++i) force_.on[i] -= touch.weight[i] * pull;
@@ -210,9 +215,9 @@ class Friction {
     force_.work += (1 - before) * pull.dot(s.slid);
     if (first_) force_.work += before * slip_.pull.dot(s.slid);
     if (!slip_.rubs()) return;
-    const double weight = pair_.kind == PairKind::wrap ? s.bound() : first_ ? 1 : 0;
+    const double weight = pair_.kind == PairKind::wrap ? s.most : first_ ? 1 : 0;
     share_ += weight;
-    force_.slides = force_.slides || (weight > 0 && (s.goes_on || !s.sticks()));
+    if (weight > 0) force_.slides = std::max(force_.slides, s.slides());
     if (weight > 0) force_.slip += weight / share_ * (kept * s.trial - force_.slip);
   }
 

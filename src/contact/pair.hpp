@@ -45,6 +45,8 @@ struct Pair {
   double offset = 0;  // m: radii subtracted from the distance
   // For a facet: weights of the edge opposite to each corner and of each corner, beside the facet's 1.
   std::array<std::int8_t, 3> edge{}, corner{};
+  // Factor on the stiffness of friction's spring: of what is on guard, and weighs little, that of its area.
+  float grip = 1;
   Fading fading = {};  // for `edges`
 };
 
@@ -81,7 +83,7 @@ struct Slip {
   double dt = 0;             // s, of the step in time; 0: no damping
   double damped = 0;         // N, of the damping of approach at the beginning of the step
   double sticking = 0;       // the static coefficient; below mu: the same as mu
-  bool slides = false;       // at the beginning of the step
+  double slides = 0;         // at the beginning of the step: what has slid over the elastic slip, up to 1
   // Friction by direction: mu holds along `along`, the warp of the cloth at the pair, and `across` across it;
   // between them they are half axes of an ellipse. Below 0: mu holds in all directions.
   double across = -1;
@@ -107,7 +109,7 @@ struct Force {
   Vec3 pull = Vec3::Zero();    // N, friction on the second side
   double stick = 0;            // J, elastic energy of the slip
   double damped = 0;           // N, of the damping of approach
-  bool slides = false;         // at the end of the step
+  double slides = 0;           // at the end of the step
   // Explicit steps: the resistance at each corner over 0.2 m / dt of its own mass, but for Slip::crowd.
   std::array<double, 4> resists{};
   // J, work that the sliding of the step does against friction: in explicit steps by the forces at both ends,

@@ -37,14 +37,22 @@ bool along_first(const std::array<Vec3, 4>& x, const Vec3& centre, bool otherwis
   return std::abs(first - second) <= 1e-6 * (first + second) ? otherwise : first < second;
 }
 
+// Whether a sheet lies in a plane, however that lies in space: the plane of its largest element.
 bool is_flat(std::span<const Vec3> nodes, std::span<const std::array<mesh::Index, 4>> elements) {
   std::vector<Vec3> used;
-  for (const auto& e : elements)
+  Vec3 normal = Vec3::Zero();
+  for (const auto& e : elements) {
+    const auto at = [&](std::size_t i) -> const Vec3& { return nodes[std::size_t(e[i])]; };
     for (const mesh::Index n : e)
       if (n >= 0) used.push_back(nodes[std::size_t(n)]);
-  if (used.empty()) return false;
-  const Vec3 size = box_of(used).size();
-  return size.minCoeff() <= 1e-6 * size.maxCoeff();
+    const Vec3 across = (at(2) - at(0)).cross(at(e[3] < 0 ? 0 : 3) - at(1));
+    if (across.squaredNorm() > normal.squaredNorm()) normal = across;
+  }
+  if (!(normal.norm() > 0)) return false;
+  normal.normalize();
+  const double thin = 1e-6 * box_of(used).size().maxCoeff();
+  return std::all_of(used.begin(), used.end(),
+                     [&](const Vec3& x) { return std::abs((x - used.front()).dot(normal)) <= thin; });
 }
 
 }  // namespace
@@ -194,12 +202,12 @@ int Scene::add_triangles(Surface surface, std::span<const Triangle> triangles,
     if (!(row.area > 0)) refuse("triangle " + std::to_string(i + 1) + " of a surface has no area");
     total += row.area;
     for (const std::int32_t node : row.nodes) {
-      area_[std::size_t(node)] += row.area / 3;
       at_point_[std::size_t(node)].push_back(std::int32_t(triangles_.size()));
       surface.points.push_back(node);
     }
     triangles_.push_back(row);
   }
+  share_areas(surface, element);
   std::sort(surface.points.begin(), surface.points.end());
   surface.points.erase(std::unique(surface.points.begin(), surface.points.end()), surface.points.end());
   surface.mean_area = surface.points.empty() ? 0 : total / double(surface.points.size());
@@ -208,6 +216,27 @@ int Scene::add_triangles(Surface surface, std::span<const Triangle> triangles,
   find_sheets(surface);
   surfaces_.push_back(std::move(surface));
   return number;
+}
+
+// Each corner of an element has the same part of its area, as of its mass and loads, however a quadrilateral
+// is cut: so cloth at rest on a floor is pressed alike everywhere.
+void Scene::share_areas(const Surface& surface, std::span<const std::int32_t> element) {
+  const auto row = [&](std::size_t i) -> const TriangleRow& {
+    return triangles_[std::size_t(surface.first_triangle) + i];
+  };
+  const auto add = [&](std::int32_t node, double area) { area_[std::size_t(node)] += area; };
+  for (std::size_t i = 0; i < element.size(); ++i) {
+    const auto& first = row(i);
+    if (element[i] < 0 || i + 1 == element.size() || element[i + 1] != element[i]) {
+      for (const std::int32_t node : first.nodes) add(node, first.area / 3);
+      continue;
+    }
+    const auto& second = row(++i);
+    const double quarter = (first.area + second.area) / 4;
+    for (const std::int32_t node : first.nodes) add(node, quarter);
+    for (const std::int32_t node : second.nodes)
+      if (std::find(first.nodes.begin(), first.nodes.end(), node) == first.nodes.end()) add(node, quarter);
+  }
 }
 
 // Adds the edges of a surface, in ascending order of their ends.

@@ -99,6 +99,9 @@ struct TriangleRow {
       corner{};  // weights of the edges and corners that are stored in this triangle
 };
 
+// Pa, presses woven cloth down to its fibres.
+inline constexpr double dense_pressure = 1e6;
+
 struct Interaction {
   std::int32_t first = 0, second = 0;  // surfaces; equal for a cloth in contact with itself
   ContactLaw law;
@@ -219,6 +222,7 @@ class Scene {
   int add_triangles(Surface surface, std::span<const Triangle> triangles,
                     std::span<const std::int32_t> element);
   int add_rigid(Surface surface, std::span<const Vec3> vertices);
+  void share_areas(const Surface& surface, std::span<const std::int32_t> element);
   void add_edges(Surface& surface);
   void count_places(const Surface& surface);
   void find_sheets(const Surface& surface);

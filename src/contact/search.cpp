@@ -390,7 +390,10 @@ class Search {
       Candidate found = row;
       found.point[0] = p;
       for (std::int32_t k = 0; k < shape.vertices; ++k) found.point[std::size_t(k + 1)] = v + k;
-      found.pair.area = wall ? scene_.area(p) : node_area(it, sheet, p);
+      if (wall)
+        found.pair.area = scene_.area(p);
+      else
+        node_area(it, sheet, p).set(found.pair);
       keep(found, it.law, rows);
     });
   }
@@ -400,24 +403,48 @@ class Search {
     return it.parts.empty() ? 0 : it.parts[std::size_t(t - sheet.first_triangle)];
   }
   // The areas of nodes, edges and facets without those triangles. In these nodes, edges and facets stay on
-  // guard: they keep what is between the contact points from coming nearer to the body than these may.
-  double node_area(const Interaction& it, const Surface& sheet, std::int32_t p) const {
-    if (it.parts.empty()) return shared * scene_.area(p);
-    double area = 0;
-    for (const std::int32_t t : scene_.triangles_at_point(p))
-      if (scene_.triangles()[std::size_t(t)].surface == it.first) area += facet_area(it, sheet, t) / 3;
-    return area;
-  }
-  double facet_area(const Interaction& it, const Surface& sheet, std::int32_t t) const {
+  // guard: they keep what is between the contact points from coming nearer to the body than these may. What
+  // the barrier carries there rubs on a spring that is as stiff as if all of the area were theirs.
+  struct Area {
+    double whole = 0, counted = 0;  // m2
+    void add(double area, double share) {
+      whole += shared * area;
+      counted += share * area;
+    }
+    void set(Pair& pair) const {
+      pair.area = counted;
+      pair.grip = static_cast<float>(whole > counted ? whole / counted : 1);
+    }
+  };
+  double share(const Interaction& it, const Surface& sheet, std::int32_t t) const {
     const int n = parts(it, sheet, t);
-    const double area = scene_.triangles()[std::size_t(t)].area;
-    return n == 0 ? shared * area : on_guard * area / (n * n);
+    return n == 0 ? shared : on_guard / (n * n);
   }
-  double edge_area(const Interaction& it, const Surface& sheet, std::int32_t e) const {
-    if (it.parts.empty()) return shared * scene_.edges()[std::size_t(e)].area;
-    double area = 0;
-    for (const std::int32_t t : scene_.triangles_at_edge(e)) area += facet_area(it, sheet, t) / 3;
-    return area;
+  Area facet_area(const Interaction& it, const Surface& sheet, std::int32_t t) const {
+    Area out;
+    out.add(scene_.triangles()[std::size_t(t)].area, share(it, sheet, t));
+    return out;
+  }
+  Area node_area(const Interaction& it, const Surface& sheet, std::int32_t p) const {
+    Area all;
+    if (it.parts.empty()) {
+      all.add(scene_.area(p), shared);
+      return all;
+    }
+    for (const std::int32_t t : scene_.triangles_at_point(p))
+      if (scene_.triangles()[std::size_t(t)].surface == it.first)
+        all.add(scene_.triangles()[std::size_t(t)].area, share(it, sheet, t));
+    const double whole = shared * scene_.area(p);
+    return {whole, whole * (all.counted / all.whole)};
+  }
+  Area edge_area(const Interaction& it, const Surface& sheet, std::int32_t e) const {
+    Area out;
+    if (it.parts.empty())
+      out.add(scene_.edges()[std::size_t(e)].area, shared);
+    else
+      for (const std::int32_t t : scene_.triangles_at_edge(e))
+        out.add(scene_.triangles()[std::size_t(t)].area / 3, share(it, sheet, t));
+    return out;
   }
 
   // Facets and edges tell what passes on a way, so that contact points are left out there.
@@ -456,7 +483,7 @@ class Search {
       if (!box.meets(box_of({e.a, e.b}, 0))) return;
       Candidate found = row;
       found.point = {e.a, e.b, v, v + 1};
-      found.pair.area = edge_area(it, sheet, sheet.first_edge + std::int32_t(i));
+      edge_area(it, sheet, sheet.first_edge + std::int32_t(i)).set(found.pair);
       keep(found, it.law, rows);
     });
   }
@@ -469,7 +496,7 @@ class Search {
       if (!box.meets(box_of({t.nodes[0], t.nodes[1], t.nodes[2]}, 0))) return;
       Candidate found = row;
       found.point = {v, t.nodes[0], t.nodes[1], t.nodes[2]};
-      found.pair.area = facet_area(it, sheet, sheet.first_triangle + std::int32_t(i));
+      facet_area(it, sheet, sheet.first_triangle + std::int32_t(i)).set(found.pair);
       keep(found, it.law, rows);
     });
   }

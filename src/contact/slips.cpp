@@ -70,7 +70,7 @@ Contact::Kept Contact::Memory::at(std::uint32_t place) const {
           {from.pull[0][k], from.pull[1][k], from.pull[2][k]},
           from.gap[k],
           from.damped[k],
-          from.slides[k] != 0};
+          from.slides[k]};
 }
 
 void Contact::put(BatchMemory& to, std::uint32_t k, const Kept& kept) {
@@ -80,7 +80,7 @@ void Contact::put(BatchMemory& to, std::uint32_t k, const Kept& kept) {
   }
   to.gap[k] = kept.gap;
   to.damped[k] = kept.damped;
-  to.slides[k] = kept.slides ? 1 : 0;
+  to.slides[k] = kept.slides;
 }
 
 void Contact::Memory::begin(std::size_t batches) {
@@ -177,7 +177,12 @@ void Contact::find_slip(std::size_t i, std::span<const Vec3> x, const Way& way, 
   const Candidate& c = inner_[i];
   const Interaction& it = scene_->interactions()[std::size_t(c.interaction)];
   slip.friction = it.friction;
-  slip.stiffness = tangential * it.law.stiffest();
+  // A barrier carries more than the law. Where the step permits, it holds friction as cloth pressed dense
+  // does.
+  const double dense = dense_pressure / (it.law.gap() - it.law.floor());
+  const bool holds = !it.parts.empty() && way.inverse_mass.empty();
+  slip.stiffness =
+      c.pair.grip * tangential * (holds ? std::max(it.law.stiffest(), dense) : it.law.stiffest());
   slip.sticking = it.sticking;
   slip.film = it.film;
   if (it.across >= 0) {
@@ -228,7 +233,7 @@ std::vector<BatchLaw> Contact::laws_of_batches(const Way& way) const {
   if (way.start.empty() || way.inverse_mass.empty() || !way.planes.empty() || !(way.dt > 0)) return out;
   for (const Interaction& it : scene_->interactions()) {
     BatchLaw row;
-    const bool plain = it.across < 0 && it.film.viscous == 0 && !it.rigid;
+    const bool plain = it.across < 0 && it.film.viscous == 0 && !it.rigid && it.parts.empty();
     const auto& knots = it.law.knots();
     row.knots = &knots.front().gap;
     row.count = plain ? int(knots.size()) : 0;
@@ -338,7 +343,7 @@ Contact::Rubbing Contact::held_friction() const {
     const double force = h.pull.norm();
     ++all.pairs;
     all.force += force;
-    if (!h.slides) return;
+    if (!(h.slides > 0)) return;
     ++all.sliding;
     all.of_sliding += force;
     if (force > largest) {

@@ -50,7 +50,7 @@ Case random_case(PairKind kind, std::mt19937& random) {
   s.held = about({0, 0, 0}, 2e-6);
   s.pull = about({0, 0, 0}, 1e-3);
   s.damped = std::abs(unit(random));
-  s.slides = unit(random) > 0;
+  s.slides = unit(random) > 0 ? 1 : 0.5 + unit(random) / 2;
   for (std::size_t k = 0; k < 4; ++k) {
     s.crowd[k] = unit(random) > 0 ? 1 : 1.5;
     s.inverse_mass[k] = s.crowd[k] * (k == 2 ? 0 : 1e5);
@@ -97,7 +97,7 @@ struct Packed {
       held.pull[d][lane] = c.slip.pull[d];
     }
     held.damped[lane] = c.slip.damped;
-    held.slides[lane] = c.slip.slides ? 1 : 0;
+    held.slides[lane] = c.slip.slides;
   }
 };
 
@@ -122,7 +122,7 @@ void check(const Case& c, const Packed& batch, int lane) {
   CHECK(batch.tried.damped[lane] == one.damped);
   CHECK(out.work == one.work);
   CHECK(out.impact == one.impact);
-  CHECK((batch.tried.slides[lane] != 0) == one.slides);
+  CHECK(batch.tried.slides[lane] == Approx(one.slides).epsilon(1e-9));
 }
 
 void compare(PairKind kind, BatchKind batch_kind, const BatchPress press, Counts& counts) {

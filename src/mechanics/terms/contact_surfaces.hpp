@@ -17,7 +17,6 @@ namespace fabricsh::mechanics {
 // The largest explicit step with contact as a share of the cloth's stable step, and the stiffness that it
 // carries times its square over the areal mass.
 inline constexpr double contact_step_of_cloth = 0.6, carried_stiffness = 0.2;
-inline constexpr double dense_pressure = 1e6;  // Pa, presses woven cloth down to its fibres
 
 class ContactSurfaces {
  public:
