@@ -720,7 +720,7 @@ function fabric.lab.cantilever(fields) end
 ---@field tension? number N/m: T1, that the strip is held by (default 10)
 ---@field width? number m: of the strip (default 0.01)
 ---@field around? integer elements of the wrap (default 16)
----@field lead? integer elements of the straight part on either side (default 2)
+---@field lead? integer elements of the straight part on either side; default: 2, or as many as are drawn onto the cylinder
 ---@field draw? number of the strip's length: how far it is drawn (default 0.05)
 ---@field step? number s: largest step: 1 s is the tension, 1 s more the drawing (default 0.05)
 ---@field stiffness? number Pa/m: of contact, as for model:contact
@@ -2839,12 +2839,12 @@ function model:damper(set, rate, options) end
 function model:declared() end
 
 ---@class model_fix_fields.options
----@field frame? table {e1, e2}: directions of x and y in this call
+---@field frame? table {e1, e2}: directions of x and, made normal to it, y in this call
 
 ---Holds freedoms of a node set, or of a rigid body that forces place in the others; fixing twice is harmless.
 ---@param set string|body name of a node set, or a rigid body
 ---@param freedoms string some of x y z rx ry rz rotation; rotation is both of the director's, or all three of a body
----@param options? model_fix_fields.options frame = {e1, e2} for oblique directions
+---@param options? model_fix_fields.options frame = {e1, e2} for x and y that are not those of space; e2 is made normal to e1
 ---@return model
 function model:fix(set, freedoms, options) end
 
@@ -2854,12 +2854,12 @@ function model:fix(set, freedoms, options) end
 ---@field z? number|function|history N: history along z
 
 ---@class model_force_fields.options
----@field frame? table {e1, e2}: directions of x and y in this call
+---@field frame? table {e1, e2}: directions of x and, made normal to it, y in this call
 
 ---Loads a node set with a total force; a single node takes it whole. Loads a rigid body at its centre (dynamic runs need its mass), which then moves in the directions that m:fix does not hold.
 ---@param set string|body name of a node set, or a rigid body
 ---@param components model_force_fields.components {x=, y=, z=}: the total force, shared by length or area
----@param options? model_force_fields.options frame = {e1, e2} for oblique directions
+---@param options? model_force_fields.options frame = {e1, e2} for x and y that are not those of space; e2 is made normal to e1
 ---@return model
 function model:force(set, components, options) end
 
@@ -2885,7 +2885,7 @@ function model:force(set, components, options) end
 ---@return model
 function model:gas(fields) end
 
----Lets gravity act on the whole cloth, and on rigid bodies that have a mass and forces place.
+---Lets gravity act on the whole cloth, and on rigid bodies that have a mass and forces place. A second call takes the place of the first.
 ---@param acceleration table m/s^2: {gx, gy, gz}, each a history
 ---@return model
 function model:gravity(acceleration) end
@@ -2900,12 +2900,12 @@ function model:list() end
 ---@field z? number|function|history N m: history along z
 
 ---@class model_moment_fields.options
----@field frame? table {e1, e2}: directions of x and y in this call
+---@field frame? table {e1, e2}: directions of x and, made normal to it, y in this call
 
 ---Loads the directors of a node set with a moment, shared by length or area; or a rigid body about its centre.
 ---@param set string|body name of a node set, or a rigid body
 ---@param components model_moment_fields.components {x=, y=, z=}: the total moment about axes that stay fixed in space
----@param options? model_moment_fields.options frame = {e1, e2} for oblique directions
+---@param options? model_moment_fields.options frame = {e1, e2} for x and y that are not those of space; e2 is made normal to e1
 ---@return model
 function model:moment(set, components, options) end
 
@@ -2921,12 +2921,12 @@ function model:moment(set, components, options) end
 ---@field turn? model_move_fields.components.turn of a rigid body: {axis=, angle=, centre=}
 
 ---@class model_move_fields.options
----@field frame? table {e1, e2}: directions of x and y in this call
+---@field frame? table {e1, e2}: directions of x and, made normal to it, y in this call
 
 ---Prescribes displacements of a node set, or of a rigid body, as histories (number, function(t), fabric.history, fabric.ramp).
 ---@param set string|body name of a node set, or a rigid body
 ---@param components model_move_fields.components {x=, y=, z=, turn=}: displacement from the reference position
----@param options? model_move_fields.options frame = {e1, e2} for oblique directions
+---@param options? model_move_fields.options frame = {e1, e2} for x and y that are not those of space; e2 is made normal to e1
 ---@return model
 function model:move(set, components, options) end
 
@@ -2966,13 +2966,13 @@ function model:seam(seam) end
 ---@field z? number N/m: along z
 
 ---@class model_spring_fields.options
----@field frame? table {e1, e2}: directions of x and y in this call
+---@field frame? table {e1, e2}: directions of x and, made normal to it, y in this call
 ---@field to? number[]|body of a rigid body: another body, or {x, y, z}, m, where its centre is when the spring is slack; default where it begins
 
 ---Ties a node set to its reference position by springs; or the centre of a rigid body to the ground or to another body.
 ---@param set string|body name of a node set, or a rigid body
 ---@param stiffness model_spring_fields.stiffness {x=, y=, z=}: the total stiffness to ground, shared by length or area
----@param options? model_spring_fields.options frame = {e1, e2} for oblique directions; to = where a body's spring ends
+---@param options? model_spring_fields.options frame = {e1, e2} for x and y that are not those of space, e2 is made normal to e1; to = where a body's spring ends
 ---@return model
 function model:spring(set, stiffness, options) end
 
@@ -3018,12 +3018,12 @@ function model:tie(kind, set, second, freedoms) end
 ---@field z? number|function|history N/m^2 or N/m: history along z
 
 ---@class model_traction_fields.options
----@field frame? table {e1, e2}: directions of x and y in this call
+---@field frame? table {e1, e2}: directions of x and, made normal to it, y in this call
 
 ---Loads a node set with a dead traction on its reference area, or a line load on its reference edges.
 ---@param set string name of a node set
 ---@param components model_traction_fields.components {x=, y=, z=}: per area where the set holds whole elements, else per edge length
----@param options? model_traction_fields.options frame = {e1, e2} for oblique directions
+---@param options? model_traction_fields.options frame = {e1, e2} for x and y that are not those of space; e2 is made normal to e1
 ---@return model
 function model:traction(set, components, options) end
 

@@ -303,7 +303,7 @@ void Run::watch_guard(const EnergyAccount& e) {
 
 // Explicit steps tell it themselves, with what they do about it.
 void Run::watch_barrier(const EnergyAccount& e) {
-  constexpr double shows = 0.01;
+  constexpr double shows = 0.1;
   const auto* const contact = std::as_const(*assembly_).terms().find<mechanics::Contacts>();
   if (contact == nullptr || !(e.guard > shows * e.contact) || warned("guard")) return;
   const auto nearest = contact->readings().nearest();
