@@ -83,12 +83,12 @@ double squared_crossing(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3&
 using Slides = std::array<std::array<Vec3, 4>, 2>;
 Slides slides(const Corners& x, const Touch& touch);
 
-// First and second derivative of the distance by the corners' coordinates (x, y, z of corner 0 first).
-Vector12 distance_gradient(const Touch& touch);
 // Blocks of a matrix by the corners of a pair: of the corners whose bits are set.
 struct Blocks {
   unsigned rows = 15, columns = 15;
 };
-Matrix12 distance_hessian(const Corners& x, const Touch& touch, Blocks of = {});  // the others are zero
+// First and second derivative of the distance by the corners' coordinates (x, y, z of corner 0 first).
+Vector12 distance_gradient(const Touch& touch);
+Matrix12 distance_hessian(const Corners& x, const Touch& touch, Blocks of = {});  // other blocks are zero
 
 }  // namespace fabricsh::contact
