@@ -7,26 +7,63 @@ local brute = {}
 
 local huge, sqrt, floor, abs, max, min = math.huge, math.sqrt, math.floor, math.abs, math.max, math.min
 
--- The two triangles of a quadrilateral, along its shorter reference diagonal; even ones by the parity of the element's number.
-local function split(mesh, e)
-  local id = mesh.elements[e]
-  if #id == 3 then return { { id[1], id[2], id[3] } } end
-  local function length(a, b)
-    local p, q = mesh.nodes[id[a]], mesh.nodes[id[b]]
-    return sqrt((p[1] - q[1]) ^ 2 + (p[2] - q[2]) ^ 2 + (p[3] - q[3]) ^ 2)
+local function sub(a, b) return { a[1] - b[1], a[2] - b[2], a[3] - b[3] } end
+local function dot(a, b) return a[1] * b[1] + a[2] * b[2] + a[3] * b[3] end
+local function cross(a, b) return { a[2] * b[3] - a[3] * b[2], a[3] * b[1] - a[1] * b[3], a[1] * b[2] - a[2] * b[1] } end
+
+local function box(nodes)
+  local low, high = { huge, huge, huge }, { -huge, -huge, -huge }
+  for _, p in ipairs(nodes) do
+    for k = 1, 3 do low[k], high[k] = min(low[k], p[k]), max(high[k], p[k]) end
   end
-  local first, second = length(1, 3), length(2, 4)
-  local even = abs(first - second) <= 1e-9 * (first + second)
-  local along = first < second
-  if even then along = (e - 1) % 2 == 0 end
-  if along then return { { id[1], id[2], id[3] }, { id[1], id[3], id[4] } } end
-  return { { id[1], id[2], id[4] }, { id[2], id[3], id[4] } }
+  return low, high
 end
 
-function brute.triangles(mesh)
-  local list = {}
-  for e = 1, #mesh.elements do
-    for _, t in ipairs(split(mesh, e)) do list[#list + 1] = t end
+-- The middle of the nodes of a model, about which contact cuts its flat sheets.
+function brute.middle(nodes)
+  local low, high = box(nodes)
+  return { (low[1] + high[1]) / 2, (low[2] + high[2]) / 2, (low[3] + high[3]) / 2 }
+end
+
+-- Whether the elements lie in the plane of the largest.
+local function flat(nodes, elements)
+  local used, normal, most = {}, nil, 0
+  for _, id in ipairs(elements) do
+    for _, n in ipairs(id) do used[#used + 1] = nodes[n] end
+    local n = cross(sub(nodes[id[3]], nodes[id[1]]), sub(nodes[id[4] or id[1]], nodes[id[2]]))
+    if dot(n, n) > most then normal, most = n, dot(n, n) end
+  end
+  local low, high = box(used)
+  local thin = 1e-6 * max(high[1] - low[1], high[2] - low[2], high[3] - low[3]) * sqrt(most)
+  for _, p in ipairs(used) do
+    if abs(dot(sub(p, used[1]), normal)) > thin then return false end
+  end
+  return true
+end
+
+-- The triangles of a surface as contact cuts it: quadrilaterals along their shorter reference diagonal; of equal ones, in a flat sheet with a `centre`,
+-- that which does not point there, else by the parity of the element's number in the surface.
+function brute.triangles(mesh, centre)
+  local list, x = {}, mesh.nodes
+  local mirrors = centre and flat(x, mesh.elements)
+  for e, id in ipairs(mesh.elements) do
+    if #id == 3 then
+      list[#list + 1] = { id[1], id[2], id[3] }
+    else
+      local one, two = sub(x[id[3]], x[id[1]]), sub(x[id[4]], x[id[2]])
+      local first, second = sqrt(dot(one, one)), sqrt(dot(two, two))
+      local along = first < second
+      if abs(first - second) <= 1e-9 * (first + second) then
+        along = (e - 1) % 2 == 0
+        if mirrors then
+          local from = {}
+          for k = 1, 3 do from[k] = (x[id[1]][k] + x[id[2]][k] + x[id[3]][k] + x[id[4]][k]) / 4 - centre[k] end
+          local a, b = abs(dot(from, one)), abs(dot(from, two))
+          if not (abs(a - b) <= 1e-6 * (a + b)) then along = a < b end
+        end
+      end
+      for _, t in ipairs(along and { { 1, 2, 3 }, { 1, 3, 4 } } or { { 1, 2, 4 }, { 2, 3, 4 } }) do list[#list + 1] = { id[t[1]], id[t[2]], id[t[3]] } end
+    end
   end
   return list
 end
@@ -131,7 +168,7 @@ end
 function brute.watch(mesh, balls, planes)
   balls, planes = balls or {}, planes or {}
   local place = type(mesh) == "table" and mesh.place or setmetatable({}, { __index = function(_, n) return n end })
-  local triangles = brute.triangles(mesh)
+  local triangles = brute.triangles(mesh, brute.middle(mesh.nodes))
   local edges = brute.edges(triangles)
   local X, Y, Z, moved, quantum = {}, {}, {}, 0, nil
   -- Pairs are numbered (edge - 1) * n_triangles + triangle. due[k]: the pairs to be looked at when the nodes have moved by k quanta in all.

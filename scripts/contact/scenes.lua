@@ -430,56 +430,17 @@ end
 
 -- --- what has passed
 
--- Facets as contact cuts them (share/doc/contact.md): of equal diagonals of a flat sheet that which does not point to the middle, else by the parity of the
--- element's number in its surface. Sheets of one kind of cloth are a surface.
+-- Facets as contact cuts them. Sheets of one kind of cloth are a surface.
 local function facets_of_cloth(run, bodies)
   local mesh, at = run.mesh, run:field "reference"
-  local low, high = { 1e9, 1e9, 1e9 }, { -1e9, -1e9, -1e9 }
-  for _, p in ipairs(at) do
-    for k = 1, 3 do low[k], high[k] = min(low[k], p[k]), max(high[k], p[k]) end
-  end
-  local centre = { (low[1] + high[1]) / 2, (low[2] + high[2]) / 2, (low[3] + high[3]) / 2 }
-  local surfaces, first = {}, 0
+  local centre, surfaces, first, facets = brute.middle(at), {}, 0, {}
   for i, b in ipairs(bodies) do
-    local same = i > 1 and b.card == bodies[1].card
-    if not same then surfaces[#surfaces + 1] = {} end
-    local rows = surfaces[#surfaces]
-    for e = first + 1, first + #b.mesh.elements do rows[#rows + 1] = mesh.elements[e] end
+    if not (i > 1 and b.card == bodies[1].card) then surfaces[#surfaces + 1] = { nodes = at, elements = {} } end
+    table.move(mesh.elements, first + 1, first + #b.mesh.elements, #surfaces[#surfaces].elements + 1, surfaces[#surfaces].elements)
     first = first + #b.mesh.elements
   end
-  local facets = {}
-  local function sub(a, b) return { a[1] - b[1], a[2] - b[2], a[3] - b[3] } end
-  local function dot(a, b) return a[1] * b[1] + a[2] * b[2] + a[3] * b[3] end
-  for _, rows in ipairs(surfaces) do
-    local l, h = { 1e9, 1e9, 1e9 }, { -1e9, -1e9, -1e9 }
-    for _, id in ipairs(rows) do
-      for _, n in ipairs(id) do
-        for k = 1, 3 do l[k], h[k] = min(l[k], at[n][k]), max(h[k], at[n][k]) end
-      end
-    end
-    local sizes = sub(h, l)
-    local flat = min(sizes[1], sizes[2], sizes[3]) <= 1e-6 * max(sizes[1], sizes[2], sizes[3])
-    for e, id in ipairs(rows) do
-      if #id == 3 then
-        facets[#facets + 1] = { id[1], id[2], id[3] }
-      else
-        local x = { at[id[1]], at[id[2]], at[id[3]], at[id[4]] }
-        local one, two = sub(x[3], x[1]), sub(x[4], x[2])
-        local first_long, second_long = sqrt(dot(one, one)), sqrt(dot(two, two))
-        local along = first_long < second_long
-        if abs(first_long - second_long) <= 1e-9 * (first_long + second_long) then
-          along = (e - 1) % 2 == 0
-          if flat then
-            local from = {}
-            for k = 1, 3 do from[k] = (x[1][k] + x[2][k] + x[3][k] + x[4][k]) / 4 - centre[k] end
-            local a, b = abs(dot(from, one)), abs(dot(from, two))
-            if not (abs(a - b) <= 1e-6 * (a + b)) then along = a < b end
-          end
-        end
-        local cut = along and { { 1, 2, 3 }, { 1, 3, 4 } } or { { 1, 2, 4 }, { 2, 3, 4 } }
-        for _, t in ipairs(cut) do facets[#facets + 1] = { id[t[1]], id[t[2]], id[t[3]] } end
-      end
-    end
+  for _, surface in ipairs(surfaces) do
+    for _, t in ipairs(brute.triangles(surface, centre)) do facets[#facets + 1] = t end
   end
   return facets
 end
