@@ -91,9 +91,10 @@ function(fabricsh_material_folders)
     "// The folders of the room law, by the build.\n#pragma once\n#include \"card/laws.hpp\"\n${includes}" @ONLY)
 endfunction()
 
-# Rooms that no run waits for: declarations, tables of options, the border to Lua, the prompt, figures. They are compiled with -O1; bits
-# are the same, since sums are rounded as written. GCC keeps the options of a precompiled header, so that they have one of their own.
-set(calm card model plot script repl app)
+# Rooms that no run waits for: declarations, tables of options, files, the border to Lua, the prompt, figures. They
+# are compiled with -O1; bits are the same, since sums are rounded as written. GCC keeps the options of a precompiled header, so that they
+# have one of their own.
+set(calm card model format plot script repl app)
 
 function(fabricsh_rooms layers)
   set(targets)
@@ -120,10 +121,7 @@ function(fabricsh_rooms layers)
       target_link_libraries(fabricsh_${room} PUBLIC fabricsh_flags)
       if(room IN_LIST calm AND CMAKE_BUILD_TYPE STREQUAL "Release")
         target_compile_options(fabricsh_${room} PRIVATE -O1)
-        if(NOT calm_owner)
-          set(calm_owner fabricsh_${room})
-        endif()
-        fabricsh_precompile(fabricsh_${room} ${calm_owner})
+        list(APPEND calm_targets fabricsh_${room})
       elseif(sources)
         fabricsh_precompile(fabricsh_${room} fabricsh_base)
       endif()
@@ -138,6 +136,9 @@ function(fabricsh_rooms layers)
       target_link_libraries(fabricsh_${room} ${kind} fabricsh_${need})
     endforeach()
     list(APPEND targets fabricsh_${room})
+  endforeach()
+  foreach(target ${calm_targets})
+    fabricsh_precompile(${target} fabricsh_plot)  # which has no definitions of libraries
   endforeach()
   set(FABRICSH_ROOM_TARGETS ${targets} PARENT_SCOPE)
   # The only rooms that may see a third-party library.
