@@ -22,7 +22,7 @@ namespace {
 // Checkpoints also hold how often the run was restarted, which its user's files do not.
 bool is_checkpoint(const std::string& name) { return name.find(".ckpt") != std::string::npos; }
 
-const std::string deck = FABRICSH_SOURCE_DIR "/tests/app/decks/killed.lua";
+const std::string killed_deck = FABRICSH_SOURCE_DIR "/tests/app/decks/killed.lua";
 
 // Each line has as many numbers as the header has names, and an end.
 void check_csv(const std::string& text) {
@@ -84,7 +84,7 @@ std::vector<std::string> words_for(const fs::path& folder, int threads) {
   std::vector<std::string> words{"--quiet", "--threads", std::to_string(threads)};
   const std::string checkpoint = (folder / "run.ckpt").string();
   if (fs::exists(checkpoint)) words.insert(words.end(), {"--restart", checkpoint});
-  words.insert(words.end(), {deck, folder.string()});
+  words.insert(words.end(), {killed_deck, folder.string()});
   return words;
 }
 
@@ -198,7 +198,7 @@ const std::string endless = "io.stderr:write 'busy' ; (('a'):rep(40)):find(('.-'
 void write_deck(const std::string& name, const std::string& text) { std::ofstream(name) << text; }
 
 // Waits until the log has the word.
-bool says(const std::string& log, const std::string& word) {
+bool shows(const std::string& log, const std::string& word) {
   for (int i = 0; i < 1200 && content_of(log).find(word) == std::string::npos; ++i) usleep(50'000);
   return content_of(log).find(word) != std::string::npos;
 }
@@ -236,12 +236,12 @@ TEST_CASE("a signal ends what does not come to an answer, with its exit code and
     programs.push_back(std::make_unique<Program>(std::vector<std::string>{"--quiet", c.deck}, c.log));
   Program caught({"--quiet", "endless_caught.lua"}, "endless_caught.log");
   for (std::size_t i = 0; i < programs.size(); ++i) {
-    REQUIRE(says(cases[i].log, "busy"));
+    REQUIRE(shows(cases[i].log, "busy"));
     programs[i]->signal(cases[i].signal);
   }
-  REQUIRE(says("endless_caught.log", "busy"));
+  REQUIRE(shows("endless_caught.log", "busy"));
   caught.signal(SIGTERM);
-  REQUIRE(says("endless_caught.log", "caught"));
+  REQUIRE(shows("endless_caught.log", "caught"));
   caught.signal(SIGTERM);  // as a shell hands on what came to its job
   sleep(3);
   CHECK(caught.end(SIGTERM) == 128 + SIGTERM);
@@ -257,7 +257,7 @@ TEST_CASE("Ctrl-C while statements come from a pipe ends the session as it ends 
              "io.stderr:write 'busy' while true do end\nio.stderr:write 'next'\nio.stderr:write 'last'\n");
   fs::remove("piped.log");
   Program running({"--quiet"}, "piped.log", "piped.lua");
-  REQUIRE(says("piped.log", "busy"));
+  REQUIRE(shows("piped.log", "busy"));
   CHECK(running.end(SIGINT) == 128 + SIGINT);
   CHECK(content_of("piped.log").find("interrupted") != std::string::npos);
   CHECK(content_of("piped.log").find("next") == std::string::npos);
@@ -266,7 +266,7 @@ TEST_CASE("Ctrl-C while statements come from a pipe ends the session as it ends 
              "pcall(function() io.stderr:write 'busy' while true do end end)\nio.stderr:write 'next'\n");
   fs::remove("piped.log");
   Program caught({"--quiet"}, "piped.log", "piped.lua");
-  REQUIRE(says("piped.log", "busy"));
+  REQUIRE(shows("piped.log", "busy"));
   CHECK(caught.end(SIGINT) == 128 + SIGINT);
   CHECK(content_of("piped.log").find("next") == std::string::npos);
   // and while it waits for the next statement
@@ -275,7 +275,7 @@ TEST_CASE("Ctrl-C while statements come from a pipe ends the session as it ends 
   fs::remove("piped.log");
   Program waiting({"--quiet"}, "piped.log", "piped");
   std::ofstream("piped") << "io.stderr:write 'ready'" << std::endl;
-  REQUIRE(says("piped.log", "ready"));
+  REQUIRE(shows("piped.log", "ready"));
   // most likely; where it is not yet waiting, the end is the same
   std::this_thread::sleep_for(std::chrono::milliseconds(300));
   CHECK(waiting.end(SIGINT) == 128 + SIGINT);
@@ -283,7 +283,7 @@ TEST_CASE("Ctrl-C while statements come from a pipe ends the session as it ends 
     fs::remove("piped.log");
     Program soon({"--quiet"}, "piped.log", "piped");
     std::ofstream("piped") << "io.stderr:write 'ready'" << std::endl;
-    REQUIRE(says("piped.log", "ready"));
+    REQUIRE(shows("piped.log", "ready"));
     usleep(200 * i);
     CHECK(soon.end(SIGINT) == 128 + SIGINT);
   }

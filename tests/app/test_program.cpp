@@ -176,7 +176,7 @@ TEST_CASE("printed text goes into no file where the caller has closed a stream")
   for (const auto& [closed, code] : cases) {  // a message that nobody hears is told
     INFO(closed);
     CHECK(run("closed.lua closed.csv " + closed + "; }", "{ : | ").code == code);
-    CHECK(test::content_of("closed.csv") == "time,force\n0,1\n");
+    CHECK(content_of("closed.csv") == "time,force\n0,1\n");
   }
 }
 
@@ -237,7 +237,7 @@ TEST_CASE("Ctrl-C while gnuplot draws is an interruption, and gnuplot ends with 
   for (int i = 0; i < 1200 && !std::filesystem::exists("slow-gnuplot/started"); ++i) usleep(50'000);
   program.signal(SIGINT);
   CHECK(program.wait() == 128 + SIGINT);
-  CHECK(test::content_of("slow-gnuplot/log") == "fabricsh: (command line):1: plot: interrupted\n");
+  CHECK(content_of("slow-gnuplot/log") == "fabricsh: (command line):1: plot: interrupted\n");
   CHECK_FALSE(std::filesystem::exists("slow-gnuplot/late"));
   CHECK_FALSE(std::filesystem::exists("slow-gnuplot/a.svg"));
 }
@@ -260,7 +260,7 @@ TEST_CASE("Ctrl-C that comes as soon as gnuplot has begun is an interruption, to
   setenv("PATH", path.c_str(), 1);
   for (int i = 0; i < 3; ++i) {
     CHECK(programs[static_cast<std::size_t>(i)]->wait() == 128 + SIGINT);
-    CHECK(test::content_of(log(i)) == "fabricsh: (command line):1: plot: interrupted\n");
+    CHECK(content_of(log(i)) == "fabricsh: (command line):1: plot: interrupted\n");
   }
 }
 

@@ -9,7 +9,7 @@ namespace fs = std::filesystem;
 namespace {
 
 // A run with all outputs in the folder `both`, which waits in its hook until there is a file `go`.
-const std::string deck =
+const std::string waiting_deck =
     "local fabric = require 'fabric'\n"
     "local m = fabric.model{ mesh=fabric.mesh.rectangle{ width=0.2, height=0.1, nx=2, ny=1 },"
     " card=fabric.card 'blend' }\n"
@@ -25,7 +25,7 @@ void begin() {
   fs::remove_all("both");
   fs::remove("go");
   fs::remove("first.log");
-  std::ofstream("both.lua") << deck;
+  std::ofstream("both.lua") << waiting_deck;
 }
 
 // Waits until the program says that it is within its run.
@@ -74,7 +74,7 @@ TEST_CASE("other outputs in the same folder are none of its business") {
   begin();
   Program first({"--quiet", "both.lua"}, "first.log");
   await(first);
-  std::string other = deck;
+  std::string other = waiting_deck;
   for (const std::string name : {"curve", "pull", "run.ckpt"})
     other.replace(other.find("both/" + name), 5, "both/other-");
   std::ofstream("other.lua") << other.substr(0, other.find("a:every")) << "a:solve()\n";

@@ -14,18 +14,15 @@
 
 #include "app/wall.hpp"
 #include "catch.hpp"
+#include "scratch.hpp"
 
 namespace {
 
-struct Folder {
-  Folder() {
-    char name[] = "/tmp/fabricsh-wall-XXXXXX";
-    path = mkdtemp(name);
+struct WalledFolder : fabricsh::ScratchFolder {
+  WalledFolder() {
     for (const char* part : {"/deck", "/out", "/secret"}) std::filesystem::create_directory(path + part);
     for (const char* file : {"/deck/a", "/out/a", "/secret/a"}) std::ofstream(path + file) << "x";
   }
-  ~Folder() { std::filesystem::remove_all(path); }
-  std::string path;
 };
 
 bool opens(const std::string& path, int flags) {
@@ -66,7 +63,7 @@ TEST_CASE("behind the wall there are the readable and the writable folder, no ot
     WARN("this kernel has no Landlock: the second wall is only no_new_privs here");
     return;
   }
-  const Folder folder;
+  const WalledFolder folder;
   const pid_t child = fork();
   REQUIRE(child >= 0);
   if (child == 0) _exit(behind(folder.path));

@@ -11,7 +11,7 @@ using namespace fabricsh::contact;
 
 namespace {
 
-const ContactLaw law({1e-3, 0.2e-3, 2e9});
+const ContactLaw stiff_law({1e-3, 0.2e-3, 2e9});
 
 struct Case {
   Pair pair;
@@ -42,7 +42,7 @@ Case random_case(PairKind kind, std::mt19937& random) {
   Slip& s = c.slip;
   s.friction = 0.3;
   s.sticking = unit(random) > 0 ? 0.4 : 0.3;
-  s.stiffness = 2.0 / 7 * law.stiffest();
+  s.stiffness = 2.0 / 7 * stiff_law.stiffest();
   s.loss = 0.1;
   s.dt = s.step = 1e-6;
   s.moved = {about({0, 0, 0}, 1e-6), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
@@ -104,7 +104,7 @@ struct Packed {
 };
 
 void check(const Case& c, const Packed& batch, int lane) {
-  const Force one = pair_force(law, c.pair, c.x, &c.slip);
+  const Force one = pair_force(stiff_law, c.pair, c.x, &c.slip);
   const PairForce& out = batch.forces[batch.pairs.slot[lane]];
   CHECK(one.active);
   for (std::size_t k = 0; k < 4; ++k) {
@@ -148,18 +148,18 @@ void compare(PairKind kind, BatchKind batch_kind, const BatchPress press, Counts
       cases.push_back(c);
     }
     const BatchLaw common{batch_kind,
-                          &law.knots().front().gap,
-                          int(law.knots().size()),
-                          law.gap(),
-                          law.floor(),
-                          law.guard_gap(),
-                          law.stiffest(),
+                          &stiff_law.knots().front().gap,
+                          int(stiff_law.knots().size()),
+                          stiff_law.gap(),
+                          stiff_law.floor(),
+                          stiff_law.guard_gap(),
+                          stiff_law.stiffest(),
                           0,
                           true,
                           true,
                           0.3,
                           0.4,
-                          2.0 / 7 * law.stiffest(),
+                          2.0 / 7 * stiff_law.stiffest(),
                           0.1,
                           1e-6,
                           {}};
@@ -177,7 +177,7 @@ void compare(PairKind kind, BatchKind batch_kind, const BatchPress press, Counts
       if (touching)
         check(c, batch, lane);
       else
-        CHECK((special || !pair_force(law, c.pair, c.x, &c.slip).active));
+        CHECK((special || !pair_force(stiff_law, c.pair, c.x, &c.slip).active));
     }
   }
 }

@@ -8,6 +8,9 @@
 
 namespace fabricsh::test {
 
+// Largest entry of a matrix in absolute value.
+inline double largest(const Eigen::MatrixXd& m) { return m.cwiseAbs().maxCoeff(); }
+
 // The two elements, as the tests see them.
 struct Quadrilateral {
   using Layout = element::Shell4Layout;

@@ -6,6 +6,7 @@
 #include "test_cards.hpp"
 
 using namespace fabricsh;
+using test::largest;
 using test::Quadrilateral;
 
 namespace {
@@ -45,8 +46,6 @@ void fold(Shells& shells, int lane, double det) {
   place(shells, lane, m1, along + std::sqrt(det) * kHalf * kHalf / m1.norm() * across,
         kHalf * Vec3(0.2, -0.35, 0.4));
 }
-
-double largest(const Eigen::MatrixXd& m) { return m.cwiseAbs().maxCoeff(); }
 
 std::vector<Isa> instruction_sets() {
   std::vector<Isa> all;

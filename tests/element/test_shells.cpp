@@ -3,15 +3,13 @@
 #include "test_cards.hpp"
 
 using namespace fabricsh;
+using test::largest;
 using test::Quadrilateral;
 using test::RandomBatch;
 using test::svk;
 using test::Triangle;
 
 namespace {
-
-// Largest entry of a matrix in absolute value.
-double largest(const Eigen::MatrixXd& m) { return m.cwiseAbs().maxCoeff(); }
 
 // The largest error of any lane, of the largest entry of its kind: displacement rows (N) and rotation rows
 // (N m) are measured apart.

@@ -28,7 +28,7 @@ struct Numbers {
         h2(c / row.nu12) {}
 };
 
-double residual(const std::vector<double>& D, double Du, double m) { return m - stress_of(D, m) / Du; }
+double left_at(const std::vector<double>& D, double Du, double m) { return m - stress_of(D, m) / Du; }
 
 // Goes to E in n equal steps.
 void go_in(LawPoint& point, const Strain& E, int n) {
@@ -57,7 +57,7 @@ TEST_CASE("biaxial 1:1 loading and unloading in closed form", "[law][potential]"
       go_in(point, {down, down, 0, 0, 0}, n);
       same(point.S[0], P1 - row.Du1 * MPa * (top - down) + k.c * (row.nu12 + 1) * down, P1);
       same(point.S[1], P2 - row.Du2 * MPa * (top - down) + k.c * (row.nu21 + 1) * down, P2);
-      const double r1 = residual(row.warp, row.Du1, top), r2 = residual(row.weft, row.Du2, top);
+      const double r1 = left_at(row.warp, row.Du1, top), r2 = left_at(row.weft, row.Du2, top);
       go_in(point, {r1 - 0.02, r2 - 0.03, 0, 0, 0}, n);
       same(point.S[0], k.c * row.nu12 * r1 - k.h1 * 0.02 + k.c * (r2 - 0.03), P1);
       same(point.S[1], k.c * row.nu21 * r2 - k.h2 * 0.03 + k.c * (r1 - 0.02), P2);

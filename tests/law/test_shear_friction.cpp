@@ -12,15 +12,15 @@ using namespace fabricsh::test;
 
 namespace {
 
-// S12 in Pa over gamma = 2 E12: elastic D = 0.4 MPa, friction 20 kPa + 150 kPa |gamma|, sticking with 5 MPa.
-constexpr double D = 0.4e6, stress = 20e3, growth = 150e3, k = 5e6, tested = 0.3;
+// S12 in Pa over gamma = 2 E12: elastic 0.4 MPa, friction 20 kPa + 150 kPa |gamma|, sticking with 5 MPa.
+constexpr double modulus = 0.4e6, friction_stress = 20e3, growth = 150e3, k = 5e6, tested = 0.3;
 
 card::Card cloth(double grows = growth) {
   auto c = thesis_card(0);
   auto& w = woven(c);
-  w.shear.loading = {{2 * D}, {}};  // tensor measure
-  w.shear.unloading = 2 * (D + k);
-  w.shear.friction = card::ShearFriction{stress, 2 * grows};
+  w.shear.loading = {{2 * modulus}, {}};  // tensor measure
+  w.shear.unloading = 2 * (modulus + k);
+  w.shear.friction = card::ShearFriction{friction_stress, 2 * grows};
   w.tested.shear = tested / 2;
   return c;
 }
@@ -38,14 +38,14 @@ TEST_CASE("a shear loop that widens: its sides and its account in closed form", 
   for (const double grows : {growth, 0.0, -0.3 * growth})
     for (const int n : {1, 4000}) {
       LawPoint point(cloth(grows));
-      const auto limit = [&](double g) { return stress + grows * std::min(std::fabs(g), tested); };
+      const auto limit = [&](double g) { return friction_stress + grows * std::min(std::fabs(g), tested); };
       for (int cycle = 0; cycle < 2; ++cycle) {
         for (const double g : {0.05, 0.2, 0.35})
-          CHECK(shear(point, g, n) == Approx(D * g + limit(g)).epsilon(1e-11));
+          CHECK(shear(point, g, n) == Approx(modulus * g + limit(g)).epsilon(1e-11));
         for (const double g : {0.2, 0.05, 0.0, -0.1, -0.35})
-          CHECK(shear(point, g, n) == Approx(D * g - limit(g)).epsilon(1e-11));
+          CHECK(shear(point, g, n) == Approx(modulus * g - limit(g)).epsilon(1e-11));
         for (const double g : {-0.1, -0.02})
-          CHECK(shear(point, g, n) == Approx(D * g + limit(g)).epsilon(1e-11));
+          CHECK(shear(point, g, n) == Approx(modulus * g + limit(g)).epsilon(1e-11));
       }
       // A whole cycle between +-0.2 loses the area between its sides, less what sticks at the two turns.
       shear(point, 0.2, n);
@@ -53,7 +53,7 @@ TEST_CASE("a shear loop that widens: its sides and its account in closed form", 
       shear(point, -0.2, n);
       shear(point, 0.2, n);
       const auto after = point.energy();
-      const double area = 4 * (stress * 0.2 + grows * 0.02);
+      const double area = 4 * (friction_stress * 0.2 + grows * 0.02);
       CHECK(after.stored == Approx(before.stored).epsilon(1e-12));
       const double Y = limit(0.2);
       // At a turn the side is left with slope k, to come to the other one 2 c on: k c ... of width 2 Y.
@@ -91,9 +91,11 @@ TEST_CASE("friction in shear that no law can carry is refused", "[law][friction]
   };
   refused([](auto& w) { w.law = card::LawKind::thesis; }, "law = \"potential\"");
   refused([](auto& w) { w.shear.memory = card::ShearMemory::fading; }, "shear.memory = \"printed\"");
-  refused([](auto& w) { w.shear.unloading = 2 * D + 1e4; }, "unloading above the initial modulus");
-  refused([](auto& w) { w.shear.friction->growth = -2 * stress / tested * 1.01; }, "a stress above 0 up to");
-  refused([](auto& w) { w.shear.friction->growth = 2 * D * 1.01; }, "a growth below the modulus of loading");
+  refused([](auto& w) { w.shear.unloading = 2 * modulus + 1e4; }, "unloading above the initial modulus");
+  refused([](auto& w) { w.shear.friction->growth = -2 * friction_stress / tested * 1.01; },
+          "a stress above 0 up to");
+  refused([](auto& w) { w.shear.friction->growth = 2 * modulus * 1.01; },
+          "a growth below the modulus of loading");
 }
 
 TEST_CASE("single points and batches agree on shear with friction and on shear that relaxes",

@@ -1,5 +1,4 @@
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <set>
 
@@ -8,11 +7,9 @@
 
 using namespace fabricsh;
 using namespace fabricsh::mesh;
+using std::numbers::pi;
 
 namespace {
-
-constexpr double pi = std::numbers::pi;
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 Vec3 area_vector(const Mesh& m, std::size_t e) {
   const auto& id = m.elements[e];
@@ -42,7 +39,7 @@ Vec3 from_axis(const Vec3& x) { return Vec3(x.x(), x.y(), 0).normalized(); }
 Vec3 from_centre(const Vec3& x) { return x.normalized(); }
 
 // Nodes on edges that one element has; an edge walked twice the same way fails the test.
-NodeSet free_nodes(const Mesh& m) {
+NodeSet free_nodes_of_edges(const Mesh& m) {
   std::set<std::pair<Index, Index>> edges;
   for (const auto& id : m.elements)
     for (std::size_t i = 0; i < 4; ++i) CHECK(edges.insert({id[i], id[(i + 1) % 4]}).second);
@@ -75,7 +72,7 @@ TEST_CASE("disk: elements, area of the polygon, rim on the circle", "[mesh]") {
     const double n = static_cast<double>(rim);
     CHECK(area(m, up) == Approx(n / 2 * std::sin(2 * pi / n) * 0.05 * 0.05).epsilon(1e-13));
     CHECK(static_cast<Index>(m.set("boundary").size()) == rim);
-    CHECK(m.set("boundary") == free_nodes(m));
+    CHECK(m.set("boundary") == free_nodes_of_edges(m));
     for (const Index id : m.set("boundary"))
       CHECK(m.nodes[static_cast<std::size_t>(id)].norm() == Approx(0.05).epsilon(1e-14));
     CHECK(m.flat);
@@ -97,14 +94,14 @@ TEST_CASE("annulus: closed, sector and slit", "[mesh]") {
   const Mesh closed = annulus({.inner = 0.06, .outer = 0.1, .around = 12, .across = 3});
   CHECK(closed.nodes.size() == 48);
   CHECK(area(closed, up) == Approx(ring).epsilon(1e-13));
-  CHECK(free_nodes(closed) == closed.set("boundary"));
+  CHECK(free_nodes_of_edges(closed) == closed.set("boundary"));
   CHECK(closed.set("boundary").size() == 24);
   CHECK(closed.set("seam").size() == 4);
   CHECK_FALSE(closed.sets.contains("start"));
   const Mesh slit = annulus({.inner = 0.06, .outer = 0.1, .around = 12, .across = 3, .slit = true});
   CHECK(slit.nodes.size() == 52);
   CHECK(area(slit, up) == Approx(ring).epsilon(1e-13));
-  CHECK(free_nodes(slit) == slit.set("boundary"));
+  CHECK(free_nodes_of_edges(slit) == slit.set("boundary"));
   for (std::size_t i = 0; i < 4; ++i)
     CHECK(slit.nodes[static_cast<std::size_t>(slit.set("start")[i])] ==
           slit.nodes[static_cast<std::size_t>(slit.set("end")[i])]);
@@ -119,7 +116,7 @@ TEST_CASE("cylinder: sleeve and open shell, normal outward", "[mesh]") {
   const Mesh sleeve = cylinder({.radius = 0.04, .length = 0.2, .around = 16, .along = 5});
   CHECK(sleeve.nodes.size() == 16 * 6);
   CHECK(area(sleeve, from_axis) == Approx(16 * 2 * 0.04 * std::sin(pi / 16) * 0.2).epsilon(1e-13));
-  CHECK(free_nodes(sleeve) == sleeve.set("boundary"));
+  CHECK(free_nodes_of_edges(sleeve) == sleeve.set("boundary"));
   CHECK(sleeve.set("bottom").size() == 16);
   CHECK(sleeve.set("top").size() == 16);
   CHECK(sleeve.set("seam").size() == 6);
@@ -127,7 +124,7 @@ TEST_CASE("cylinder: sleeve and open shell, normal outward", "[mesh]") {
   const Mesh open = cylinder({.radius = 0.04, .length = 0.2, .around = 4, .along = 5, .angle = 90});
   CHECK(open.nodes.size() == 30);
   CHECK(area(open, from_axis) == Approx(4 * 2 * 0.04 * std::sin(pi / 16) * 0.2).epsilon(1e-13));
-  CHECK(free_nodes(open) == open.set("boundary"));
+  CHECK(free_nodes_of_edges(open) == open.set("boundary"));
   for (const Index id : open.set("start")) CHECK(open.nodes[static_cast<std::size_t>(id)].y() == 0);
   for (const Index id : open.set("end")) CHECK(open.nodes[static_cast<std::size_t>(id)].x() == 0);
   for (const Index id : open.set("top")) CHECK(open.nodes[static_cast<std::size_t>(id)].z() == 0.2);
@@ -142,13 +139,13 @@ TEST_CASE("hemisphere: nodes on the sphere, normal outward, area of second order
   CHECK(error(8) > 0);
   CHECK(error(8) / error(16) == Approx(4).epsilon(0.02));  // the mesh's own error, second order
   const Mesh quarter = hemisphere({.radius = 10, .around = 4, .along = 3});
-  CHECK(free_nodes(quarter) == quarter.set("boundary"));
+  CHECK(free_nodes_of_edges(quarter) == quarter.set("boundary"));
   CHECK(quarter.nodes[static_cast<std::size_t>(quarter.set("top")[0])].z() ==
         Approx(10 * std::cos(18 * pi / 180)).epsilon(1e-14));
   for (const Index id : quarter.set("bottom")) CHECK(quarter.nodes[static_cast<std::size_t>(id)].z() == 0);
   const Mesh whole = hemisphere({.radius = 10, .hole = 5, .around = 12, .along = 3, .angle = 360});
   CHECK(whole.nodes.size() == 48);
-  CHECK(free_nodes(whole) == whole.set("boundary"));
+  CHECK(free_nodes_of_edges(whole) == whole.set("boundary"));
 }
 
 TEST_CASE("generators: refused fields are named", "[mesh]") {
@@ -157,13 +154,13 @@ TEST_CASE("generators: refused fields are named", "[mesh]") {
   says(message_of([] { disk({.radius = 1, .cells = 0}); }), "disk: field 'cells'");
   says(message_of([] { disk({.radius = 1, .cells = 900'000'000}); }), "disk: cells * (cells + 4 * rings)");
   says(message_of([] { annulus({.inner = 2, .outer = 1, .around = 4, .across = 1}); }), "'outer'");
-  says(message_of([] { annulus({.inner = not_a_number, .outer = 1, .around = 4, .across = 1}); }), "'inner'");
+  says(message_of([] { annulus({.inner = std::nan(""), .outer = 1, .around = 4, .across = 1}); }), "'inner'");
   says(message_of([] { cylinder({.radius = 1, .length = 1, .around = 2, .along = 1}); }),
        "cylinder: field 'around': expected a count from 3 to 1000000000, got 2");
   says(message_of([] { cylinder({.radius = 1, .length = 1, .around = 4, .along = 1, .angle = 361}); }),
        "expected an angle above 0 and up to 360 degrees, got 361");
   says(message_of(
-           [] { cylinder({.radius = 1, .length = 1, .around = 4, .along = 1, .angle = not_a_number}); }),
+           [] { cylinder({.radius = 1, .length = 1, .around = 4, .along = 1, .angle = std::nan("")}); }),
        "'angle'");
   says(message_of([] { hemisphere({.radius = 1, .hole = 0, .around = 4, .along = 1}); }), "'hole'");
   says(message_of([] { hemisphere({.radius = 1, .around = 1'000'000, .along = 1'000'000}); }), "cells");

@@ -1,4 +1,4 @@
-#include <limits>
+#include <cmath>
 
 #include "mesh/mesh.hpp"
 #include "message_of.hpp"
@@ -10,8 +10,6 @@ using mesh::NodeSet;
 using mesh::rectangle;
 
 namespace {
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 double area(const Mesh& m, std::size_t e) {
   const auto& id = m.elements[e];
@@ -67,11 +65,11 @@ TEST_CASE("rectangle: refused sizes and counts name the field and the value", "[
   says(message_of([] { rectangle(-1, 1, 1, 1); }),
        "rectangle: field 'width': expected a positive length, m, got -1");
   says(message_of([] { rectangle(1, 0, 1, 1); }), "'height'");
-  says(message_of([] { rectangle(not_a_number, 1, 1, 1); }), "got nan");
+  says(message_of([] { rectangle(std::nan(""), 1, 1, 1); }), "got nan");
   says(message_of([] { rectangle(1, 1, 0, 1); }), "'nx': expected a count from 1");
   says(message_of([] { rectangle(1, 1, 1, -3); }), "'ny'");
   says(message_of([] { rectangle(1, 1, 1'000'000, 1'000'000); }), "cells");
-  says(message_of([] { rectangle(1, 1, 1, 1, Vec3(not_a_number, 0, 0)); }), "'origin'");
+  says(message_of([] { rectangle(1, 1, 1, 1, Vec3(std::nan(""), 0, 0)); }), "'origin'");
 }
 
 TEST_CASE("an unknown set is answered with the nearest and the list", "[mesh]") {
@@ -121,7 +119,7 @@ TEST_CASE("map moves every node, or none", "[mesh]") {
   CHECK_FALSE(m.flat);
   const auto before = m.nodes;
   says(message_of(
-           [&] { m.map([](const Vec3& x) { return Vec3(x.x(), x.y() > 0.5 ? not_a_number : 0.0, 0); }); }),
+           [&] { m.map([](const Vec3& x) { return Vec3(x.x(), x.y() > 0.5 ? std::nan("") : 0.0, 0); }); }),
        "map: node 3 at (0, 1, 1)");
   CHECK(m.nodes == before);
 }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <random>
 
+#include "mesh/area.hpp"
 #include "mesh/check.hpp"
 #include "mesh/edges.hpp"
 #include "mesh/panel.hpp"
@@ -13,7 +14,7 @@
 using namespace fabricsh;
 using namespace fabricsh::mesh;
 using Catch::Detail::Approx;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 namespace {
 
@@ -24,8 +25,6 @@ Loop polygon(const std::vector<Vec2>& points, const std::vector<std::string>& na
         {PlaneCurve::line(points[i], points[(i + 1) % points.size()]), i < names.size() ? names[i] : ""});
   return loop;
 }
-
-double area(const Mesh& mesh) { return check(mesh).measures.area; }
 
 // Elements of which every corner is on no border and two sides are along the angle, to 1e-9.
 std::size_t along(const Mesh& mesh, double degrees) {

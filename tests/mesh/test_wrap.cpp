@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "mesh/area.hpp"
 #include "mesh/check.hpp"
 #include "mesh/generators.hpp"
 #include "mesh/normals.hpp"
@@ -11,11 +12,9 @@
 using namespace fabricsh;
 using namespace fabricsh::mesh;
 using Catch::Detail::Approx;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 namespace {
-
-double area(const Mesh& mesh) { return check(mesh).measures.area; }
 
 // The area of the surface from those of chords at two sizes of element: their error is of second order.
 double extrapolated(const std::function<Mesh(Index cells)>& make, Index cells) {
@@ -37,12 +36,12 @@ Mesh wedge(Index cells) {
 
 // Half angle of the cone: its sine is 0.6. The apex of the plane's cone is the origin.
 const double half = std::asin(0.6) * 180 / pi;
-const Wrap up{.radius = 0.3 * 0.6,
-              .angle = half,
-              .from = {1, 2, 3},
-              .axis = {0, 0.5, 0},
-              .towards = {0, 0, 1},
-              .at = {0, 0.3}};
+const Wrap upwards{.radius = 0.3 * 0.6,
+                   .angle = half,
+                   .from = {1, 2, 3},
+                   .axis = {0, 0.5, 0},
+                   .towards = {0, 0, 1},
+                   .at = {0, 0.3}};
 
 }  // namespace
 
@@ -81,7 +80,7 @@ TEST_CASE("around a cone: distances from the apex, angles about the axis, area, 
       return mesh;
     };
   };
-  const Mesh flat = wedge(22), mesh = make(up)(22);
+  const Mesh flat = wedge(22), mesh = make(upwards)(22);
   // The point at 0.3 m from the apex lies at `from`; the apex is 0.3 cos(half) below along the axis (y).
   const Vec3 apex = Vec3(1, 2, 3) - 0.3 * 0.8 * Vec3::UnitY();
   for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
@@ -101,7 +100,7 @@ TEST_CASE("around a cone: distances from the apex, angles about the axis, area, 
   }
   const double wanted = 110 * pi / 360 * (0.5 * 0.5 - 0.2 * 0.2);
   CHECK(extrapolated([](Index cells) { return wedge(cells); }, 80) == Approx(wanted).epsilon(1e-7));
-  CHECK(extrapolated(make(up), 80) == Approx(wanted).epsilon(1e-6));
+  CHECK(extrapolated(make(upwards), 80) == Approx(wanted).epsilon(1e-6));
   // Narrower along the axis: the panel stands on its head.
   Mesh down = wedge(22);
   for (Vec3& x : down.nodes) x = Vec3(-x.x(), -x.y(), 0);
@@ -136,7 +135,7 @@ TEST_CASE("once around: the edges of the seam meet", "[mesh][wrap]") {
     return {std::cos(turn) * x.x() - std::sin(turn) * x.y(), std::sin(turn) * x.x() + std::cos(turn) * x.y(),
             0};
   });
-  wrap(cone, up);
+  wrap(cone, upwards);
   for (std::size_t i = 0; i < 4; ++i)
     CHECK((cone.nodes[cone.set("start")[i]] - cone.nodes[cone.set("end")[i]]).norm() < 1e-14);
 }
@@ -188,7 +187,7 @@ TEST_CASE("a mesh that cannot be wrapped is refused, and no node moves", "[mesh]
        "wrap: field 'towards': expected a direction across the axis");
   says(message_of([&] {
          Mesh ring = annulus({0.2, 0.5, 36, 3, 300});
-         wrap(ring, up);
+         wrap(ring, upwards);
        }),
        "wrap: field 'cone': the panel runs around its apex, at element ");
   Mesh mesh = rectangle(0.4, 0.2, 20, 4);

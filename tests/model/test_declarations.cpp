@@ -3,17 +3,13 @@
 #include "message_of.hpp"
 #include "model/declaration_rows.hpp"
 #include "model/model.hpp"
-#include "test_cards.hpp"
+#include "model/sheet.hpp"
 
 using namespace fabricsh;
 using namespace fabricsh::test;
 using model::Model;
 
 namespace {
-
-Model make_model() {
-  return {std::make_shared<mesh::Mesh>(mesh::rectangle(0.04, 0.06, 2, 3)), blend(), model::Options{}};
-}
 
 model::RigidPointer ball() {
   return std::make_shared<const model::Rigid>(model::Sphere{0.01, Vec3(0.02, 0.03, 0.02)}, std::nullopt, "",

@@ -5,17 +5,13 @@
 #include "message_of.hpp"
 #include "model/fingerprint.hpp"
 #include "model/model.hpp"
-#include "test_cards.hpp"
+#include "model/sheet.hpp"
 
 using namespace fabricsh;
 using namespace fabricsh::test;
 using model::Model;
 
 namespace {
-
-Model make_model() {
-  return {std::make_shared<mesh::Mesh>(mesh::rectangle(0.03, 0.05, 2, 3)), blend(), model::Options{}};
-}
 
 model::Components up(double value, double end) {
   return {std::nullopt, history::History::ramp(value, end), std::nullopt};

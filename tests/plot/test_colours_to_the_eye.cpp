@@ -1,39 +1,23 @@
 // The colours of a bar are even to the eye, and keep their order without one kind of cones.
-#include <array>
+#include <algorithm>
 #include <cmath>
 
 #include "catch.hpp"
 #include "plot/colour_scale.hpp"
+#include "plot/seen.hpp"
 
-using Colour = std::array<double, 3>;
+using namespace fabricsh::plot;
 
 namespace {
-
-double linear(double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); }
 
 struct Range {
   double low, high;
 };
 
-// CIE L*a*b* of colour i of 256 under daylight; as it is, or as seen without green cones (G.
-// Machado, M. Oliveira, L. Fernandes, 2009).
-Colour lab(const Range& bar, int i, bool without_green) {
-  const Colour rgba =
-      fabricsh::plot::colour(bar.low + (i + 0.5) / 256 * (bar.high - bar.low), bar.low, bar.high);
-  Colour c = {linear(rgba[0]), linear(rgba[1]), linear(rgba[2])};
-  if (without_green)
-    c = {std::max(0.0, 0.367322 * c[0] + 0.860646 * c[1] - 0.227968 * c[2]),
-         std::max(0.0, 0.280085 * c[0] + 0.672501 * c[1] + 0.047413 * c[2]),
-         std::max(0.0, -0.011820 * c[0] + 0.042940 * c[1] + 0.968881 * c[2])};
-  const auto f = [](double t) { return t > 216.0 / 24389 ? std::cbrt(t) : (24389.0 / 27 * t + 16) / 116; };
-  const double x = f((0.4124564 * c[0] + 0.3575761 * c[1] + 0.1804375 * c[2]) / 0.95047),
-               y = f(0.2126729 * c[0] + 0.7151522 * c[1] + 0.0721750 * c[2]),
-               z = f((0.0193339 * c[0] + 0.1191920 * c[1] + 0.9503041 * c[2]) / 1.08883);
-  return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
-}
-
-double distance(const Colour& p, const Colour& q) {
-  return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+// Colour i of 256, as an eye with all cones or without green ones sees it.
+Seen lab(const Range& bar, int i, bool without_green) {
+  return seen(colour(bar.low + (i + 0.5) / 256 * (bar.high - bar.low), bar.low, bar.high),
+              without_green ? no_green_cones : all_cones);
 }
 
 }  // namespace

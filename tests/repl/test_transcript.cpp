@@ -5,6 +5,7 @@
 
 #include "catch.hpp"
 #include "repl/prompt.hpp"
+#include "scratch.hpp"
 #include "script/open/open_session.hpp"
 #include "script/show/transcript.hpp"
 
@@ -27,13 +28,6 @@ std::string number(script::Session& session, const std::string& expression) {
   INFO(result.message);
   REQUIRE(result.outcome == EvaluationOutcome::done);
   return result.shown;
-}
-
-std::string whole(const std::string& path) {
-  std::ifstream in(path);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
 }
 
 Result done(bool expression) { return {EvaluationOutcome::done, "", "", expression}; }
@@ -74,7 +68,7 @@ TEST_CASE("the deck of a session gives the session's values") {
        "a:solve() -- to the end\n"
        "return a.time\n"
        "=transcript()\n");
-  const std::string deck = whole("kept.lua");
+  const std::string deck = content_of("kept.lua");
   INFO(deck);
   CHECK(deck.find("transcript 'kept") == std::string::npos);
   CHECK(deck.find("-- a:no_such_method()\n--   failed: ") != std::string::npos);
@@ -98,11 +92,11 @@ TEST_CASE("a transcript is a runnable file at any moment, ends, and overwrites n
   for (const char* line : {"x = {\n1,\n2}\n", "local y = 3\n", "x = = 1\n", "#x --[[ long\n]]\n", "x[1]\n"}) {
     type(session, line);
     script::OpenSession fresh{script::SessionOptions{}};
-    INFO(whole("steps.lua"));
+    INFO(content_of("steps.lua"));
     CHECK(repl::run_deck(fresh, "steps.lua", {}).outcome == EvaluationOutcome::done);
   }
   type(session, "transcript(false)\nz = 1\n");
-  CHECK(whole("steps.lua").find("z = 1") == std::string::npos);
+  CHECK(content_of("steps.lua").find("z = 1") == std::string::npos);
   CHECK(type(session, "transcript()\n") == "false\n");
   CHECK(type(session, "transcript 'steps.lua'\n").find("'steps.lua' exists already") != std::string::npos);
   CHECK(type(session, "transcript '/dev/null/a.lua'\n").find("transcript: ") != std::string::npos);

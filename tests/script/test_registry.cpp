@@ -10,7 +10,7 @@ using namespace fabricsh::script;
 
 namespace {
 
-std::string run(Session& session, const std::string& chunk) {
+std::string error_of(Session& session, const std::string& chunk) {
   lua_State* L = session.lua();
   if (luaL_loadstring(L, chunk.c_str()) != LUA_OK || lua_pcall(L, 0, 0, 0) != LUA_OK) {
     const std::string message = luaL_tolstring(L, -1, nullptr);
@@ -45,7 +45,7 @@ void collect(lua_State* L, const std::string& path, std::set<std::string>& names
 
 TEST_CASE("every function of the module has a row") {
   OpenSession session{SessionOptions{}};
-  REQUIRE(run(session, "require 'fabric'") == "");
+  REQUIRE(error_of(session, "require 'fabric'") == "");
   std::set<std::string> functions;
   lua_getfield(session.lua(), LUA_REGISTRYINDEX, "fabric");
   collect(session.lua(), "fabric", functions);
@@ -78,7 +78,7 @@ TEST_CASE("every method and property has a row") {
 
 TEST_CASE("every row says what it is") {
   OpenSession session{SessionOptions{}};
-  REQUIRE(run(session, "require 'fabric'") == "");
+  REQUIRE(error_of(session, "require 'fabric'") == "");
   std::map<std::string, int> count;
   for (const Entry& entry : session.registry().entries()) {
     INFO(entry.name);
@@ -94,7 +94,7 @@ TEST_CASE("every example runs, each in a session of its own") {
   std::vector<std::pair<std::string, std::string>> examples;
   {
     OpenSession session{SessionOptions{}};
-    REQUIRE(run(session, "require 'fabric'") == "");
+    REQUIRE(error_of(session, "require 'fabric'") == "");
     for (const Entry& entry : session.registry().entries()) examples.emplace_back(entry.name, entry.example);
   }
   const std::size_t apart = 4 / fabricsh::test::draws(4);
@@ -102,7 +102,7 @@ TEST_CASE("every example runs, each in a session of its own") {
     const auto& [name, example] = examples[i];
     OpenSession session{SessionOptions{}};
     INFO(name << ":\n" << example);
-    const std::string said = run(session, example);
+    const std::string said = error_of(session, example);
     if (said.find("a part that is not installed") == std::string::npos) CHECK(said == "");
   }
 }
