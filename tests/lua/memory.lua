@@ -11,11 +11,11 @@ if run_program(400000, "-e 'x = 1'") ~= 0 then
   return
 end
 
--- 16 cases of some 20 MB. Where the deck has stopped the collector, only the failed allocation brings it about.
+-- Eight cases of some 20 MB. Where the deck has stopped the collector, only the failed allocation brings it about.
 fabric.write("loop.lua", [[
 local fabric = require "fabric"
 if arg[1] == "stopped" then collectgarbage "stop" end
-for i = 1, 16 do
+for i = 1, 8 do
   local mesh = fabric.mesh.rectangle { width = 0.2, height = 0.21, nx = 70, ny = 90 }
   local m = fabric.model { mesh = mesh, card = fabric.card("blend", { bending = "thickness" }) }
   m:fix("corners", "x y z"):gravity { 0, 0, -9.81 }
@@ -24,7 +24,7 @@ end
 print "done"
 ]])
 for _, how in ipairs { "", "stopped" } do
-  local code, talk = run_program(300000, "loop.lua " .. how)
+  local code, talk = run_program(150000, "loop.lua " .. how)
   assert(code == 0 and talk == "done\n", talk)
 end
 

@@ -1,4 +1,5 @@
 -- Laws that remember their path: a step against two halves. path= cuts what errs; without it a warning says so.
+-- Of triangles the short form has a sheet that wrinkles less.
 -- warns: the steps are long: in two halves they end
 -- warns: the steps are long: in four parts they end
 -- warns: relaxation has taken
@@ -86,7 +87,8 @@ fabric.expect { { "cut by path=", (blown(0.5, 0.01)), w20, relative = 0.01 } }
 
 -- Of several stable patterns a single step and its halves may both find the second best: whatever is not that of short steps is said, and nothing else.
 local wrong = 0
-for _, case in ipairs { { 30, 22, 5 }, { 30, 35, 4 }, { 20, 18, 4 }, { 38, 15, 4 }, { 42, 25, 4, triangles = true } } do
+local cut = os.getenv "FABRICSH_TEST_LONG" and { 42, 25, 4, triangles = true } or { 38, 15, 4, triangles = true }
+for _, case in ipairs { { 30, 22, 5 }, { 30, 35, 4 }, { 20, 18, 4 }, { 38, 15, 4 }, cut } do
   local function drawn(step)
     local sheet = fabric.mesh.rectangle { width = 0.18, height = 0.18, nx = 8, ny = 8, triangles = case.triangles }
     local model = fabric.model { mesh = sheet, card = fabric.card "glass", warp = case[1] }

@@ -1,8 +1,10 @@
 -- Sewn edges against closed forms: a sewn strip is the whole strip, momentum and energy where edges meet, strength and energy of a seam that bursts,
 -- two discs sewn at the rim and blown up, a tight sewn tube on a cylinder, a zip, and the same bits after a restart in the middle of sewing.
+-- In the short form seams that match, or are of their own stiffness, burst in statics alone.
 local fabric = require "fabric"
 local mm = fabric.units.mm
 local card = fabric.svk { young = 1e6, poisson = 0, density = 500, thickness = 0.5 * mm }
+local long = os.getenv "FABRICSH_TEST_LONG"
 local fails = function(words, f, ...)
   local ok, why = pcall(f, ...)
   assert(not ok and tostring(why):find(words, 1, true), 'expected "' .. words .. '", got ' .. tostring(why))
@@ -109,7 +111,7 @@ local function sewn_weakly(scheme, n, K, duration, energy)
   }
 end
 for _, scheme in ipairs { "explicit", "static", "implicit" } do
-  for _, case in ipairs { { n = 3 }, { n = 4 }, { n = 3, K = 2e4 } } do
+  for _, case in ipairs((long or scheme == "static") and { { n = 3 }, { n = 4 }, { n = 3, K = 2e4 } } or { { n = 4 } }) do
     local what = ("%s, %d elements on 3, %s: "):format(scheme, case.n, case.K and "of its own stiffness" or "stiff")
     local a, peak = sewn_weakly(scheme, case.n, case.K, 1), 0
     a:every(scheme == "static" and "step" or 1e-3, function(at) peak = math.max(peak, (select(2, at:reaction "high.top"))) end)
