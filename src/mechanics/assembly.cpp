@@ -58,9 +58,12 @@ bool Assembly::limits() const {
   return std::any_of(all.begin(), all.end(), [](const auto* limiter) { return limiter->limits(); });
 }
 
-// Supports go to their targets whatever the fraction is; if that is not safe either, the result is 0.
+// Supports go to their targets whatever the fraction is; if that is not safe either, the result is 0. Bodies
+// that turn take another way to a part of the step than to all of it: what such a way then allows is taken
+// with some room, since it would come nearer to the same limit by ever less.
 double Assembly::limit(std::span<const double> delta, std::span<const double> targets) {
   constexpr int tries = 5;
+  constexpr double room = 0.9;
   std::vector<StepLimiter*> limiters;
   for (auto* const limiter : terms_.limiters())
     if (limiter->limits()) limiters.push_back(limiter);
@@ -80,7 +83,7 @@ double Assembly::limit(std::span<const double> delta, std::span<const double> ta
     apply_increment(delta, fraction, targets);
     const double again = least(&StepLimiter::safe_fraction);
     if (again >= 1) return fraction;
-    fraction = i == tries ? 0 : fraction * again;
+    fraction = i == tries ? 0 : room * fraction * again;
   }
   if (fraction > 0) return fraction;
   // The forces of the whole step say why there is none, for a run that ends here.
