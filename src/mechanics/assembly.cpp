@@ -320,7 +320,9 @@ bool Assembly::material_tangent(linear::Matrix& K, std::span<const double> lead,
   K.clear();
   std::fill(product.begin(), product.end(), 0.0);
   const Stiffness::Target to{K, lead, product};
-  outcome_ = terms_.elements().scatter_tangents({}, true, *stiffness_, to, {});
+  const bool turned = motion_ != nullptr && configuration_.moved();
+  outcome_ = terms_.elements().scatter_tangents(
+      {}, true, *stiffness_, to, turned ? configuration_.committed_kinematics() : std::span<const double>());
   stiffness_->scatter_tied(to);
   return outcome_.ok();
 }

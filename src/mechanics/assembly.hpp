@@ -69,8 +69,8 @@ class Assembly {
   // internal forces are then of these stresses, until they are computed again.
   bool tangent(const law::Step& step, linear::Matrix& K, std::span<const double> lead,
                std::span<double> product, bool extrapolated = false);
-  // K_M, the law's part of the tangent at the trial configuration [williams2010, eq. 5.71]. The forces are
-  // not changed. lead and product as for tangent().
+  // K_M, the law's part of the tangent at the trial configuration [williams2010, eq. 5.71]; in motion that of
+  // the committed one, turned with each element from there. lead and product as for tangent().
   bool material_tangent(linear::Matrix& K, std::span<const double> lead, std::span<double> product);
   const Outcome& outcome() const {
     return outcome_;

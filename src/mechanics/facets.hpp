@@ -19,9 +19,9 @@ class ElementTerm : public Facet {
   // Lumped mass per node, kg; and rotary inertia per node, kg m^2, true or scaled.
   virtual const std::vector<double>& mass() const = 0;
   virtual const std::vector<double>& rotary_inertia(bool scaled) const = 0;
-  // Computes the elements' tangents into their slots, and the forces. law_only: only K_M, the law's part
-  // [williams2010, eq. 5.71]. before: of the configuration before the last step, its kinematics, if tangent
-  // and forces are to be those of the strains that the step predicted linearly [magisano2017].
+  // Computes the elements' tangents and the forces. law_only: only K_M, the law's part [williams2010, eq.
+  // 5.71]. before: kinematics before the last step, if tangent and forces are to be those of strains that it
+  // predicted linearly [magisano2017]; K_M is then that before, turned with each element from there.
   virtual Outcome scatter_tangents(const law::Step& step, bool law_only, Stiffness& stiffness,
                                    const Stiffness::Target& to, std::span<const double> before) = 0;
   virtual void sum_forces(Forces& forces) const = 0;  // of the last evaluation

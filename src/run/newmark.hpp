@@ -93,7 +93,7 @@ class Newmark final : public mechanics::Motion {
   // Subtracts accelerations from the committed ones, which the next step then begins without. The committed
   // velocities get `impulse` (s) times them.
   void take_off(const mechanics::NodalRates& a, double impulse = 0);
-  // Sets the rates of the driven degrees of freedom in the present step.
+  // Sets the rates of the driven degrees of freedom at the end of the present step.
   void drive(std::vector<double> rates) { driven_ = std::move(rates); }
   // N: the largest component of an inertia force on a node.
   double largest_inertia() const;

@@ -311,9 +311,15 @@ double EquilibriumProblem::force_scale() const {
 void EquilibriumProblem::lead_to_targets() {
   for (std::size_t i = 0; i < lead_.size(); ++i) lead_[i] = targets_[i] - memory_.driven[i];
   if (newmark_ == nullptr) return;
-  for (double& l : lead_) l /= motion_.dt();
-  newmark_->drive(lead_);
-  for (double& l : lead_) l *= motion_.dt();
+  // The step begins with the motion of its beginning, whatever was tried before.
+  const NodalMotion before = newmark_->committed();
+  newmark_->start(before.v);
+  newmark_->set_accelerations(before.a);
+  // The rates of the driven freedoms at its end, from its last part alone: a kink lies at its beginning.
+  const double h = 1e-3 * motion_.dt();
+  auto rates = assembly_.dofs().targets(trial_time_ - h);
+  for (std::size_t i = 0; i < rates.size(); ++i) rates[i] = (targets_[i] - rates[i]) / h;
+  newmark_->drive(std::move(rates));
 }
 
 Answer EquilibriumProblem::predict(linear::Matrix& K, std::span<double> r, std::span<double> lead) {

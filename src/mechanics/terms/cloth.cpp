@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "geometry/node_view.hpp"
 #include "mechanics/scatter.hpp"
+#include "mechanics/terms/turned.hpp"
 
 namespace fabricsh::mechanics {
 
@@ -374,6 +375,26 @@ Index Cloth::evaluate(Index b, const law::Step& step, double* trial, const Tange
     data.before_x = before_x;
     data.before_d = before_d;
   }
+  // K_M is that of the configuration before.
+  const bool turns = tangent.law_only && !tangent.before.empty();
+  alignas(64) double before_b[24 * lanes];
+  if (turns) {
+    const std::size_t n = tangent.before.size() / 3;
+    const auto nodes = [&](int l, int a) { return sources_.empty() ? batch.nodes[l][a] : sources_[b][l][a]; };
+    for (int l = 0; l < lanes; ++l)
+      for (int a = 0; a < batch.kind->corners; ++a) {
+        const double* const first = tangent.before.data() + 2 * n + 3 * nodes(l, a);
+        const double* const director = first - n;
+        const Vec3 b1(first[0], first[1], first[2]),
+            b2 = Vec3(director[0], director[1], director[2]).cross(b1);
+        for (int i = 0; i < 3; ++i) {
+          before_b[(6 * a + i) * lanes + l] = b1[i];
+          before_b[(6 * a + 3 + i) * lanes + l] = b2[i];
+        }
+      }
+    data.x = before_x, data.d = before_d, data.b = before_b;
+    data.before_x = data.before_d = nullptr;
+  }
   double* log = nullptr;
   if (in_place) {
     data.changed = states_.changed() + batch.law / lanes;
@@ -386,6 +407,7 @@ Index Cloth::evaluate(Index b, const law::Step& step, double* trial, const Tange
                                                 : kernels.tangent(*batch.section, step, data, f, tangent.K)) &
                           ((1u << batch.used) - 1);
   if (in_place) states_.end_group(log);
+  if (turns) turn_tangent(batch.kind->corners, {before_x, before_b}, {x, basis}, tangent.wanted, tangent.K);
   const double* const reached = in_place ? now : trial;
   if (!tangent.law_only) look_for_astray(b, x, d);
   if (!tangent.law_only && !tangent.known) strains_->record(b, reached);

@@ -12,8 +12,15 @@ namespace fabricsh::mechanics {
 
 Outcome StiffnessDamping::begin_step(const Motion& motion) {
   product_.resize(static_cast<std::size_t>(assembly_.dofs().unknowns()));
-  if (assembly_.material_tangent(K_, motion.driven_rates(), product_)) return {};
-  return assembly_.outcome();
+  // Explicit steps are too short for a turn to matter.
+  const bool turns = motion.damping_weight() > 0 && motion.dt() > 0;
+  if (turns) {
+    const Trial trial = assembly_.trial();
+    assembly_.apply_increment(motion.rates(), motion.dt(), assembly_.dofs().targets(trial.time), 0);
+  }
+  const bool done = assembly_.material_tangent(K_, motion.driven_rates(), product_);
+  if (turns) assembly_.state().rollback();
+  return done ? Outcome() : assembly_.outcome();
 }
 
 void StiffnessDamping::resist(const Trial& trial, std::span<double> r) {
@@ -32,6 +39,11 @@ void StiffnessDamping::add_resistance(const Trial& trial, linear::Matrix& K) {
   K_.change_pattern(K.pattern);  // the pattern may have grown in the step
   const double c = trial.motion->damping_weight();
   for (std::size_t k = 0; k < K.value.size(); ++k) K.value[k] += c * b_ * K_.value[k];
+}
+
+void StiffnessDamping::finish_step(const Motion& motion) {
+  work_ += motion.work(before_, force_);
+  lost_ = std::max(lost_, work_);
 }
 
 void StiffnessDamping::add_energies(const Trial&, std::vector<Energy>& out) const {

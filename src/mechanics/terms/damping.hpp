@@ -8,7 +8,9 @@ namespace fabricsh::mechanics {
 class Assembly;
 
 // Forces b K_M v, where K_M is the law's part of the tangent at the beginning of the step [williams2010, eq.
-// 5.71, Box 5-2]. Energies: "stiffness damping", lost so far.
+// 5.71, Box 5-2]. In implicit steps it is turned with each element, as far as the velocities at the beginning
+// turn it: a rigid turn strains nothing. Energies: "stiffness damping", lost so far. That is the most of the
+// work at any time: of a turning sheet, vibrations that no step resolves let the work fall and rise.
 class StiffnessDamping final : public Term, public OnMotion {
  public:
   StiffnessDamping(Assembly& assembly, double b) : assembly_(assembly), b_(b) {}  // b: s
@@ -17,9 +19,9 @@ class StiffnessDamping final : public Term, public OnMotion {
   void resist(const Trial& trial, std::span<double> r) override;
   void add_resistance(const Trial& trial, linear::Matrix& K) override;
   void add_energies(const Trial&, std::vector<Energy>& out) const override;
-  void finish_step(const Motion& motion) override { lost_ += motion.work(before_, force_); }
+  void finish_step(const Motion& motion) override;
   void commit() override { before_ = force_; }
-  void keep(Archive& archive) override { archive(lost_, before_); }
+  void keep(Archive& archive) override { archive(lost_, work_, before_); }
 
  private:
   Assembly& assembly_;
@@ -27,7 +29,7 @@ class StiffnessDamping final : public Term, public OnMotion {
   linear::Matrix K_;                    // K_M
   std::vector<double> product_;         // K_M times the rates of the driven degrees of freedom
   std::vector<double> force_, before_;  // per unknown, N and N m: trial, committed
-  double lost_ = 0;                     // J, in committed steps
+  double lost_ = 0, work_ = 0;          // J, in committed steps
 };
 
 // Viscous forces c m (x - x0) / dt on every free displacement, in a step of dt from x0; m is the node's mass.
