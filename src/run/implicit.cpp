@@ -172,9 +172,7 @@ void Implicit::mark_repeatable() {
   repeatable_ = {};
   repeatable_.step = control_.current();
   repeatable_.start = save_state();
-  const EnergyAccount now = energy();
-  repeatable_.surplus = now.surplus();
-  repeatable_.work = now.external;
+  repeatable_.surplus = energy().surplus();
   repeatable_.settling = now_.settling > 0;
 }
 
@@ -416,13 +414,14 @@ bool Implicit::takes_back() {
     }
     repeatable_.made = made;
     repeatable_.energy = energy_made;
-    try_damped();
+    repeatable_.which = Try::damped;
+    damp(Damping::strong);
     return true;
   }
   if (!(made < repeatable_.made / 2)) {
     const double end = committed_time();
-    return_to_start(repeatable_.shortened ? Try::first_again : Try::first);
-    if (!repeatable_.shortened) halve(end);
+    return_to_start(Try::first);
+    halve(end);
     return true;
   }
   warn("ledger", "dynamic: a step to time " + number(committed_time()) + " s would have made " +
@@ -454,31 +453,17 @@ bool Implicit::leave_hht(bool repeat) {
   return repeat;
 }
 
-void Implicit::try_damped() {
-  repeatable_.which = Repeatable::Try::damped;
-  repeatable_.damped = true;
-  damp(Damping::strong);
-}
-
 // Where stiff elements turn far within a step, its error falls with its size; so it does where a support goes
 // so far that the force on it is no line. The work of one that begins to move with a jump is no better known
-// in half the step, which is then made whole; with strong damping, if it makes more than all work in it.
-// error: over the ledger's scale; energy: the same in J.
+// in half the step, which is then made whole. error: over the ledger's scale; energy: the same in J.
 bool Implicit::shortens(double error, double energy, int most) {
   const int halved = std::exchange(repeatable_.halved, 0);
   if (!(std::abs(error) > kErrorOfStep * options_.ledger_limit) || halved == most) return false;
   if (!repeatable_.settling && is_young()) {
-    if (!repeatable_.young) return false;
+    if (!repeatable_.young || (halved == 0 && !(std::abs(error) > options_.ledger_limit))) return false;
     if (halved > 0 && !(std::abs(energy) < kFallsByHalf * std::abs(repeatable_.energy))) {
-      repeatable_.shortened = chooses_scheme() && now_.damping < Damping::strong && !repeatable_.damped &&
-                              repeatable_.beyond_work;
-      return_to_start(repeatable_.shortened ? Repeatable::Try::first : Repeatable::Try::first_again);
-      if (repeatable_.shortened) try_damped();
+      return_to_start(Repeatable::Try::first_again);
       return true;
-    }
-    if (halved == 0) {
-      repeatable_.made = error;
-      repeatable_.beyond_work = energy > std::abs(this->energy().external - repeatable_.work);
     }
   }
   repeatable_.energy = energy;

@@ -74,18 +74,15 @@ class Implicit final : public Dynamic {
     double step = 0;               // s, for which it began
     std::string start;             // the state before it; empty: it is not taken back
     double surplus = 0, made = 0;  // J, of the ledger before it; its first try's share of the ledger's scale
-    double energy = 0, work = 0;   // J, that its last try without more damping made; external, before it
+    double energy = 0;             // J, that its last try without more damping made
     bool young = false;            // whether the run is, in the whole step
     bool settling = false;         // whether directors settle in it
-    bool beyond_work = false;      // whether it made more than all external work in it
-    bool damped = false, shortened = false;  // whether strong damping was tried; after halves of a young step
     Try which = Try::first;
     int halved = 0;  // times, for its error of the ledger
   } repeatable_;
   void mark_repeatable();
   bool repeats() const { return repeatable_.which != Repeatable::Try::first || repeatable_.halved > 0; }
   void return_to_start(Repeatable::Try next);
-  void try_damped();
   bool shortens(double error, double energy, int most);  // at most so many times
   void halve(double end, int halved = 0);
 };
