@@ -218,13 +218,19 @@ int Scene::add_triangles(Surface surface, std::span<const Triangle> triangles,
   return number;
 }
 
-// Each corner of an element has the same part of its area, as of its mass and loads, however a quadrilateral
-// is cut: so cloth at rest on a floor is pressed alike everywhere.
+// The corners of an element have the parts of its area that its shape functions have, as of its mass and
+// loads, however a quadrilateral is cut: so cloth at rest on a floor is pressed alike everywhere. A corner
+// has a sixth of the area, and a sixth of the triangle of this corner and its neighbours.
 void Scene::share_areas(const Surface& surface, std::span<const std::int32_t> element) {
   const auto row = [&](std::size_t i) -> const TriangleRow& {
     return triangles_[std::size_t(surface.first_triangle) + i];
   };
   const auto add = [&](std::int32_t node, double area) { area_[std::size_t(node)] += area; };
+  const auto apex = [](const Triangle& of, const Triangle& other) {
+    return *std::find_if(of.begin(), of.end(), [&](std::int32_t node) {
+      return std::find(other.begin(), other.end(), node) == other.end();
+    });
+  };
   for (std::size_t i = 0; i < element.size(); ++i) {
     const auto& first = row(i);
     if (element[i] < 0 || i + 1 == element.size() || element[i + 1] != element[i]) {
@@ -232,10 +238,12 @@ void Scene::share_areas(const Surface& surface, std::span<const std::int32_t> el
       continue;
     }
     const auto& second = row(++i);
-    const double quarter = (first.area + second.area) / 4;
-    for (const std::int32_t node : first.nodes) add(node, quarter);
-    for (const std::int32_t node : second.nodes)
-      if (std::find(first.nodes.begin(), first.nodes.end(), node) == first.nodes.end()) add(node, quarter);
+    const double whole = first.area + second.area;
+    const std::int32_t p = apex(first.nodes, second.nodes), q = apex(second.nodes, first.nodes);
+    add(p, (whole + first.area) / 6);
+    add(q, (whole + second.area) / 6);
+    for (const std::int32_t node : first.nodes)
+      if (node != p) add(node, (whole + area_of(reference_, {p, node, q})) / 6);
   }
 }
 

@@ -83,7 +83,8 @@ near("work of a quarter", quarter.curve[#quarter.curve].external, filed.curve[#f
 -- A punch from a file in a die of lengths, and the other way round.
 local mixed = form { die = { radius = 15 * mm, edge = 5 * mm }, holder = { force = 20 }, stroke = 1 * mm }
 local other = form { punch = { radius = 12 * mm }, stroke = 1 * mm }
-near("draw-in of mixed tools", mixed.draw_in.max, other.draw_in.max, 0.3)
+near("work of mixed tools", mixed.curve[#mixed.curve].external, other.curve[#other.curve].external, 0.3)
+assert(math.abs(mixed.draw_in.max - other.draw_in.max) < 1e-3 * mm) -- some 0.05 um: the rim has hardly moved yet
 
 -- A stranger's V block and its punch, faces alone, in cm: the ply comes to the sides, which fall by 45 degrees, and follows the round nose.
 local function face(points)
