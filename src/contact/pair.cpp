@@ -182,14 +182,13 @@ void drag(const Load& load, const Slip& slip, Slid& out) {
   out.length = out.trial.norm();
   direct(touch, slip, out);
   drag(load, slip, out);
-  // The weights of an edge's end on a rod add up to nothing where it crosses, but for rounding.
-  out.spring = slip.stiffness * std::max(0.0, load.count);
+  out.spring = slip.stiffness * load.count;
   out.before = out.slid.dot(held) > 0 ? slip.slides : 0;
   // What breaks away is held by static friction until it has slid by its elastic slip. If it fell at once,
   // that of pairs under uneven pressure would fall one by one, and the whole would never hold; and if an
   // iteration could lower the bound, those of a static step would go past an elastic slip of a micrometre.
   if (!out.goes_on() && slip.across < 0) out.mu = std::max(out.mu, slip.sticking);
-  out.most = out.mu * std::max(0.0, load.normal);
+  out.most = out.mu * load.normal;
   return out;
 }
 
