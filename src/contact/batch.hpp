@@ -41,9 +41,9 @@ struct alignas(64) BatchPairs {
   ByLane scale, zone[2], area;
 };
 
-// The memory of friction by lane; slides: 0 to 1; share, normal: see Slip and Force.
+// The memory of friction by lane; slides: 0 to 1; gap: m.
 struct alignas(64) BatchMemory {
-  ByLane slip[3], pull[3], damped, slides, share, normal;
+  ByLane slip[3], pull[3], damped, slides, gap;
 };
 
 // Of a pair: the force on each corner (N) with Force::resists, and numbers of Force.

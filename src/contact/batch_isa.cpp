@@ -202,7 +202,7 @@ Pack3 carried(const Pack3& slip, const Pack3& u0, const Pack3& v0, const Pack3& 
   const Pack size = squared(n), e = dot(slip, u0), f = dot(slip, v0);
   const Pack3 turned =
       (c * e - b * f) / det * u + (a * f - b * e) / det * v + dot(slip, n0) / norm(n0) * (n / sqrt(size));
-  return select((det > 1e-12 * a * c) & (size > zero), sqrt(squared(slip) / squared(turned)) * turned, slip);
+  return select((det > 1e-12 * a * c) & (size > zero), turned, slip);
 }
 
 Pack3 turned(BatchKind kind, const Pack3& slip, const Pack3 from[4], const Pack3 to[4]) {
@@ -222,15 +222,18 @@ struct Sums {
   Pack3 pull{zero, zero, zero}, torque{zero, zero, zero};
   Pack resists[4] = {zero, zero, zero, zero};
   Pack contact = zero, stick = zero, work = zero, impact = zero, damped = zero;
-  Pack normal = zero;  // N
 };
 
 void choose(PackMask where, const Sums& from, Sums& to) {
   for (int i = 0; i < 4; ++i) to.on[i] = select(where, from.on[i], to.on[i]);
+  for (int i = 0; i < 4; ++i) to.resists[i] = select(where, from.resists[i], to.resists[i]);
+  to.pull = select(where, from.pull, to.pull);
+  to.torque = select(where, from.torque, to.torque);
   to.contact = select(where, from.contact, to.contact);
+  to.stick = select(where, from.stick, to.stick);
+  to.work = select(where, from.work, to.work);
   to.impact = select(where, from.impact, to.impact);
   to.damped = select(where, from.damped, to.damped);
-  to.normal = select(where, from.normal, to.normal);
 }
 
 // The pairs of a pack.
@@ -242,6 +245,7 @@ struct Pairs {
   Pack3 x[4], start[4];
   Pack inverse_mass[4], crowd[4];
   Pack area, scale;
+  bool counts_once = false;
 
   Pairs(const BatchLaw& law, const BatchPairs& pairs, const BatchStep& step, int first)
       : law(law),
@@ -268,12 +272,10 @@ struct Pairs {
     }
   }
 
-  // nearest: the first place of a pair, at which it rubs.
+  // nearest: the slip of a pair is that of its nearest place, which comes first.
   void press(const Place& at, const Fade* fade_of, bool nearest, Sums& sums) const;
-  Pack3 moved_at(const Place& at) const;
-  void damp(const Place& at, Pack pressure, Pack stiffness, bool nearest, Sums& sums) const;
-  // alone: N, what presses there without other places.
-  void rub(const Place& at, Pack alone, bool counts_once, Sums& sums) const;
+  void damp(const Place& at, const Pack3& moved, Pack damping, bool nearest, Sums& sums) const;
+  void rub(const Place& at, Pack pressure, Pack stiffness, bool nearest, Sums& sums) const;
   void store_sums(const Sums& sums, Pack gap) const;
 };
 
@@ -286,64 +288,49 @@ void Pairs::press(const Place& at, const Fade* fade_of, bool nearest, Sums& sums
   if (fade_of != nullptr)
     for (int i = 0; i < 4; ++i)
       sums.on[i] = select(fade_of->fades, sums.on[i] - (area * energy) * fade_of->gradient[i], sums.on[i]);
-  if (law.rubs) damp(at, pressure, here.stiffness, nearest, sums);
+  if (law.rubs) rub(at, pressure, here.stiffness, nearest, sums);
 }
 
-Pack3 Pairs::moved_at(const Place& at) const {
-  const Pack3 lever = Pack(law.offset) * at.normal;
-  Pack3 moved{zero, zero, zero};
-  if (law.offset != 0) {
-    const Pack3 by = cross({Pack(law.turn[0]), Pack(law.turn[1]), Pack(law.turn[2])}, lever);
-    moved = {-by.x, -by.y, -by.z};
-  }
-  for (int i = 0; i < 4; ++i) moved = moved + at.weight[i] * (x[i] - start[i]);
-  return moved;
-}
-
-void Pairs::damp(const Place& at, Pack pressure, Pack stiffness, bool nearest, Sums& sums) const {
-  const Pack opened = dot(at.normal, moved_at(at));
-  const Pack slope = Pack(-law.loss) * sqrt(min(stiffness, Pack(law.stiffest))) / Pack(law.dt),
-             damping = select(opened >= zero, zero, slope * opened), press = at.count * damping,
-             closed = -opened;
+void Pairs::damp(const Place& at, const Pack3& moved, Pack damping, bool nearest, Sums& sums) const {
+  const Pack press = at.count * damping, closed = -dot(at.normal, moved);
   if (nearest) sums.impact = 0.5 * load(step.held->damped + first) * closed;
   const PackMask closes = !(press == zero);
   for (int i = 0; i < 4; ++i)
     sums.on[i] = select(closes, sums.on[i] + (press * at.weight[i]) * at.normal, sums.on[i]);
   sums.damped = select(closes, sums.damped + press, sums.damped);
   sums.impact = select(closes, sums.impact + 0.5 * press * closed, sums.impact);
-  sums.normal = sums.normal + at.count * (pressure + damping);
 }
 
-void Pairs::rub(const Place& at, Pack alone_there, bool counts_once, Sums& sums) const {
-  store(step.tried->share + first, law.kind == BatchKind::edges ? at.count / area : Pack(one));
-  store(step.tried->normal + first, sums.normal);
+void Pairs::rub(const Place& at, Pack pressure, Pack stiffness, bool nearest, Sums& sums) const {
+  const Pack3 n = at.normal, lever = Pack(law.offset) * n;
+  Pack3 moved{zero, zero, zero};
+  if (law.offset != 0) {
+    const Pack3 by = cross({Pack(law.turn[0]), Pack(law.turn[1]), Pack(law.turn[2])}, lever);
+    moved = {-by.x, -by.y, -by.z};
+  }
+  for (int i = 0; i < 4; ++i) moved = moved + at.weight[i] * (x[i] - start[i]);
+  const Pack opened = dot(n, moved);
+  const Pack3 slid = moved - opened * n;
+  const Pack slope = Pack(-law.loss) * sqrt(min(stiffness, Pack(law.stiffest))) / Pack(law.dt),
+             damping = select(opened >= zero, zero, slope * opened);
+  damp(at, moved, damping, nearest, sums);
   if (!law.coulomb) {
     for (ByLane& v : step.tried->slip) store(v + first, zero);
     store(step.tried->slides + first, zero);
     return;
   }
-  const Pack3 n = at.normal, lever = Pack(law.offset) * n, moved = moved_at(at),
-              slid = moved - dot(n, moved) * n;
-  const Pack normal =
-      law.kind == BatchKind::facet ? load(step.held->share + first) * max(zero, sums.normal) : sums.normal;
   // The spring, and what gives way.
-  Pack3 held = load3(step.held->slip, first);
-  if (law.kind == BatchKind::edges) {
-    const Pack before = load(step.held->share + first), now = at.count / area;
-    held = select(now > before, (before / now) * held, held);
-  }
+  const Pack3 held = load3(step.held->slip, first);
   const Pack3 trial = slid + held - dot(n, held) * n;
-  const Pack length = norm(trial), spring = Pack(law.spring) * at.count;
+  const Pack length = norm(trial), spring = Pack(law.spring) * abs(at.count),
+             against = abs(at.count) * (pressure + damping);
   const Pack before = select(dot(slid, held) > zero, load(step.held->slides + first), zero);
   const PackMask goes_on = before >= one;
-  const Pack most = select(goes_on, Pack(law.friction), Pack(law.holding)) * normal;
+  const Pack most = select(goes_on, Pack(law.friction), Pack(law.holding)) * against;
   const PackMask sticks = spring * length <= most;
   const Pack kept = select(sticks, one, most / (spring * length));
   // The resistance of an explicit step.
-  const Pack count = counts_once ? Pack(one) : at.count / area,
-             times = law.kind == BatchKind::facet
-                         ? select(normal > zero, count * (normal / alone_there), zero)
-                         : count;
+  const Pack times = counts_once ? Pack(one) : at.count / area;
   Pack lightness = zero, alone = zero;
   for (int i = 0; i < 4; ++i) {
     const Pack share = at.weight[i] * at.weight[i] * inverse_mass[i];
@@ -356,15 +343,17 @@ void Pairs::rub(const Place& at, Pack alone_there, bool counts_once, Sums& sums)
       sums.resists[i] = select(
           gives_way, sums.resists[i] + times * abs(at.weight[i]) * inverse_mass[i] / (crowd[i] * alone),
           sums.resists[i]);
-  const Pack resists = select(gives_way, 0.2 * times / (lightness * Pack(law.dt) * Pack(law.dt)), zero);
+  const Pack resists = select(gives_way, 0.2 * abs(times) / (lightness * Pack(law.dt) * Pack(law.dt)), zero);
   Pack3 pull = spring * trial + resists * slid;
   const Pack size = norm(pull);
   pull = select(size > most, (most / size) * pull, pull);
+  pull = select(at.count < zero, Pack3{-pull.x, -pull.y, -pull.z}, pull);
   for (int i = 0; i < 4; ++i) sums.on[i] = sums.on[i] - at.weight[i] * pull;
   if (law.offset != 0) sums.torque = sums.torque + cross(lever, pull);
   sums.pull = sums.pull + pull;
-  sums.stick += spring * kept * kept * squared(trial) / 2;
+  sums.stick += select(at.count < zero, -spring, spring) * kept * kept * squared(trial) / 2;
   sums.work += 0.5 * dot(pull, slid);
+  if (!nearest) return;
   sums.work += 0.5 * dot(load3(step.held->pull, first), slid);
   const Pack slides = select(most > zero, min(one, before + (spring * length - most) / most), one);
   store(step.tried->slides + first, select(sticks, before, slides));
@@ -385,6 +374,7 @@ void Pairs::store_sums(const Sums& sums, Pack gap) const {
   if (!law.rubs) return;
   store3(step.tried->pull, first, sums.pull);
   store(step.tried->damped + first, sums.damped);
+  store(step.tried->gap + first, gap);
 }
 
 // Of the facets near their border, their sides and corners count, too; see visit_places().
@@ -409,7 +399,7 @@ void add_border(const Pairs& pairs, PackMask where, Pack reach, Sums& sums) {
     choose(here, with, sums);
   };
   for (int k = 1; k <= 3; ++k) {
-    add(side, k, 0.5 * counts(pairs.pairs.at_edge[k - 1]));
+    add(side, k, counts(pairs.pairs.at_edge[k - 1]));
     add(corner, k, counts(pairs.pairs.at_corner[k - 1]));
   }
 }
@@ -444,11 +434,11 @@ void add_border(const Pairs& pairs, PackMask where, Pack reach, Sums& sums) {
     at.load_points(at.start, at.crowd, step.points->start);
   }
   nearest.count = at.area * fade_of.value;
+  at.counts_once = !fade_of.any;
   Sums sums;
   at.press(nearest, fade_of.any ? &fade_of : nullptr, true, sums);
-  const Pack alone = sums.normal;
+  at.counts_once = false;
   if (any(border & touches)) add_border(at, border & touches, reach, sums);
-  if (law.rubs) at.rub(nearest, alone, !fade_of.any, sums);
   at.store_sums(sums, gap - Pack(law.floor) * at.scale);
 }
 

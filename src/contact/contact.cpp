@@ -259,6 +259,7 @@ void Contact::index_slots() {
   guards_.resize(inner_.size());
   guarded_.clear();
   active_.assign(inner_.size(), 0);
+  known_.assign(inner_.size(), unknown);
   std::vector<std::uint32_t> count(scene_->reference().size() + 1, 0);
   const auto each = [&](const auto& visit) {
     for (std::size_t i = 0; i < inner_.size(); ++i) {
@@ -327,7 +328,7 @@ Totals Contact::add_forces(std::span<const Vec3> x, std::span<Vec3> force, const
   totals.gap = narrowest_;
   totals.hard_gap = std::numeric_limits<double>::infinity();
   add_points(force, torque, rubs, totals);
-  if (rubs) share_normals();
+  if (rubs) share_slips();
   return totals;
 }
 

@@ -168,8 +168,8 @@ class Contact {
   void find_slip(std::size_t slot, std::span<const Vec3> x, const Way& way, Slip& slip);
   // Keeps the slip of a pair: turned with it, and with the resistance at its mirror images.
   void keep_slip(std::size_t slot, const Corners& x, const Way& way, Force& force);
-  void share_normals();
-  void share_normal(std::span<const std::uint32_t> slots);
+  void share_slips();
+  bool passes_on(PairKind kind, std::int32_t first, std::int32_t interaction) const;
   bool eases(std::size_t slot) const;
   bool approaches_fast(const Candidate& c, const Force& force, const Corners& now, const Way& way) const;
   std::uint32_t torque_row(const Candidate& c) const;
@@ -269,7 +269,7 @@ class Contact {
   // the slips are in the order of the first corners, for each in the order of the pairs.
   struct Kept {
     Vec3 slip = Vec3::Zero(), pull = Vec3::Zero();
-    double damped = 0, share = 1;  // N; see Slip
+    double gap = 0, damped = 0;  // m, N
     double slides = 0;
   };
   struct Held : Kept {
@@ -300,12 +300,16 @@ class Contact {
   void to_list(Memory& memory) const;
   template <class Visit>
   void each(const Memory& memory, Visit visit) const;
+  void join(std::span<const std::uint32_t> slots);
   // The resistances of all slips at each point, mirror images included, over 0.2 m / dt: of those committed
   // and those of the last forces.
   std::vector<double> rubbing_at_, tried_rubbing_;
   double crowd_at(std::size_t point) const;  // see Slip::crowd
   Memory held_, tried_;
   bool has_tried_ = false;
+  // By slot, where slips are in a list: which of held_ is that of the pair, or one of the following.
+  std::vector<std::int32_t> known_;
+  static constexpr std::int32_t unknown = -2, none = -1;
   bool eases_ = true;
   double planned_ = 0;  // s
   std::size_t searches_ = 0;

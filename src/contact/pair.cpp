@@ -63,34 +63,21 @@ double visit_pressed(const ContactLaw& law, const Pair& pair, const Corners& x, 
 // Whether the weight of a place changes with the corners.
 bool changes(const PressedPlace& at, const Modulation* m) { return at.place.modulated != 0 && !m->constant; }
 
-// The motion of a step at a place, and the pressure of the damping of approach.
-struct Approach {
-  Vec3 lever;                             // m, from the rigid side's corners to its surface
-  Vec3 moved;                             // m, of the first side against the second
-  double damping = 0, damping_slope = 0;  // Pa, by which an approach is resisted; Pa/m, by the opening
-};
-
-// What rubs at a place. The places of a facet rub together, at the nearest: its edges and corners take from
-// what presses there, or add to it.
-struct Load {
-  double count = 0;   // m2, of the spring
-  double normal = 0;  // N
-  double wet = 0;     // m2, of the film
-  double part = 1;    // of what presses at the nearest place, that in all
-};
-
 // The sliding of a step at a place, perpendicular to the normal, and the elastic slip to which it leads, as
 // far as friction carries it.
 struct Slid {
-  Vec3 slid;                        // m
-  Vec3 trial;                       // m, elastic slip of a spring that never gives way
-  double length = 0;                // m, of that slip
-  double spring = 0, most = 0;      // N/m; N, mu times the normal force
+  Vec3 moved;         // m, of the first side against the second, with its part along the normal
+  Vec3 lever;         // m, from the rigid side's corners to its surface
+  Vec3 slid;          // m
+  Vec3 trial;         // m, elastic slip of a spring that never gives way
+  double length = 0;  // m, of that slip
+  double damping = 0, damping_slope = 0;  // Pa, by which an approach is resisted; Pa/m, by the opening
+  double spring = 0, most = 0;            // N/m; N, mu times the normal force
   double mu = 0;                    // in the direction of the trial slip; static, unless it slides already
   Vec3 mu_by_trial = Vec3::Zero();  // 1/m, its derivative
-  // N/m, of the film for the step's sliding; by the wet area, N/m3; and by the sliding, over its length,
-  // N/m3.
-  double drag = 0, drag_of_wet = 0, thins = 0;
+  // N/m, of the film for the step's sliding; its derivative by the gap, N/m2; and by the sliding, over its
+  // length, N/m3.
+  double drag = 0, drag_slope = 0, thins = 0;
   Mat3 drag_by_slid() const { return drag * Mat3::Identity() + thins * slid * slid.transpose(); }
   double before = 0;  // of Slip::slides, if it goes on in the same direction
   bool goes_on() const { return before >= 1; }
@@ -113,25 +100,17 @@ bool gives_way(const Touch& touch, const Slip& slip) {
 // An implicit step has the stiffness at its beginning, so that the pressure is linear in the approach. A
 // pair that an explicit step presses into a guard that inertia meets would swing there: the guard's
 // stiffness acts on a quarter of the step's approach, too.
-[[gnu::always_inline]] inline Approach approach(const ContactLaw& law, const Pair& pair,
-                                                const PressedPlace& at, const Slip& slip) {
-  const Touch& touch = at.place.touch;
-  Approach out;
-  out.lever = pair.offset * touch.normal;
-  out.moved = Vec3::Zero();
-  if (pair.offset != 0) out.moved = -slip.turn.cross(out.lever);
-  for (std::size_t i = 0; i < 4; ++i) out.moved += touch.weight[i] * slip.moved[i];
-  const double opened = touch.normal.dot(out.moved);
-  if (slip.dt == 0 || opened >= 0) return out;
+void damp(const ContactLaw& law, const Pair& pair, const PressedPlace& at, const Slip& slip, Slid& out) {
+  const double opened = at.place.touch.normal.dot(out.moved);
+  if (slip.dt == 0 || opened >= 0) return;
   constexpr double of_approach = 0.25;
-  const double gap = touch.distance - pair.offset - (slip.step == 0 ? opened : 0);
+  const double gap = at.place.touch.distance - pair.offset - (slip.step == 0 ? opened : 0);
   const double whole = slip.step == 0 ? law.scaled(gap, pair.scale).stiffness : at.answer.stiffness,
                stiffness = std::min(whole, law.stiffest());
   out.damping_slope = -slip.loss * std::sqrt(stiffness) / slip.dt;
-  if (slip.eased && at.answer.guard > 0 && gives_way(touch, slip))
+  if (slip.eased && at.answer.guard > 0 && gives_way(at.place.touch, slip))
     out.damping_slope -= of_approach * std::max(0.0, whole - law.stiffest());
   out.damping = out.damping_slope * opened;
-  return out;
 }
 
 // mu of an ellipse whose half axes are along and across the warp.
@@ -148,54 +127,46 @@ void direct(const Touch& touch, const Slip& slip, Slid& out) {
   out.mu_by_trial = -out.mu * out.mu * out.mu * c * (a - b) / out.length * (unit - c * towards);
 }
 
-// A film wets the surfaces over the first thousandth of the way from gap to floor, without a kink: the share,
-// and its derivative by the distance, 1/m.
-struct Wet {
-  double share = 0, slope = 0;
-};
-Wet wet(const ContactLaw& law, const Pair& pair, const PressedPlace& at, const Slip& slip) {
-  if (slip.film.viscous == 0 || slip.dt == 0) return {};
+// A film wets the surfaces over the first thousandth of the way from gap to floor, without a kink.
+void wet(const ContactLaw& law, const Pair& pair, const PressedPlace& at, const Slip& slip, Slid& out) {
+  const Film& film = slip.film;
+  if (film.viscous == 0 || slip.dt == 0) return;
   constexpr double of_range = 1e-3;
   const double way = of_range * (law.gap() - law.floor()) * pair.scale,
                depth = (law.gap() * pair.scale - at.place.touch.distance + pair.offset) / way,
                d = std::min(depth, 1.0);
-  return {d * d * (3 - 2 * d), -6 * d * (1 - d) / way};
-}
-
-void drag(const Load& load, const Slip& slip, Slid& out) {
-  const Film& film = slip.film;
-  if (film.viscous == 0 || slip.dt == 0) return;
-  out.drag_of_wet = film.viscous / slip.dt;
+  double whole = film.viscous * at.count / slip.dt;
   if (film.speed > 0) {
     const double slow = film.speed * slip.dt, ratio = 1 + out.slid.squaredNorm() / (slow * slow);
-    out.drag_of_wet *= std::pow(ratio, (film.exponent - 1) / 2);
-    out.thins = out.drag_of_wet * load.wet * (film.exponent - 1) / (ratio * slow * slow);
+    whole *= std::pow(ratio, (film.exponent - 1) / 2);
+    out.thins = whole * d * d * (3 - 2 * d) * (film.exponent - 1) / (ratio * slow * slow);
   }
-  out.drag = out.drag_of_wet * load.wet;
+  out.drag = whole * d * d * (3 - 2 * d);
+  out.drag_slope = -whole * 6 * d * (1 - d) / way;
 }
 
-[[gnu::always_inline]] inline Slid slide(const Touch& touch, const Slip& slip, const Vec3& moved,
-                                         const Vec3& held, const Load& load) {
+[[gnu::always_inline]] inline Slid slide(const ContactLaw& law, const Pair& pair, const PressedPlace& at,
+                                         const Slip& slip) {
+  const Touch& touch = at.place.touch;
   Slid out;
-  out.slid = moved - touch.normal.dot(moved) * touch.normal;
-  out.trial = out.slid + held - touch.normal.dot(held) * touch.normal;
+  out.lever = pair.offset * touch.normal;
+  out.moved = Vec3::Zero();
+  if (pair.offset != 0) out.moved = -slip.turn.cross(out.lever);
+  for (std::size_t i = 0; i < 4; ++i) out.moved += touch.weight[i] * slip.moved[i];
+  out.slid = out.moved - touch.normal.dot(out.moved) * touch.normal;
+  out.trial = out.slid + slip.held - touch.normal.dot(slip.held) * touch.normal;
   out.length = out.trial.norm();
+  damp(law, pair, at, slip, out);
   direct(touch, slip, out);
-  drag(load, slip, out);
-  out.spring = slip.stiffness * load.count;
-  out.before = out.slid.dot(held) > 0 ? slip.slides : 0;
+  wet(law, pair, at, slip, out);
+  out.spring = slip.stiffness * std::fabs(at.count);
+  out.before = out.slid.dot(slip.held) > 0 ? slip.slides : 0;
   // What breaks away is held by static friction until it has slid by its elastic slip. If it fell at once,
   // that of pairs under uneven pressure would fall one by one, and the whole would never hold; and if an
   // iteration could lower the bound, those of a static step would go past an elastic slip of a micrometre.
   if (!out.goes_on() && slip.across < 0) out.mu = std::max(out.mu, slip.sticking);
-  out.most = out.mu * load.normal;
+  out.most = out.mu * std::fabs(at.count) * (at.answer.pressure + out.damping);
   return out;
-}
-
-// The slip at the beginning of the step as crossing edges still hold it.
-Vec3 held_by(const Pair& pair, const Slip& slip, const Load& load) {
-  const double now = load.count / pair.area;
-  return pair.kind == PairKind::edges && now > slip.share ? Vec3(slip.share / now * slip.held) : slip.held;
 }
 
 // N/m: what resists the sliding of an explicit step at a place that counts `times`; adds to `resists` what of
@@ -211,15 +182,7 @@ double resistance(const Touch& touch, const Slip& slip, double times, std::array
   if (!(lightness > 0)) return 0;
   for (std::size_t i = 0; i < 4; ++i)
     resists[i] += times * std::abs(touch.weight[i]) * slip.inverse_mass[i] / (slip.crowd[i] * alone);
-  return 0.2 * times / (lightness * slip.step * slip.step);
-}
-
-// What the places of a facet press together is at least nothing, and all of its facets at a point press as
-// much as the surface does.
-Load together(Load load, const Slip& slip) {
-  load.normal = slip.share * std::max(0.0, load.normal);
-  load.wet = std::max(0.0, load.wet);
-  return load;
+  return 0.2 * std::abs(times) / (lightness * slip.step * slip.step);
 }
 
 // The slip of a pair is that of its nearest place, which comes first; that of an edge on a rod the mean.
@@ -228,47 +191,26 @@ class Friction {
   Friction(const ContactLaw& law, const Pair& pair, const Slip& slip, Force& force)
       : law_(law), pair_(pair), slip_(slip), force_(force) {}
   void add(const PressedPlace& at) {
-    const Approach by = approach(law_, pair_, at, slip_);
-    damp(at, by);
-    const Load load{at.count, at.count * (at.answer.pressure + by.damping),
-                    at.count * wet(law_, pair_, at, slip_).share};
-    if (pair_.kind != PairKind::facet) {
-      rub(at.place.touch, by, load);
-    } else if (first_) {
-      touch_ = at.place.touch;
-      by_ = by;
-      load_ = load;
-      nearest_ = load.normal;
-    } else {
-      load_.normal += load.normal;
-      load_.wet += load.wet;
-    }
+    const Slid s = slide(law_, pair_, at, slip_);
+    damp(at, s);
+    if (slip_.rubs() || slip_.film.viscous > 0) rub(at, s);
     first_ = false;
-  }
-  void finish() {
-    if (pair_.kind != PairKind::facet) return;
-    force_.normal = load_.normal;
-    first_ = true;
-    Load load = together(load_, slip_);
-    load.part = load.normal > 0 ? load.normal / nearest_ : 0;
-    rub(touch_, by_, load);
   }
 
  private:
-  void rub(const Touch& touch, const Approach& by, const Load& load) {
-    if (!slip_.rubs() && slip_.film.viscous == 0) return;
-    const Slid s = slide(touch, slip_, by.moved, held_by(pair_, slip_, load), load);
-    const double times = slip_.portion * load.count / pair_.area * load.part;
+  void rub(const PressedPlace& at, const Slid& s) {
+    const Touch& touch = at.place.touch;
+    const double times = slip_.portion * at.count / pair_.area;
     Vec3 pull = Vec3::Zero();
     if (slip_.rubs()) pull = s.spring * s.trial + resistance(touch, slip_, times, force_.resists) * s.slid;
     const double size = pull.norm(), kept = s.kept();
     if (size > s.most) pull *= s.most / size;
+    if (at.count < 0) pull = -pull;
     if (s.drag != 0) pull += s.drag * s.slid;
     for (std::size_t i = 0; i < 4; ++i) force_.on[i] -= touch.weight[i] * pull;
-    if (pair_.offset != 0) force_.torque += by.lever.cross(pull);
+    if (pair_.offset != 0) force_.torque += s.lever.cross(pull);
     force_.pull += pull;
-    if (pair_.kind == PairKind::edges) force_.share = load.count / pair_.area;
-    force_.stick += s.spring * kept * kept * s.trial.squaredNorm() / 2;
+    force_.stick += std::copysign(s.spring, at.count) * kept * kept * s.trial.squaredNorm() / 2;
     const double before = slip_.step == 0 ? 0 : 0.5;
     force_.work += (1 - before) * pull.dot(s.slid);
     if (first_) force_.work += before * slip_.pull.dot(s.slid);
@@ -279,10 +221,10 @@ class Friction {
     if (weight > 0) force_.slip += weight / share_ * (kept * s.trial - force_.slip);
   }
 
-  void damp(const PressedPlace& at, const Approach& by) {
-    const double press = at.count * by.damping;
+  void damp(const PressedPlace& at, const Slid& s) {
+    const double press = at.count * s.damping;
     const Touch& touch = at.place.touch;
-    const double closed = -touch.normal.dot(by.moved), before = slip_.step == 0 ? 0 : 0.5;
+    const double closed = -touch.normal.dot(s.moved), before = slip_.step == 0 ? 0 : 0.5;
     if (first_) force_.impact += before * slip_.damped * closed;
     if (press == 0) return;  // it opens
     for (std::size_t i = 0; i < 4; ++i) force_.on[i] += press * touch.weight[i] * touch.normal;
@@ -296,10 +238,6 @@ class Friction {
   Force& force_;
   bool first_ = true;
   double share_ = 0;
-  Touch touch_;  // of a facet, at its nearest place; and what its places press together
-  Approach by_;
-  Load load_;
-  double nearest_ = 0;  // N, of the nearest place alone
 };
 
 // The normal is that of the nearest place, which comes first.
@@ -326,7 +264,7 @@ double set_force(const ContactLaw& law, const Pair& pair, const Corners& x, Find
         }
         force.contact += at.count * at.answer.contact;
         force.guard += at.count * at.answer.guard;
-        if (at.answer.guard > 0) add_barrier(law, at, force.barrier);
+        if (at.answer.guard > 0 && at.count > 0) add_barrier(law, at, force.barrier);
         const double push = at.count * at.answer.pressure;
         for (std::size_t i = 0; i < 4; ++i)
           if (at.place.touch.weight[i] != 0)
@@ -337,8 +275,6 @@ double set_force(const ContactLaw& law, const Pair& pair, const Corners& x, Find
         }
         if (friction) friction->add(at);
       });
-  if (friction) friction->finish();
-  if (touches) force.barrier.stiffness = std::max(0.0, force.barrier.stiffness);
   const double gap = nearest - law.floor() * pair.scale;
   if (touches) force.gap = gap;
   return gap;
@@ -425,8 +361,8 @@ struct Place3 {
   Vec3 opened;                // of the motion along the normal
 };
 
-Place3 sliding_by_corner(const Touch& touch, const Corners& x, const Slip& slip, const Vec3& moved,
-                         double radius, const Slides& slide, const Vec3& held, std::size_t j) {
+Place3 sliding_by_corner(const Touch& touch, const Corners& x, const Slip& slip, const Slid& s, double radius,
+                         const Slides& slide, const Vec3& held, std::size_t j) {
   const Mat3 one = Mat3::Identity();
   Mat3 r = touch.weight[j] * one, du = touch.weight[j] * one;
   Place3 out;
@@ -441,152 +377,95 @@ Place3 sliding_by_corner(const Touch& touch, const Corners& x, const Slip& slip,
   const Mat3 dn = across * r / touch.distance;
   out.lever = radius * dn;
   du -= cross_matrix(slip.turn) * out.lever;
-  const Vec3 trial = moved + held;
+  const Vec3 trial = s.moved + held;
   out.sliding = across * du - n.dot(trial) * dn - n * (trial.transpose() * dn);
-  out.opened = du.transpose() * n + dn.transpose() * moved;
+  out.opened = du.transpose() * n + dn.transpose() * s.moved;
   return out;
 }
-
-// A load, and its derivatives by the corners.
-struct Load3 {
-  Load load;
-  Vector12 press = Vector12::Zero(), wets = Vector12::Zero();  // of the normal force; of the wet area
-  Vector12 counts = Vector12::Zero();                          // of the area of the spring
-};
-
-class Tangent {
- public:
-  Tangent(const ContactLaw& law, const Pair& pair, const Corners& x, const Slip& slip, Blocks of,
-          FrictionTangent& out)
-      : law_(law), pair_(pair), x_(x), slip_(slip), of_(of), out_(out) {}
-
-  void add(const PressedPlace& at, const Modulation* m) {
-    const Touch& touch = at.place.touch;
-    const Approach by = approach(law_, pair_, at, slip_);
-    const Wet film = wet(law_, pair_, at, slip_);
-    const Vector12 slope = distance_gradient(touch);
-    const double pressure = at.answer.pressure + by.damping;
-    Load3 own{{at.count, at.count * pressure, at.count * film.share}};
-    if (changes(at, m)) own.counts = pair_.area * at.place.modulated * m->gradient;
-    own.press = own.counts * by.damping;
-    if (by.damping != 0) {
-      const Slides slide = slides(x_, touch);
-      each_corner(of_.columns & touch.corners(), [&](std::size_t j) {
-        const Vec3 opened =
-            sliding_by_corner(touch, x_, slip_, by.moved, pair_.offset, slide, slip_.held, j).opened;
-        own.press.segment<3>(3 * int(j)) += at.count * by.damping_slope * opened;
-      });
-      const Matrix12 bend = distance_hessian(x_, touch, of_);
-      each_corner(of_.rows & touch.corners(), [&](std::size_t i) {
-        each_corner(of_.columns, [&](std::size_t j) {
-          const auto a = 3 * int(i), b = 3 * int(j);
-          out_.jacobian.block<3, 3>(a, b) += slope.segment<3>(a) * own.press.segment<3>(b).transpose() +
-                                             at.count * by.damping * bend.block<3, 3>(a, b);
-        });
-      });
-    }
-    own.press += own.counts * at.answer.pressure - at.count * at.answer.stiffness * slope;
-    own.wets = own.counts * film.share + at.count * film.slope * slope;
-    if (pair_.kind != PairKind::facet) return rub(touch, by, own);
-    if (!touches_) {
-      touch_ = touch;
-      by_ = by;
-      all_ = own;
-      touches_ = true;
-      return;
-    }
-    all_.load.normal += own.load.normal;
-    all_.load.wet += own.load.wet;
-    all_.press += own.press;
-    all_.wets += own.wets;
-  }
-  void finish() {
-    if (!touches_) return;
-    const double normal = all_.load.normal, film = all_.load.wet;
-    all_.load = together(all_.load, slip_);
-    all_.press *= normal > 0 ? slip_.share : 0;
-    all_.wets *= film > 0 ? 1 : 0;
-    rub(touch_, by_, all_);
-  }
-
- private:
-  void rub(const Touch& touch, const Approach& at, const Load3& load) {
-    const bool rubs = slip_.rubs(), turns = (of_.rows & of_.columns) == Blocks().rows;
-    if (!rubs && slip_.film.viscous == 0) return;
-    const Vec3 held = held_by(pair_, slip_, load.load);
-    const Slid s = slide(touch, slip_, at.moved, held, load.load);
-    const Slides slide = slides(x_, touch);
-    // pull = force * direction: of what sticks the direction is the trial slip itself, of what slides its
-    // unit vector.
-    const bool sticks = s.sticks();
-    const double length = s.length;
-    const double force = rubs ? sticks ? s.spring : s.most : 0;  // N/m or N
-    Vector12 grows = Vector12::Zero();
-    if (rubs) grows = sticks ? Vector12(slip_.stiffness * load.counts) : Vector12(s.mu * load.press);
-    const Vec3 direction = sticks ? s.trial : Vec3(s.trial / length);
-    Mat3 turn = force * Mat3::Identity();
-    Vec3 by_trial = Vec3::Zero();  // the derivative of its size by the trial slip
-    if (rubs && !sticks) by_trial = load.load.normal * s.mu_by_trial;
-    if (!sticks)
-      turn = force / length * (Mat3::Identity() - direction * direction.transpose()) +
-             direction * by_trial.transpose();
-    const Vec3 pull = force * direction + s.drag * s.slid;
-    const Mat3 levers = cross_matrix(at.lever), drags = s.drag_by_slid();
-    if (turns) {
-      // The lever is along the normal, so lever x turn has no part along it.
-      const Mat3 pull_by_turn = (turn + drags) * levers;
-      for (int i = 0; i < 4; ++i)
-        out_.by_turn.block<3, 3>(3 * i, 0) -= touch.weight[std::size_t(i)] * pull_by_turn;
-      out_.torque_by_turn += levers * pull_by_turn;
-    }
-    each_corner(of_.columns, [&](std::size_t j) {
-      const auto by_corner = [&](const Vec3& at_first) {
-        return sliding_by_corner(touch, x_, slip_, at.moved, pair_.offset, slide, at_first, j);
-      };
-      Place3 by = by_corner(held);
-      if (held != slip_.held)
-        by.sliding -= (held - touch.normal.dot(held) * touch.normal) *
-                      (load.counts / load.load.count).segment<3>(3 * int(j)).transpose();
-      Mat3 dpull = turn * by.sliding + direction * grows.segment<3>(3 * int(j)).transpose();
-      if (slip_.film.viscous > 0)
-        dpull += drags * by_corner(Vec3::Zero()).sliding +
-                 s.drag_of_wet * s.slid * load.wets.segment<3>(3 * int(j)).transpose();
-      if (turns)
-        out_.torque_by_x.block<3, 3>(0, 3 * int(j)) += levers * dpull - cross_matrix(pull) * by.lever;
-      const Vec3 larger = grows.segment<3>(3 * int(j)) + by.sliding.transpose() * by_trial;
-      each_corner(of_.rows & touch.corners(), [&](std::size_t i) {
-        Mat3 block = touch.weight[i] * dpull;
-        for (std::size_t k = 0; k < std::size_t(touch.freedoms()); ++k) {
-          if (i == std::size_t(touch.plus[k])) block += pull * by.slide[k].transpose();
-          if (i == std::size_t(touch.minus[k])) block -= pull * by.slide[k].transpose();
-        }
-        out_.jacobian.block<3, 3>(3 * int(i), 3 * int(j)) -= block;
-        out_.apart.block<3, 3>(3 * int(i), 3 * int(j)) -= touch.weight[i] * direction * larger.transpose();
-      });
-    });
-  }
-
-  const ContactLaw& law_;
-  const Pair& pair_;
-  const Corners& x_;
-  const Slip& slip_;
-  const Blocks of_;
-  FrictionTangent& out_;
-  bool touches_ = false;
-  Touch touch_;  // of a facet, at its nearest place; and what its places press together
-  Approach by_;
-  Load3 all_;
-};
 
 }  // namespace
 
 FrictionTangent friction_tangent(const ContactLaw& law, const Pair& pair, const Corners& x, const Slip& slip,
                                  Blocks of) {
+  const bool turns = (of.rows & of.columns) == Blocks().rows;
   FrictionTangent out;
-  Tangent tangent(law, pair, x, slip, of, out);
-  visit_pressed(law, pair, x, nullptr,
-                [&](const PressedPlace& at, const Modulation* m) { tangent.add(at, m); });
-  tangent.finish();
+  visit_pressed(law, pair, x, nullptr, [&](const PressedPlace& at, const Modulation* m) {
+    const Touch& touch = at.place.touch;
+    const Slid s = slide(law, pair, at, slip);
+    const bool modulated = changes(at, m);
+    const unsigned columns = modulated ? of.columns : of.columns & touch.corners();
+    const double share = pair.area * at.place.modulated, pressure = at.answer.pressure + s.damping;
+    const Slides slide = slides(x, touch);
+    std::array<Place3, 4> by;
+    Vector12 opened, press;  // derivatives of the opening, and of the normal force by all corners
+    opened.setZero();
+    each_corner(columns, [&](std::size_t j) {
+      by[j] = sliding_by_corner(touch, x, slip, s, pair.offset, slide, slip.held, j);
+      opened.segment<3>(3 * int(j)) = by[j].opened;
+    });
+    press = at.count * s.damping_slope * opened;
+    if (modulated) press += share * s.damping * m->gradient;
+    if (s.damping != 0) {
+      const Vector12 slope = distance_gradient(touch);
+      const Matrix12 bend = distance_hessian(x, touch, of);
+      each_corner(of.rows & touch.corners(), [&](std::size_t i) {
+        each_corner(columns, [&](std::size_t j) {
+          const auto a = 3 * int(i), b = 3 * int(j);
+          out.jacobian.block<3, 3>(a, b) += slope.segment<3>(a) * press.segment<3>(b).transpose() +
+                                            at.count * s.damping * bend.block<3, 3>(a, b);
+        });
+      });
+    }
+    const bool rubs = slip.rubs();
+    if (!rubs && slip.film.viscous == 0) return;
+    press -= at.count * at.answer.stiffness * distance_gradient(touch);
+    if (modulated) press += share * at.answer.pressure * m->gradient;
+
+    // pull = force * direction: of what sticks the direction is the trial slip itself, of what slides its
+    // unit vector.
+    const bool sticks = s.sticks();
+    const double length = s.length;
+    const double force = rubs ? at.count * (sticks ? slip.stiffness : s.mu * pressure) : 0;  // N/m or N
+    Vector12 grows = Vector12::Zero();
+    if (rubs && !sticks) grows = s.mu * press;
+    if (rubs && sticks && modulated) grows = share * slip.stiffness * m->gradient;
+    const Vec3 direction = sticks ? s.trial : Vec3(s.trial / length);
+    Mat3 turn = force * Mat3::Identity();
+    Vec3 by_trial = Vec3::Zero();  // the derivative of its size by the trial slip
+    if (rubs && !sticks) by_trial = at.count * pressure * s.mu_by_trial;
+    if (!sticks)
+      turn = force / length * (Mat3::Identity() - direction * direction.transpose()) +
+             direction * by_trial.transpose();
+    const Vec3 pull = force * direction + s.drag * s.slid;
+    Vector12 thickens = s.drag_slope * distance_gradient(touch);  // the derivative of the film's drag
+    if (modulated) thickens += s.drag / at.count * share * m->gradient;
+    const Mat3 levers = cross_matrix(s.lever), drags = s.drag_by_slid();
+    if (turns) {
+      // The lever is along the normal, so lever x turn has no part along it.
+      const Mat3 pull_by_turn = (turn + drags) * levers;
+      for (int i = 0; i < 4; ++i)
+        out.by_turn.block<3, 3>(3 * i, 0) -= touch.weight[std::size_t(i)] * pull_by_turn;
+      out.torque_by_turn += levers * pull_by_turn;
+    }
+    each_corner(columns, [&](std::size_t j) {
+      Mat3 dpull = turn * by[j].sliding + direction * grows.segment<3>(3 * int(j)).transpose();
+      if (slip.film.viscous > 0)
+        dpull += drags * sliding_by_corner(touch, x, slip, s, pair.offset, slide, Vec3::Zero(), j).sliding +
+                 s.slid * thickens.segment<3>(3 * int(j)).transpose();
+      if (turns)
+        out.torque_by_x.block<3, 3>(0, 3 * int(j)) += levers * dpull - cross_matrix(pull) * by[j].lever;
+      const Vec3 larger = grows.segment<3>(3 * int(j)) + by[j].sliding.transpose() * by_trial;
+      each_corner(of.rows & touch.corners(), [&](std::size_t i) {
+        Mat3 block = touch.weight[i] * dpull;
+        for (std::size_t k = 0; k < std::size_t(touch.freedoms()); ++k) {
+          if (i == std::size_t(touch.plus[k])) block += pull * by[j].slide[k].transpose();
+          if (i == std::size_t(touch.minus[k])) block -= pull * by[j].slide[k].transpose();
+        }
+        out.jacobian.block<3, 3>(3 * int(i), 3 * int(j)) -= block;
+        out.apart.block<3, 3>(3 * int(i), 3 * int(j)) -= touch.weight[i] * direction * larger.transpose();
+      });
+    });
+  });
   const Matrix12 rest = out.jacobian - out.apart;
   out.apart += (rest - rest.transpose()) / 2;
   return out;

@@ -43,8 +43,7 @@ struct Pair {
   double area = 0;    // m2, reference
   double scale = 1;   // factor on the law's lengths, for neighbours in a sheet
   double offset = 0;  // m: radii subtracted from the distance
-  // For a facet: weights of the edge opposite to each corner, in halves, and of each corner, beside its
-  // own 1.
+  // For a facet: weights of the edge opposite to each corner and of each corner, beside the facet's 1.
   std::array<std::int8_t, 3> edge{}, corner{};
   // Factor on the stiffness of friction's spring: of what is on guard, and weighs little, that of its area.
   float grip = 1;
@@ -71,9 +70,6 @@ struct Film {
 //
 // A sticking pair holds up to a static coefficient, which may be larger. Once it slides, mu applies until the
 // sliding of a step is no longer against the pull.
-//
-// A facet with its edges and corners rubs as one, at its nearest place, with mu times all that they press. So
-// no part of it can slide where the others hold, and what is lost only rises.
 struct Slip {
   double friction = 0;                                                       // mu
   double stiffness = 0;                                                      // Pa/m, of the spring, per area
@@ -88,9 +84,6 @@ struct Slip {
   double damped = 0;         // N, of the damping of approach at the beginning of the step
   double sticking = 0;       // the static coefficient; below mu: the same as mu
   double slides = 0;         // at the beginning of the step: what has slid over the elastic slip, up to 1
-  // Of a facet: the share of what it presses that counts for friction; see slips.cpp. Of edges: how much they
-  // count at the beginning of the step; where that grows, the slip falls, so that its energy does not grow.
-  double share = 1;
   // Friction by direction: mu holds along `along`, the warp of the cloth at the pair, and `across` across it;
   // between them they are half axes of an ellipse. Below 0: mu holds in all directions.
   double across = -1;
@@ -117,8 +110,6 @@ struct Force {
   double stick = 0;            // J, elastic energy of the slip
   double damped = 0;           // N, of the damping of approach
   double slides = 0;           // at the end of the step
-  double normal = 0;           // N, of a facet with its edges and corners
-  double share = 1;            // see Slip
   // Explicit steps: the resistance at each corner over 0.2 m / dt of its own mass, but for Slip::crowd.
   std::array<double, 4> resists{};
   // J, work that the sliding of the step does against friction: in explicit steps by the forces at both ends,
@@ -126,8 +117,8 @@ struct Force {
   double work = 0, impact = 0;
   double gap = 0;       // m, the smallest distance above the floor
   bool active = false;  // at least one place is within the law's range
-  // Where the guard acts: its stiffness, N/m, along the nearest place's normal, by the corners' weights
-  // there.
+  // Where the guard acts: its stiffness, N/m, along a normal, by the corners' weights. Places with a negative
+  // weight are left out, so that it is a bound.
   struct Barrier {
     double stiffness = 0;
     Vec3 normal = Vec3::Zero();

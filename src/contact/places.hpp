@@ -28,7 +28,7 @@ double visit_places(const Pair& pair, const Corners& x, double reach, Visit visi
       if (gap >= reach) return gap;
       for (int k = 1; k <= 3; ++k) {
         const int edge = pair.edge[std::size_t(k - 1)], corner = pair.corner[std::size_t(k - 1)];
-        if (edge != 0) within(point_segment(x, 0, k % 3 + 1, (k + 1) % 3 + 1), 0.5 * edge, 0);
+        if (edge != 0) within(point_segment(x, 0, k % 3 + 1, (k + 1) % 3 + 1), edge, 0);
         if (corner != 0) within(point_point(x, 0, k), corner, 0);
       }
       return gap;

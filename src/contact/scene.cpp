@@ -283,15 +283,13 @@ void Scene::add_edges(Surface& surface) {
 
 // The weights of facets, edges and corners: an edge shared by m facets counts 1 - m times,
 // and corners make up the rest, so that a place counts once anywhere on a smooth surface.
-// The first two facets at an edge have half a time less each, the others a whole one, so that none counts
-// less than nothing there; the weight of a corner is with the first facet that has it.
+// The weights of an edge or a corner are stored in the first triangle that has it.
 void Scene::count_places(const Surface& surface) {
   for (std::int32_t t = surface.first_triangle; t < surface.first_triangle + surface.triangles; ++t) {
     TriangleRow& row = triangles_[std::size_t(t)];
     for (std::size_t k = 0; k < 3; ++k) {
       const auto& at_edge = at_edge_[std::size_t(row.edge_row[k])];
-      if (at_edge.size() < 2) continue;
-      row.edge[k] = t == at_edge[0] || t == at_edge[1] ? -1 : -2;
+      if (at_edge.front() == t) row.edge[k] = small(1 - std::ptrdiff_t(at_edge.size()));
     }
   }
   for (std::int32_t t = surface.first_triangle; t < surface.first_triangle + surface.triangles; ++t)
@@ -301,15 +299,15 @@ void Scene::count_places(const Surface& surface) {
       const auto first =
           std::lower_bound(at.begin(), at.end(), surface.first_triangle);  // for a node of two surfaces
       if (*first != t) continue;
-      std::ptrdiff_t halves = 2;
+      std::ptrdiff_t count = 1;
       for (auto other = first; other != at.end() && *other < surface.first_triangle + surface.triangles;
            ++other) {
         const TriangleRow& o = triangles_[std::size_t(*other)];
-        halves -= 2;
+        --count;
         for (std::size_t j = 0; j < 3; ++j)
-          if (o.nodes[j] != node) halves -= o.edge[j];
+          if (o.nodes[j] != node) count -= o.edge[j];
       }
-      triangles_[std::size_t(t)].corner[k] = small(halves / 2);
+      triangles_[std::size_t(t)].corner[k] = small(count);
     }
 }
 

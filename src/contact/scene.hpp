@@ -93,9 +93,10 @@ struct EdgeRow {
 struct TriangleRow {
   Triangle nodes{};
   std::int32_t surface = 0, element = 0;
-  double area = 0;                              // m2, reference
-  std::array<std::int32_t, 3> edge_row{};       // opposite to each corner
-  std::array<std::int8_t, 3> edge{}, corner{};  // see Pair
+  double area = 0;                         // m2, reference
+  std::array<std::int32_t, 3> edge_row{};  // opposite to each corner
+  std::array<std::int8_t, 3> edge{},
+      corner{};  // weights of the edges and corners that are stored in this triangle
 };
 
 // Pa, presses woven cloth down to its fibres.

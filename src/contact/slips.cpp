@@ -1,7 +1,8 @@
 // The elastic slips of friction, from step to step.
 //
-// A slip belongs to a pair as long as it touches. A facet takes a point over from the next with a slip of its
-// own, which grows with what the facet presses: a slip that it took along would be energy from nowhere.
+// A slip belongs to a pair as long as it touches. A point that passes from one facet to the next takes its
+// slip along: all facets that have common corners hold it with the slip at the nearest of them. So the
+// weights of facets, edges and corners cancel for friction as they do for pressure.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -20,16 +21,13 @@ constexpr double tangential = 2.0 / 7;
 // pairs whose resistances add up to more share this.
 constexpr double most_resistance = 4;
 
-// The vector with the components in the frame of u and v that `slip` has in the frame of u0 and v0, as long
-// as it is: where edges turn against each other, or a facet is stretched, that does no work on its spring.
+// The vector with the components in the frame of u and v that `slip` has in the frame of u0 and v0.
 Vec3 carried(const Vec3& slip, const Vec3& u0, const Vec3& v0, const Vec3& u, const Vec3& v) {
   const double a = u0.dot(u0), b = u0.dot(v0), c = v0.dot(v0), det = a * c - b * b;
   const Vec3 n0 = u0.cross(v0), n = u.cross(v);
   if (!(det > 1e-12 * a * c) || !(n.squaredNorm() > 0)) return slip;
   const double e = slip.dot(u0), f = slip.dot(v0);
-  const Vec3 out =
-      (c * e - b * f) / det * u + (a * f - b * e) / det * v + slip.dot(n0) / n0.norm() * n.normalized();
-  return std::sqrt(slip.squaredNorm() / out.squaredNorm()) * out;
+  return (c * e - b * f) / det * u + (a * f - b * e) / det * v + slip.dot(n0) / n0.norm() * n.normalized();
 }
 
 // The slip after the step, turned with what it belongs to.
@@ -58,7 +56,7 @@ Vec3 turned(const Candidate& c, const Vec3& slip, const Corners& from, const Cor
 void Contact::Held::keep(Archive& archive) {
   archive(point[0], point[1], point[2], point[3], interaction, kind);
   for (Vec3* v : {&slip, &pull}) archive((*v)[0], (*v)[1], (*v)[2]);
-  archive(share, damped, slides);
+  archive(gap, damped, slides);
 }
 
 bool Contact::Memory::used(std::uint32_t place) const {
@@ -70,8 +68,8 @@ Contact::Kept Contact::Memory::at(std::uint32_t place) const {
   const auto k = place % lanes;
   return {{from.slip[0][k], from.slip[1][k], from.slip[2][k]},
           {from.pull[0][k], from.pull[1][k], from.pull[2][k]},
+          from.gap[k],
           from.damped[k],
-          from.share[k],
           from.slides[k]};
 }
 
@@ -80,8 +78,8 @@ void Contact::put(BatchMemory& to, std::uint32_t k, const Kept& kept) {
     to.slip[d][k] = kept.slip[d];
     to.pull[d][k] = kept.pull[d];
   }
+  to.gap[k] = kept.gap;
   to.damped[k] = kept.damped;
-  to.share[k] = kept.share;
   to.slides[k] = kept.slides;
 }
 
@@ -108,37 +106,64 @@ void Contact::to_list(Memory& memory) const {
   memory.by_lane = false;
 }
 
-// What is committed of a pair; of a facet that has nothing, the share at another one of its point, and
-// whether it slides there and whereto.
+namespace {
+
+// Whether two facets have a common corner.
+bool are_beside(const std::array<std::int32_t, 4>& a, const std::array<std::int32_t, 4>& b) {
+  return std::find_first_of(a.begin() + 1, a.end(), b.begin() + 1, b.end()) != a.end();
+}
+
+}  // namespace
+
+// Balls and rods lie on many facets at once, each with a slip of its own.
+bool Contact::passes_on(PairKind kind, std::int32_t first, std::int32_t interaction) const {
+  if (kind != PairKind::facet) return false;
+  const Interaction& it = scene_->interactions()[std::size_t(interaction)];
+  return !rigid(first) || scene_->surfaces()[std::size_t(it.second)].shape == Shape::solid;
+}
+
+// The committed slip of a pair, or that of the nearest facet beside it, without its forces.
 std::optional<Contact::Kept> Contact::held_by(std::size_t slot) {
   const Candidate& c = inner_[slot];
-  const auto beside = [&](PairKind kind, std::int32_t interaction) {
-    return kind == PairKind::facet && c.pair.kind == kind && interaction == c.interaction;
-  };
-  std::optional<Kept> found;
-  const auto take = [&found](const Kept& from) {
-    constexpr double direction = 1e-9;  // of its slip, which is not handed on
-    if (found && from.slides <= found->slides) return;
-    found = Kept{direction * from.slip, Vec3::Zero(), 0, from.share, from.slides};
+  const bool passes = passes_on(c.pair.kind, c.point[0], c.interaction);
+  const auto passed_on = [](const Kept& from) {
+    return Kept{from.slip, Vec3::Zero(), from.gap, 0, from.slides};
   };
   if (held_.by_lane) {
     if (held_.used(place_[slot])) return held_.at(place_[slot]);
+    std::optional<Kept> found;
     const std::uint32_t row = rows_of_[slot][0];
-    for (std::size_t k = first_place_[row]; k < first_place_[row + 1]; ++k) {
+    for (std::size_t k = first_place_[row]; passes && k < first_place_[row + 1]; ++k) {
       const std::uint32_t i = by_first_[k];
-      if (held_.used(place_[i]) && beside(inner_[i].pair.kind, inner_[i].interaction))
-        take(held_.at(place_[i]));
+      const Candidate& other = inner_[i];
+      if (!held_.used(place_[i]) || other.pair.kind != PairKind::facet ||
+          other.interaction != c.interaction || !are_beside(c.point, other.point))
+        continue;
+      const Kept of_other = held_.at(place_[i]);
+      if (!found || of_other.gap < found->gap) found = passed_on(of_other);
     }
     return found;
   }
   const std::vector<Held>& all = held_.list;
-  const auto first =
-      std::partition_point(all.begin(), all.end(), [&](const Held& h) { return h.point[0] < c.point[0]; });
-  for (auto h = first; h != all.end() && h->point[0] == c.point[0]; ++h) {
-    if (h->is(c)) return *h;
-    if (beside(h->kind, h->interaction)) take(*h);
+  std::int32_t& known = known_[slot];
+  if (known == unknown) {
+    known = none;
+    const auto first =
+        std::partition_point(all.begin(), all.end(), [&](const Held& h) { return h.point[0] < c.point[0]; });
+    for (auto h = first; h != all.end() && h->point[0] == c.point[0]; ++h) {
+      const auto number = std::int32_t(h - all.begin());
+      if (h->is(c)) {
+        known = number;
+        break;
+      }
+      if (passes && h->kind == PairKind::facet && h->interaction == c.interaction &&
+          are_beside(c.point, h->point) && (known == none || h->gap < all[std::size_t(known)].gap))
+        known = number;
+    }
   }
-  return found;
+  if (known == none) return {};
+  const Held& found = all[std::size_t(known)];
+  return found.is(c) ? std::optional<Kept>(found) : passed_on(found);
 }
 
 void Contact::find_held(const BatchPairs& batch, unsigned of_lanes, BatchMemory& to) {
@@ -171,7 +196,6 @@ void Contact::find_slip(std::size_t i, std::span<const Vec3> x, const Way& way, 
   if (const auto held = held_by(i)) {
     slip.held = held->slip;
     slip.slides = held->slides;
-    slip.share = held->share;
     slip.pull = held->pull;
     slip.damped = held->damped;
   }
@@ -256,25 +280,35 @@ void Contact::index_places() {
   for (std::size_t i = 0; i < inner_.size(); ++i) by_first_[next[rows_of_[i][0]]++] = std::uint32_t(i);
 }
 
-// What the facets at a point press together is what the surface presses. Of facets far smaller than the range
-// of contact some press less than nothing, and rub none: the others rub by as much less in the next step.
-void Contact::share_normal(std::span<const std::uint32_t> slots) {
-  for (std::size_t k = 0; k < slots.size(); ++k) {
-    const auto is_facet = [&](std::uint32_t i) {
-      return inner_[i].pair.kind == PairKind::facet && tried_.used(place_[i]) &&
-             inner_[i].interaction == inner_[slots[k]].interaction;
-    };
-    if (!is_facet(slots[k])) continue;
-    double sum = 0, positive = 0;
-    for (const std::uint32_t i : slots) {
-      if (!is_facet(i)) continue;
-      const double normal = tried_.lane[place_[i] / lanes].normal[place_[i] % lanes];
-      sum += normal;
-      positive += std::max(0.0, normal);
-    }
-    if (sum < positive)
-      tried_.lane[place_[slots[k]] / lanes].share[place_[slots[k]] % lanes] = std::max(0.0, sum) / positive;
+// Facets beside each other hold a point with the slip at the nearest of them: those are looked at in the
+// order of their gaps, equal ones in their own.
+void Contact::join(std::span<const std::uint32_t> slots) {
+  struct Place {
+    std::uint32_t slot;
+    Kept kept;
+  };
+  thread_local std::vector<Place> nearest;
+  nearest.clear();
+  for (const std::uint32_t i : slots) {
+    const Candidate& c = inner_[i];
+    if (c.pair.kind != PairKind::facet || !tried_.used(place_[i])) continue;
+    if (!passes_on(c.pair.kind, c.point[0], c.interaction)) return;
+    auto at = nearest.size();
+    nearest.push_back({i, tried_.at(place_[i])});
+    for (; at > 0 && nearest[at].kept.gap < nearest[at - 1].kept.gap; --at)
+      std::swap(nearest[at - 1], nearest[at]);
   }
+  for (const Place& own : nearest)
+    for (const Place& other : nearest) {
+      if (!(other.kept.gap < own.kept.gap)) break;
+      const Candidate &one = inner_[own.slot], &two = inner_[other.slot];
+      if (one.interaction != two.interaction || !are_beside(one.point, two.point)) continue;
+      Kept joined = own.kept;
+      joined.slip = other.kept.slip;
+      joined.slides = other.kept.slides;
+      put(tried_.lane[place_[own.slot] / lanes], place_[own.slot] % lanes, joined);
+      break;
+    }
 }
 
 void Contact::keep_slip(std::size_t slot, const Corners& x, const Way& way, Force& force) {
@@ -284,18 +318,17 @@ void Contact::keep_slip(std::size_t slot, const Corners& x, const Way& way, Forc
   if (!way.planes.empty()) force.resists = resists(c, force, way);
   const std::uint32_t place = place_[slot];
   put(tried_.lane[place / lanes], place % lanes,
-      {force.slip, force.pull, force.damped, force.share, force.slides});
-  tried_.lane[place / lanes].normal[place % lanes] = force.normal;
+      {force.slip, force.pull, force.gap, force.damped, force.slides});
   tried_.lanes_used[place / lanes] |= 1u << place % lanes;
 }
 
-void Contact::share_normals() {
+void Contact::share_slips() {
   has_tried_ = true;
 #pragma omp parallel for schedule(static) if (touched_.size() > 1024)
   for (std::size_t row = 0; row < touched_.size(); ++row) {
     if (at_point_[row].slips < 2) continue;
     const std::size_t first = first_place_[row];
-    share_normal({by_first_.data() + first, first_place_[row + 1] - first});
+    join({by_first_.data() + first, first_place_[row + 1] - first});
   }
 }
 
@@ -326,6 +359,7 @@ void Contact::commit() {
   std::swap(held_, tried_);
   std::swap(rubbing_at_, tried_rubbing_);
   has_tried_ = false;
+  if (!held_.by_lane) std::fill(known_.begin(), known_.end(), unknown);
 }
 
 void Contact::keep(Archive& archive) {
@@ -335,6 +369,7 @@ void Contact::keep(Archive& archive) {
   if (!archive.reading()) return;
   held_ = std::move(kept);
   has_tried_ = false;
+  std::fill(known_.begin(), known_.end(), unknown);
 }
 
 }  // namespace fabricsh::contact
