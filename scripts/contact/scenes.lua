@@ -2,7 +2,7 @@
 -- mesh, one or two layers, a folded strip or a tube, falls on, is pressed by, is drawn over or hit by balls, rods, boxes, trunks and walls that stand,
 -- are driven or fly. Each scene runs in a process of its own, so that one that ends without a word is told, too.
 --
---   fabricsh scripts/contact/scenes.lua                  nine short ones
+--   fabricsh scripts/contact/scenes.lua                  seven short ones
 --   fabricsh scripts/contact/scenes.lua 101 25 60        25 scenes from number 101 on, each for 60 s of processor time at most
 --   fabricsh scripts/contact/scenes.lua scene 17 60      one of them here, with all that its run says
 --
@@ -700,7 +700,7 @@ end
 -- --- a list of them
 
 local first, count = tonumber(arg[1]), tonumber(arg[2] or 1)
-local numbers = { 5, 6, 17, 20, 25, 78, 82, 95, 106 } -- a few seconds each
+local numbers = { 5, 6, 17, 25, 82, 95, 106 } -- a few seconds each
 if first then
   numbers = {}
   for k = first, first + count - 1 do numbers[#numbers + 1] = k end
