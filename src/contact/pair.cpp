@@ -165,7 +165,7 @@ void wet(const ContactLaw& law, const Pair& pair, const PressedPlace& at, const 
   // that of pairs under uneven pressure would fall one by one, and the whole would never hold; and if an
   // iteration could lower the bound, those of a static step would go past an elastic slip of a micrometre.
   if (!out.goes_on() && slip.across < 0) out.mu = std::max(out.mu, slip.sticking);
-  out.most = out.mu * std::fabs(at.count) * (at.answer.pressure + out.damping);
+  out.most = out.mu * (std::fabs(at.count) * (at.answer.pressure + out.damping));  // as batches have it
   return out;
 }
 
