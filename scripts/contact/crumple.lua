@@ -6,6 +6,7 @@
 -- warns: is turned over: it is more than 90 degrees
 -- warns: turned inside out
 -- warns: the guard of the directors has
+-- warns: carries without folding within it
 local fabric = require "fabric"
 local brute = dofile((arg[0]:gsub("[^/]*$", "brute.lua")))
 local cells, out = tonumber(arg[1] or 8), arg[2]
