@@ -715,24 +715,25 @@ void Static::check_balance() {
 // stores, which is no measure of the steps.
 void Static::check() {
   watch_shape();
-  watch_barrier(energy());
+  const EnergyAccount e = energy();
+  watch_barrier(e);
   check_balance();
   watch_accounts(
-      energy(), std::max({work_.largest(), now_.internal, energy_of_rest(), energy_of_rounding(*assembly_)}));
+      e, std::max({work_.largest(), now_.internal, energy_of_rest(), energy_of_rounding(*assembly_)}));
   const bool end = stopped() || std::abs(time() - duration_) <= same_time * duration_;
   if (end) {
     watch_path();
-    watch_guard(energy());
-    watch_pressed(energy());
+    watch_guard(e);
+    watch_pressed(e);
   }
-  if (end && work_.largest() == 0 && energy().internal() == 0 && loads_nothing(*model_, *assembly_) &&
+  if (end && work_.largest() == 0 && e.internal() == 0 && loads_nothing(*model_, *assembly_) &&
       !warned("idle"))
     warn("idle",
          "warning: static: nothing loads or moves the cloth in this run: it has done nothing. Expected a "
          "force, pressure, gravity or a motion, m:move(set, { x=fabric.ramp(way, duration) })");
   const double lost = now_.fallen, scale = std::max(work_.largest(), energy_of_rest());
   if (!end || now_.reported_error || !(scale > 0) || lost <= kLedger * scale) return;
-  if (energy().dissipated <= kDissipated * scale || scale <= energy_of_rounding(*assembly_)) return;
+  if (e.dissipated <= kDissipated * scale || scale <= energy_of_rounding(*assembly_)) return;
   now_.reported_error = true;
   warn("relaxed",
        "static: relaxation has taken " + number(100 * lost / scale) + " % of the " +

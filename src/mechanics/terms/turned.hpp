@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <array>
 
+#include "geometry/turning.hpp"
 #include "mechanics/batch.hpp"
 
 namespace fabricsh::mechanics {
@@ -39,8 +40,7 @@ inline Mat3 rotation(const Placement& from, const Placement& to, int corners, in
   }
   inertia += 1e-12 * inertia.trace() * Mat3::Identity();  // corners on a line have no spin about it
   const Vec3 w = inertia.ldlt().solve(momentum);
-  Mat3 W;
-  W << 0, -w[2], w[1], w[2], 0, -w[0], -w[1], w[0], 0;
+  const Mat3 W = cross_matrix(w);
   return Mat3::Identity() + (W + W * W / 2) / (1 + w.squaredNorm() / 4);
 }
 

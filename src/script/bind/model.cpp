@@ -213,8 +213,7 @@ std::vector<Entry> model_entries() {
       {"model:gravity()",
        {Argument{"acceleration", table, "m/s^2", everything, "{gx, gy, gz}, each a history"}},
        "Lets gravity act on the whole cloth, and on rigid bodies that have a mass and forces place. A second "
-       "call "
-       "takes the place of the first.",
+       "call takes the place of the first.",
        sample + "m:gravity{0, 0, -9.81}",
        gravity},
       without_arguments(
