@@ -7,6 +7,7 @@ local brute = {}
 
 local huge, sqrt, floor, abs, max, min = math.huge, math.sqrt, math.floor, math.abs, math.max, math.min
 
+-- Vectors, and the box of points.
 local function sub(a, b) return { a[1] - b[1], a[2] - b[2], a[3] - b[3] } end
 local function dot(a, b) return a[1] * b[1] + a[2] * b[2] + a[3] * b[3] end
 local function cross(a, b) return { a[2] * b[3] - a[3] * b[2], a[3] * b[1] - a[1] * b[3], a[1] * b[2] - a[2] * b[1] } end
@@ -18,6 +19,7 @@ local function box(nodes)
   end
   return low, high
 end
+brute.sub, brute.dot, brute.cross, brute.box = sub, dot, cross, box
 
 -- The middle of the nodes of a model, about which contact cuts its flat sheets.
 function brute.middle(nodes)
@@ -147,6 +149,94 @@ local function distance(X, Y, Z, x, y, z, a, b, c)
   local first = ((sy * vz - sz * vy) * nx + (sz * vx - sx * vz) * ny + (sx * vy - sy * vx) * nz) / n2
   if first >= 0 and second >= 0 and first + second <= 1 then return abs(sx * nx + sy * ny + sz * nz) / sqrt(n2) end
   return min(to_edge(a, b), to_edge(b, c), to_edge(c, a))
+end
+
+-- The same of points {x, y, z}, the border counted as outside.
+local function volume(a, b, c, d)
+  local ux, uy, uz, vx, vy, vz = a[1] - d[1], a[2] - d[2], a[3] - d[3], b[1] - d[1], b[2] - d[2], b[3] - d[3]
+  return ux * (vy * (c[3] - d[3]) - vz * (c[2] - d[2])) + uy * (vz * (c[1] - d[1]) - vx * (c[3] - d[3])) + uz * (vx * (c[2] - d[2]) - vy * (c[1] - d[1]))
+end
+function brute.cuts(p, q, a, b, c)
+  local vp, vq = volume(a, b, c, p), volume(a, b, c, q)
+  if vp * vq >= 0 then return false end
+  local function apart(u, v) return (u[1] - v[1]) ^ 2 + (u[2] - v[2]) ^ 2 + (u[3] - v[3]) ^ 2 end
+  if abs(vp - vq) <= 1e-9 * sqrt(apart(p, q) * apart(a, b) * apart(a, c)) then return false end -- parallel: others meet its ends and edges
+  local s, u, v = volume(p, q, a, b), volume(p, q, b, c), volume(p, q, c, a)
+  return s * u > 0 and u * v > 0
+end
+
+-- Edges in the cells of a grid that their boxes touch; calls found(edge, facet) where boxes meet.
+function brute.each_near(x, edges, y, facets, size, found)
+  local cells = {}
+  local function each_cell(low, high, visit)
+    for i = floor(low[1] / size), floor(high[1] / size) do
+      for j = floor(low[2] / size), floor(high[2] / size) do
+        for k = floor(low[3] / size), floor(high[3] / size) do visit((i * 73856093) ~ (j * 19349663) ~ (k * 83492791)) end
+      end
+    end
+  end
+  local low, high = { 0, 0, 0 }, { 0, 0, 0 }
+  for e, edge in ipairs(edges) do
+    local p, q = x[edge[1]], x[edge[2]]
+    for k = 1, 3 do low[k], high[k] = min(p[k], q[k]), max(p[k], q[k]) end
+    each_cell(low, high, function(key)
+      local list = cells[key]
+      if list then list[#list + 1] = e else cells[key] = { e } end
+    end)
+  end
+  for t, f in ipairs(facets) do
+    local a, b, c = y[f[1]], y[f[2]], y[f[3]]
+    for k = 1, 3 do low[k], high[k] = min(a[k], b[k], c[k]), max(a[k], b[k], c[k]) end
+    local l1, l2, l3, h1, h2, h3 = low[1], low[2], low[3], high[1], high[2], high[3]
+    local seen = {}
+    each_cell(low, high, function(key)
+      for _, e in ipairs(cells[key] or {}) do
+        if not seen[e] then
+          seen[e] = true
+          local p, q = x[edges[e][1]], x[edges[e][2]]
+          if max(p[1], q[1]) >= l1 and min(p[1], q[1]) <= h1 and max(p[2], q[2]) >= l2 and min(p[2], q[2]) <= h2 and max(p[3], q[3]) >= l3 and min(p[3], q[3]) <= h3 then
+            found(e, t)
+          end
+        end
+      end
+    end)
+  end
+end
+
+function brute.of_point(p, a, b, c) -- distance of a point and a triangle
+  return distance({ a[1], b[1], c[1] }, { a[2], b[2], c[2] }, { a[3], b[3], c[3] }, p[1], p[2], p[3], 1, 2, 3)
+end
+
+local function of_segments(p, q, a, b) -- distance of two segments
+  local d1, d2, r = sub(q, p), sub(b, a), sub(p, a)
+  local aa, ee, f, c, bb = dot(d1, d1), dot(d2, d2), dot(d2, r), dot(d1, r), dot(d1, d2)
+  local det = aa * ee - bb * bb
+  local s = det > 1e-18 * aa * ee and max(0, min(1, (bb * f - c * ee) / det)) or 0
+  local t = (bb * s + f) / ee
+  if t < 0 then t, s = 0, max(0, min(1, -c / aa)) elseif t > 1 then t, s = 1, max(0, min(1, (bb - c) / aa)) end
+  local sum = 0
+  for k = 1, 3 do sum = sum + (r[k] + s * d1[k] - t * d2[k]) ^ 2 end
+  return sqrt(sum)
+end
+
+function brute.of_rod(p, q, a, b, c) -- distance of a segment and a triangle
+  if brute.cuts(p, q, a, b, c) then return 0 end
+  return min(brute.of_point(p, a, b, c), brute.of_point(q, a, b, c), of_segments(p, q, a, b), of_segments(p, q, b, c), of_segments(p, q, c, a))
+end
+
+-- Whether a point is in a closed surface: by the solid angles of its facets.
+function brute.encloses(y, facets, p)
+  local sum = 0
+  for _, f in ipairs(facets) do
+    local r, l = {}, {}
+    for k = 1, 3 do
+      r[k] = sub(y[f[k]], p)
+      l[k] = sqrt(dot(r[k], r[k]))
+    end
+    local a, b, c = r[1], r[2], r[3]
+    sum = sum + 2 * math.atan(dot(a, cross(b, c)), l[1] * l[2] * l[3] + dot(a, b) * l[3] + dot(b, c) * l[1] + dot(c, a) * l[2])
+  end
+  return abs(sum) > 2 * math.pi
 end
 
 -- The mesh of a model with tearable zones, whose elements have nodes of their own at their corners, with `place`, which names for each node the first

@@ -12,6 +12,7 @@
 -- what was done, went through, stopped with words, was cut by the clock, or ended with more than 5 % in the ledger.
 local fabric = require "fabric"
 local brute = dofile((arg[0]:gsub("[^/]*$", "brute.lua")))
+local sub, dot, box, cuts, each_near = brute.sub, brute.dot, brute.box, brute.cuts, brute.each_near
 local mm = fabric.units.mm
 local longest = tonumber(arg[3] or 60) -- s, of processor time that a scene may take
 
@@ -134,17 +135,16 @@ local function pose(c, scene)
     if tilt then x, z = x * cos(tilt) - z * sin(tilt), x * sin(tilt) + z * cos(tilt) end
     return x, y, z
   end
-  local low, high = { 1e9, 1e9, 1e9 }, { -1e9, -1e9, -1e9 }
+  local all = {}
   for _, b in ipairs(c.bodies) do
     b.mesh:map(turned)
     if not b.reference and (hung or tilt) then
       local w = type(b.warp) == "table" and b.warp or { cos(math.rad(b.warp)), sin(math.rad(b.warp)), 0 }
       b.warp = { turned(w[1], w[2], w[3]) }
     end
-    for _, p in ipairs(b.mesh.nodes) do
-      for k = 1, 3 do low[k], high[k] = min(low[k], p[k]), max(high[k], p[k]) end
-    end
+    table.move(b.mesh.nodes, 1, #b.mesh.nodes, #all + 1, all)
   end
+  local low, high = box(all)
   local up = hung and -high[3] or -low[3]
   for _, b in ipairs(c.bodies) do
     b.mesh:map(function(x, y, z) return x, y, z + up end)
@@ -445,112 +445,6 @@ local function facets_of_cloth(run, bodies)
   return facets
 end
 
-local function volume(a, b, c, d)
-  local ux, uy, uz, vx, vy, vz = a[1] - d[1], a[2] - d[2], a[3] - d[3], b[1] - d[1], b[2] - d[2], b[3] - d[3]
-  return ux * (vy * (c[3] - d[3]) - vz * (c[2] - d[2])) + uy * (vz * (c[1] - d[1]) - vx * (c[3] - d[3])) + uz * (vx * (c[2] - d[2]) - vy * (c[1] - d[1]))
-end
-local function cuts(p, q, a, b, c)
-  local vp, vq = volume(a, b, c, p), volume(a, b, c, q)
-  if vp * vq >= 0 then return false end
-  local function apart(u, v) return (u[1] - v[1]) ^ 2 + (u[2] - v[2]) ^ 2 + (u[3] - v[3]) ^ 2 end
-  if abs(vp - vq) <= 1e-9 * sqrt(apart(p, q) * apart(a, b) * apart(a, c)) then return false end -- parallel: others meet its ends and edges
-  local s, u, v = volume(p, q, a, b), volume(p, q, b, c), volume(p, q, c, a)
-  return s * u > 0 and u * v > 0
-end
-
--- Edges in the cells of a grid that their boxes touch; calls found(edge, facet) where boxes meet.
-local function each_near(x, edges, y, facets, size, found)
-  local cells = {}
-  local function each_cell(low, high, visit)
-    for i = floor(low[1] / size), floor(high[1] / size) do
-      for j = floor(low[2] / size), floor(high[2] / size) do
-        for k = floor(low[3] / size), floor(high[3] / size) do visit((i * 73856093) ~ (j * 19349663) ~ (k * 83492791)) end
-      end
-    end
-  end
-  local low, high = { 0, 0, 0 }, { 0, 0, 0 }
-  for e, edge in ipairs(edges) do
-    local p, q = x[edge[1]], x[edge[2]]
-    for k = 1, 3 do low[k], high[k] = min(p[k], q[k]), max(p[k], q[k]) end
-    each_cell(low, high, function(key)
-      local list = cells[key]
-      if list then list[#list + 1] = e else cells[key] = { e } end
-    end)
-  end
-  for t, f in ipairs(facets) do
-    local a, b, c = y[f[1]], y[f[2]], y[f[3]]
-    for k = 1, 3 do low[k], high[k] = min(a[k], b[k], c[k]), max(a[k], b[k], c[k]) end
-    local l1, l2, l3, h1, h2, h3 = low[1], low[2], low[3], high[1], high[2], high[3]
-    local seen = {}
-    each_cell(low, high, function(key)
-      for _, e in ipairs(cells[key] or {}) do
-        if not seen[e] then
-          seen[e] = true
-          local p, q = x[edges[e][1]], x[edges[e][2]]
-          if max(p[1], q[1]) >= l1 and min(p[1], q[1]) <= h1 and max(p[2], q[2]) >= l2 and min(p[2], q[2]) <= h2 and max(p[3], q[3]) >= l3 and min(p[3], q[3]) <= h3 then
-            found(e, t)
-          end
-        end
-      end
-    end)
-  end
-end
-
-local function of_point(p, a, b, c) -- distance of a point and a triangle
-  local function sub(u, v) return { u[1] - v[1], u[2] - v[2], u[3] - v[3] } end
-  local function dot(u, v) return u[1] * v[1] + u[2] * v[2] + u[3] * v[3] end
-  local function cross(u, v) return { u[2] * v[3] - u[3] * v[2], u[3] * v[1] - u[1] * v[3], u[1] * v[2] - u[2] * v[1] } end
-  local u, v, s = sub(b, a), sub(c, a), sub(p, a)
-  local n = cross(u, v)
-  local n2 = dot(n, n)
-  local second, first = dot(cross(u, s), n) / n2, dot(cross(s, v), n) / n2
-  if first >= 0 and second >= 0 and first + second <= 1 then return abs(dot(s, n)) / sqrt(n2) end
-  local function edge(i, j)
-    local l = sub(j, i)
-    local r = sub(p, i)
-    local t = max(0, min(1, dot(r, l) / dot(l, l)))
-    return sqrt((r[1] - t * l[1]) ^ 2 + (r[2] - t * l[2]) ^ 2 + (r[3] - t * l[3]) ^ 2)
-  end
-  return min(edge(a, b), edge(b, c), edge(c, a))
-end
-
-local function of_segments(p, q, a, b) -- distance of two segments
-  local d1, d2, r = {}, {}, {}
-  for k = 1, 3 do d1[k], d2[k], r[k] = q[k] - p[k], b[k] - a[k], p[k] - a[k] end
-  local function dot(u, v) return u[1] * v[1] + u[2] * v[2] + u[3] * v[3] end
-  local aa, ee, f, c, bb = dot(d1, d1), dot(d2, d2), dot(d2, r), dot(d1, r), dot(d1, d2)
-  local det = aa * ee - bb * bb
-  local s = det > 1e-18 * aa * ee and max(0, min(1, (bb * f - c * ee) / det)) or 0
-  local t = (bb * s + f) / ee
-  if t < 0 then t, s = 0, max(0, min(1, -c / aa)) elseif t > 1 then t, s = 1, max(0, min(1, (bb - c) / aa)) end
-  local sum = 0
-  for k = 1, 3 do sum = sum + (r[k] + s * d1[k] - t * d2[k]) ^ 2 end
-  return sqrt(sum)
-end
-
-local function of_rod(p, q, a, b, c) -- distance of a segment and a triangle
-  if cuts(p, q, a, b, c) then return 0 end
-  return min(of_point(p, a, b, c), of_point(q, a, b, c), of_segments(p, q, a, b), of_segments(p, q, b, c), of_segments(p, q, c, a))
-end
-
--- Whether a point is in a closed surface: by the solid angles of its facets.
-local function encloses(y, facets, p)
-  local sum = 0
-  for _, f in ipairs(facets) do
-    local r, l = {}, {}
-    for k = 1, 3 do
-      local v = y[f[k]]
-      r[k] = { v[1] - p[1], v[2] - p[2], v[3] - p[3] }
-      l[k] = sqrt(r[k][1] ^ 2 + r[k][2] ^ 2 + r[k][3] ^ 2)
-    end
-    local a, b, c = r[1], r[2], r[3]
-    local function dot(u, v) return u[1] * v[1] + u[2] * v[2] + u[3] * v[3] end
-    local top = a[1] * (b[2] * c[3] - b[3] * c[2]) + a[2] * (b[3] * c[1] - b[1] * c[3]) + a[3] * (b[1] * c[2] - b[2] * c[1])
-    sum = sum + 2 * math.atan(top, l[1] * l[2] * l[3] + dot(a, b) * l[3] + dot(b, c) * l[1] + dot(c, a) * l[2])
-  end
-  return abs(sum) > 2 * pi
-end
-
 local function number_at(motion, name, t)
   local f = motion and motion[name]
   return type(f) == "function" and f(t) or f or 0
@@ -590,7 +484,7 @@ local function watch(s)
     for _, d in ipairs(s.parts) do
       if d.kind == "wall" then
         for i, p in ipairs(x) do
-          if not ((p[1] - d.at[1]) * d.normal[1] + (p[2] - d.at[2]) * d.normal[2] + (p[3] - d.at[3]) * d.normal[3] > 0) then tell("node %d is behind the %s", i, d.name) end
+          if not (dot(sub(p, d.at), d.normal) > 0) then tell("node %d is behind the %s", i, d.name) end
         end
       elseif d.mesh then
         local on = run:on_body(d.body)
@@ -604,12 +498,9 @@ local function watch(s)
           local t = facets[f]
           if cuts(y[d.edges_[e][1]], y[d.edges_[e][2]], x[t[1]], x[t[2]], x[t[3]]) then tell("an edge of the %s goes through the facet of nodes %d, %d, %d", d.name, t[1], t[2], t[3]) end
         end)
-        local low, high = { 1e9, 1e9, 1e9 }, { -1e9, -1e9, -1e9 }
-        for _, p in ipairs(y) do
-          for k = 1, 3 do low[k], high[k] = min(low[k], p[k]), max(high[k], p[k]) end
-        end
+        local low, high = box(y)
         for i, p in ipairs(x) do
-          if p[1] > low[1] and p[1] < high[1] and p[2] > low[2] and p[2] < high[2] and p[3] > low[3] and p[3] < high[3] and encloses(y, d.facets_, p) then
+          if p[1] > low[1] and p[1] < high[1] and p[2] > low[2] and p[2] < high[2] and p[3] > low[3] and p[3] < high[3] and brute.encloses(y, d.facets_, p) then
             tell("node %d is inside the %s", i, d.name)
           end
         end
@@ -633,7 +524,7 @@ local function watch(s)
             away = away or max(a[k], b[k], e[k]) < l or min(a[k], b[k], e[k]) > h
           end
           if not away then
-            local distance = q and of_rod(p, q, a, b, e) or of_point(p, a, b, e)
+            local distance = q and brute.of_rod(p, q, a, b, e) or brute.of_point(p, a, b, e)
             if not (distance > d.radius) then tell("the facet of nodes %d, %d, %d is %g m inside the %s", t[1], t[2], t[3], d.radius - distance, d.name) end
           end
         end
