@@ -113,14 +113,6 @@ Orientation orientation(const Mesh& mesh, const std::vector<Edge>& sorted) {
 constexpr double most_aspect = 10, most_warping = 15, least_corner = 20, most_corner = 160,
                  least_taper = 0.25;
 
-// "element 3", "elements 3, 7, 12", "elements 1, 2, 3, 4, 5 and 40 more".
-std::string listed(const char* noun, const std::vector<Index>& ids) {
-  std::string text = std::string(noun) + (ids.size() > 1 ? "s " : " ");
-  for (std::size_t i = 0; i < std::min<std::size_t>(ids.size(), 5); ++i)
-    text += (i > 0 ? ", " : "") + std::to_string(ids[i] + 1);
-  return ids.size() > 5 ? text + " and " + std::to_string(ids.size() - 5) + " more" : text;
-}
-
 std::string shown(double x) { return number(x, 4); }
 
 double degrees(const Vec3& a, const Vec3& b) {
@@ -185,6 +177,38 @@ bool lies_between(const Vec3& x, const Vec3& a, const Vec3& b) {
   const double length2 = along.squaredNorm(), fraction = (x - a).dot(along) / length2;
   return fraction > end && fraction < 1 - end &&
          (x - a - fraction * along).squaredNorm() < near * near * length2;
+}
+
+// Calls take(node, before) for each node nearer than `near` to one before it. Cells have twice that width, so
+// that a near node lies in one of the eight cells around the nearest corner of its cell.
+template <class Take>
+void for_each_double(const Mesh& mesh, double near, const Take& take) {
+  if (mesh.nodes.empty() || near == 0) return;
+  const BoundingBox all = box_of(mesh.nodes);
+  using Cell = std::array<std::int64_t, 3>;
+  const auto hash = [](const Cell& b) {
+    return static_cast<std::size_t>(b[0]) * 73856093u ^ static_cast<std::size_t>(b[1]) * 19349663u ^
+           static_cast<std::size_t>(b[2]) * 83492791u;
+  };
+  std::unordered_map<Cell, Index, decltype(hash)> cells(mesh.nodes.size(), hash);
+  for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
+    const Vec3 place = (mesh.nodes[i] - all.low) / (2 * near);
+    bool found = false;
+    for (int corner = 0; corner < 8 && !found; ++corner) {
+      Cell cell;
+      for (std::size_t k = 0; k < 3; ++k)
+        cell[k] = static_cast<std::int64_t>(
+            std::floor(place[static_cast<int>(k)] + ((corner >> k & 1) != 0 ? 0.5 : -0.5)));
+      const auto at = cells.find(cell);
+      found = at != cells.end() &&
+              (mesh.nodes[static_cast<std::size_t>(at->second)] - mesh.nodes[i]).norm() <= near;
+      if (found) take(static_cast<Index>(i), at->second);
+    }
+    const Cell own{static_cast<std::int64_t>(std::floor(place[0])),
+                   static_cast<std::int64_t>(std::floor(place[1])),
+                   static_cast<std::int64_t>(std::floor(place[2]))};
+    cells.emplace(own, static_cast<Index>(i));
+  }
 }
 
 class Checker {
@@ -415,64 +439,17 @@ class Checker {
     if (!nodes.empty()) add("unused", Severity::error, listed("node", nodes) + ": in no element", {}, nodes);
   }
 
-  // Finds nodes closer than 1e-6 of the mesh's size, about what the single precision of many files leaves.
-  // Cells have twice that width, so that a near node lies in one of the eight cells around the nearest corner
-  // of its cell.
   void duplicates() {
-    if (mesh_.nodes.empty()) return;
-    const BoundingBox all = box_of(mesh_.nodes);
-    const double near = 1e-6 * all.size().norm();
-    if (near == 0) return;
-    using Cell = std::array<std::int64_t, 3>;
-    const auto hash = [](const Cell& b) {
-      return static_cast<std::size_t>(b[0]) * 73856093u ^ static_cast<std::size_t>(b[1]) * 19349663u ^
-             static_cast<std::size_t>(b[2]) * 83492791u;
-    };
-    std::unordered_map<Cell, Index, decltype(hash)> cells(mesh_.nodes.size(), hash);
-    const std::vector<Index> part =
-        report_.measures.parts > 1 && of_file(mesh_) ? part_of_nodes() : NodeSet();
-    std::vector<Index> nodes, apart;
-    for (std::size_t i = 0; i < mesh_.nodes.size(); ++i) {
-      const Vec3 place = (mesh_.nodes[i] - all.low) / (2 * near);
-      bool found = false;
-      Index before = 0;
-      for (int corner = 0; corner < 8 && !found; ++corner) {
-        Cell cell;
-        for (std::size_t k = 0; k < 3; ++k)
-          cell[k] = static_cast<std::int64_t>(
-              std::floor(place[static_cast<int>(k)] + ((corner >> k & 1) != 0 ? 0.5 : -0.5)));
-        const auto at = cells.find(cell);
-        found = at != cells.end() &&
-                (mesh_.nodes[static_cast<std::size_t>(at->second)] - mesh_.nodes[i]).norm() <= near;
-        if (found) before = at->second;
-      }
-      if (found) nodes.push_back(static_cast<Index>(i));
-      if (found && !part.empty() && part[static_cast<std::size_t>(before)] != part[i])
-        apart.push_back(static_cast<Index>(i));
-      const Cell own{static_cast<std::int64_t>(std::floor(place[0])),
-                     static_cast<std::int64_t>(std::floor(place[1])),
-                     static_cast<std::int64_t>(std::floor(place[2]))};
-      cells.emplace(own, static_cast<Index>(i));
-    }
+    std::vector<Index> nodes;
+    for_each_double(mesh_, one_place * box_of(mesh_.nodes).size().norm(),
+                    [&nodes](Index node, Index) { nodes.push_back(node); });
     if (!nodes.empty())
       add("duplicate", Severity::warning,
           listed("node", nodes) + ": at the place of a node before, and not joined to it", {}, nodes);
-    if (!apart.empty())
-      add("apart", Severity::error,
-          "the sheet is in " + std::to_string(report_.measures.parts) + " parts that are not connected; " +
-              listed("node", apart) +
-              ": at the place of a node of another part (fabric.mesh.read{ file=..., join=true } joins them)",
-          {}, apart);
-  }
-
-  // The part of each node, by an element that has it.
-  std::vector<Index> part_of_nodes() const {
-    const Orientation found = orientation(mesh_, edges_);
-    std::vector<Index> part(mesh_.nodes.size(), -1);
-    for (std::size_t e = 0; e < mesh_.elements.size(); ++e)
-      for (const Index id : mesh_.elements[e])
-        if (id >= 0) part[static_cast<std::size_t>(id)] = found.part[e];
-    return part;
+    if (report_.measures.parts - mesh_.slit_parts < 2) return;
+    nodes = meeting(mesh_, parts_of_nodes(mesh_));
+    if (!nodes.empty())
+      add("apart", Severity::error, words_of_parts(mesh_, report_.measures.parts, nodes), {}, nodes);
   }
 
   const Mesh& mesh_;
@@ -480,13 +457,60 @@ class Checker {
   Report report_;
 };
 
-namespace {}  // namespace
+// A mesh that merge() made: its origin begins with its first part.
+bool is_merged(const Mesh& mesh) { return mesh.origin.starts_with("1 (") && mesh.parts.empty(); }
 
 }  // namespace
 
+std::string listed(const char* noun, const std::vector<Index>& ids) {
+  std::string text = std::string(noun) + (ids.size() > 1 ? "s " : " ");
+  for (std::size_t i = 0; i < std::min<std::size_t>(ids.size(), 5); ++i)
+    text += (i > 0 ? ", " : "") + std::to_string(ids[i] + 1);
+  return ids.size() > 5 ? text + " and " + std::to_string(ids.size() - 5) + " more" : text;
+}
+
 bool of_file(const Mesh& mesh) { return mesh.origin.starts_with("file ") && mesh.parts.empty(); }
 
-Index count_parts(const Mesh& mesh) { return orientation(mesh, edges(mesh)).parts(); }
+std::vector<Index> parts_of_nodes(const Mesh& mesh) {
+  const Orientation found = orientation(mesh, edges(mesh));
+  std::vector<Index> part(mesh.nodes.size(), -1);
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e)
+    for (const Index id : mesh.elements[e])
+      if (id >= 0) part[static_cast<std::size_t>(id)] = found.part[e];
+  return part;
+}
+
+NodeSet meeting(const Mesh& mesh, const std::vector<Index>& part) {
+  constexpr double near_misses = 1e-3;  // of the mean side: what merge() was not told to join
+  double near = one_place * box_of(mesh.nodes).size().norm();
+  if (is_merged(mesh)) {
+    double sides = 0;
+    const auto all = edges(mesh);
+    for (const Edge& edge : all)
+      sides += (mesh.nodes[static_cast<std::size_t>(edge.second)] -
+                mesh.nodes[static_cast<std::size_t>(edge.first)])
+                   .norm();
+    near = std::max(near, near_misses * sides / static_cast<double>(all.size()));
+  }
+  NodeSet nodes;
+  for_each_double(mesh, near, [&](Index node, Index before) {
+    if (part[static_cast<std::size_t>(node)] != part[static_cast<std::size_t>(before)]) nodes.push_back(node);
+  });
+  return nodes;
+}
+
+std::string words_of_parts(const Mesh& mesh, Index parts, const NodeSet& meeting) {
+  const std::string apart = "the sheet is in " + std::to_string(parts) + " parts that are not connected";
+  if (meeting.empty()) return apart + "; seams and ties connect them";
+  const Vec3& x = mesh.nodes[static_cast<std::size_t>(meeting.front())];
+  return apart + ", though they share places (" + listed("node", meeting) + ", the first at {" + shown(x[0]) +
+         ", " + shown(x[1]) + ", " + shown(x[2]) + "} m): " +
+         (is_merged(mesh) ? "fabric.mesh.merge{ meshes=..., distance= } makes one node of those of different "
+                            "meshes within the distance"
+                          : std::string(of_file(mesh) ? "fabric.mesh.read{ file=..., join=true }"
+                                                      : "fabric.mesh{ nodes=..., elements=..., join=true }") +
+                                " makes one node of those at one place");
+}
 
 std::vector<Index> repeated_elements(const Mesh& mesh) {
   std::vector<std::pair<std::array<Index, 4>, Index>> keys;

@@ -37,16 +37,24 @@ struct Report {
 // Keys of errors: degenerate (no area, an edge without length, a repeated node), inverted (a
 // corner with the opposite orientation), fold (at which the mean normal at the nodes is none, or points
 // against an element), repeated (elements on the same nodes), orientation (neighbours with opposite
-// orientations), one_sided (a Moebius strip), apart (a mesh of a file in parts that share places but no
-// nodes). Keys of warnings: unused and duplicate (nodes), nonmanifold
+// orientations), one_sided (a Moebius strip), apart (in parts that share places but no nodes, but for
+// those of a slit). Keys of warnings: unused and duplicate (nodes), nonmanifold
 // (edges shared by three or more elements), aspect (above 10), warping (above 15 degrees), angle (corners
 // below 20 degrees). Keys of notes: free (edges).
 Report check(const Mesh& mesh);
 
 // Whether a file made the mesh, as it is: then its parts may be what another program left unconnected.
 bool of_file(const Mesh& mesh);
-// In how many parts a mesh is that are not connected by edges.
-Index count_parts(const Mesh& mesh);
+// "node 3", "nodes 3, 7, 12", "nodes 1, 2, 3, 4, 5 and 40 more", of ids from 0.
+std::string listed(const char* noun, const std::vector<Index>& ids);
+
+// The part of each node, numbered from 0: parts are not connected by edges.
+std::vector<Index> parts_of_nodes(const Mesh& mesh);
+// Nodes at the place of one before them that is of another part, ascending: within one_place, in a merged
+// mesh within a thousandth of the mean side.
+NodeSet meeting(const Mesh& mesh, const std::vector<Index>& part);
+// That the mesh falls apart: where, and how nodes at one place become one.
+std::string words_of_parts(const Mesh& mesh, Index parts, const NodeSet& meeting);
 
 // The elements on the same nodes as one before them, ascending. A model refuses them: they would count twice.
 std::vector<Index> repeated_elements(const Mesh& mesh);

@@ -63,10 +63,9 @@ Mesh merge(const std::vector<std::shared_ptr<const Mesh>>& meshes, double distan
 // the mesh and longer. `flat` and sets stay.
 Mesh imperfect(const Mesh& mesh, double amplitude);
 
-// Makes one node of those within the distance (m) of each other; returns how many are gone. The sets all and
-// boundary are made anew where they were those of the mesh. Error: an element two of whose corners would be
-// one node.
-Index join_nodes(Mesh& mesh, double distance);
+// Makes one node of those at one place; returns how many are gone. The sets all and boundary are made anew
+// where they were those of the mesh. Error: an element two of whose corners would be one node.
+Index join_nodes(Mesh& mesh);
 
 // Adds the sets all and boundary (the nodes of free edges, if there are any) unless they are there.
 void add_usual_sets(Mesh& mesh);

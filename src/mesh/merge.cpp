@@ -72,15 +72,17 @@ std::vector<Index> renumber(const std::vector<Index>& partner, Mesh& mesh) {
 
 }  // namespace
 
-Index join_nodes(Mesh& mesh, double distance) {
+Index join_nodes(Mesh& mesh) {
   const auto before = static_cast<Index>(mesh.nodes.size());
   const auto boundary = mesh.sets.find("boundary");
   if (boundary != mesh.sets.end() && boundary->second == free_nodes(mesh)) mesh.sets.erase(boundary);
   mesh.sets.erase("all");
   Eigen::Index longest = 0;
-  box_of(mesh.nodes).size().maxCoeff(&longest);
+  const Vec3 size = box_of(mesh.nodes).size();
+  size.maxCoeff(&longest);
   const auto all = [](Index, Index) { return true; };
-  const std::vector<Index> place = renumber(partners(mesh.nodes, distance, longest, all), mesh);
+  const std::vector<Index> place =
+      renumber(partners(mesh.nodes, one_place * size.norm(), longest, all), mesh);
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
     for (Index& id : mesh.elements[e])
       if (id >= 0) id = place[static_cast<std::size_t>(id)];

@@ -110,6 +110,7 @@ Mesh join(const std::vector<std::pair<std::string, std::shared_ptr<const Mesh>>>
       joined.elements.push_back(element);
     }
     joined.flat = joined.flat && mesh->flat;
+    joined.slit_parts += mesh->slit_parts;
     joined.origin += (joined.origin.empty() ? "" : ", ") + name + " (" + mesh->origin + ")";
   }
   join_warp(joined);

@@ -25,8 +25,9 @@ struct Mesh {
   // none; zero for the elements of a part that has none.
   std::vector<Vec3> warp;
   bool flat = false;  // generated in the x-y plane and not mapped since: the warp direction may default to +x
-  bool in_use = false;  // by a compiled model: nodes, elements and named sets must not change any more
-  std::string origin;   // "rectangle 3x9", "file disc.msh": used in messages and in the printed model
+  bool in_use = false;   // by a compiled model: nodes, elements and named sets must not change any more
+  Index slit_parts = 0;  // by how many more parts slit() has made of it
+  std::string origin;    // "rectangle 3x9", "file disc.msh": used in messages and in the printed model
   // Content of its file beside a mesh, as materials, loads and steps: each statement once, by the first line.
   struct PassedOver {
     std::string statement;  // "*MATERIAL"
@@ -75,6 +76,10 @@ struct Mesh {
   const NodeSet& set_of_whole(std::string_view name) const;
   mutable std::map<std::string, Borrowed, std::less<>> borrowed_;
 };
+
+// Nodes nearer than this part of the mesh's size are at one place: about what single precision leaves in
+// files.
+inline constexpr double one_place = 1e-6;
 
 // Joins several meshes into one, part after part. The named sets of a part are available as "part.set"; there
 // is also "all". The parts share no nodes. Error: two parts of the same name, or a part without a name.

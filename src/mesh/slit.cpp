@@ -4,6 +4,7 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
+#include "mesh/check.hpp"
 #include "mesh/edges.hpp"
 #include "mesh/generators.hpp"
 
@@ -173,11 +174,14 @@ CrackFaces slit(Mesh& mesh, const Vec3& from, const Vec3& to) {
   check_line(line, from, to);
   const bool whole_boundary = mesh.sets.contains("boundary") && mesh.set("boundary") == free_nodes(mesh);
   const std::size_t before = mesh.nodes.size();
+  const auto parts = [&mesh] { return std::ranges::max(parts_of_nodes(mesh)); };
+  mesh.slit_parts -= parts();
   const auto twin = divide(mesh, line);
   if (mesh.nodes.size() == before)
     throw Error(
         "slit: the line from " + point_text(from) + " to " + point_text(to) +
         " m is one edge inside the mesh, which cannot open: expected two edges, or an end at the boundary");
+  mesh.slit_parts += parts();
   follow_sets(mesh, twin);
   if (whole_boundary) mesh.sets["boundary"] = free_nodes(mesh);
   if (mesh.origin.find(" slit") == std::string::npos) mesh.origin += " slit";

@@ -10,6 +10,7 @@
 #include "geometry/node_view.hpp"
 #include "mechanics/terms/cloth.hpp"
 #include "mechanics/terms/contact.hpp"
+#include "model/parts.hpp"
 #include "run/beginning.hpp"
 #include "run/run.hpp"
 #include "solver/eigen.hpp"
@@ -28,7 +29,7 @@ constexpr int kMostModes = 400;            // modes
 class Linearised {
  public:
   explicit Linearised(const std::shared_ptr<model::Model>& model, const char* call)
-      : model_(compiled(model)), assembly_(*model_), call_(call) {
+      : model_(compiled(model)), assembly_(*model_), call_(call), unconnected_(model::unconnected(*model_)) {
     take_bodies();
     if (const auto* const contact = std::as_const(assembly_).terms().find<mechanics::Contacts>())
       contact->check_start();
@@ -148,6 +149,7 @@ class Linearised {
   std::vector<std::string> words() const {
     std::vector<std::string> all;
     const std::string call = call_;
+    for (const std::string& words : unconnected_) all.push_back("warning: " + words);
     if (unsymmetric_)
       all.push_back(call +
                     ": the tangent is not symmetric, as with friction, moments or pressure on cloth with "
@@ -260,6 +262,7 @@ class Linearised {
   std::shared_ptr<model::Model> model_;
   mechanics::Assembly assembly_;
   const char* call_;
+  std::vector<std::string> unconnected_ = {};  // which the run has said otherwise
   bool unsymmetric_ = false;
   const mechanics::Contacts* bodies_ = nullptr;   // null: no body moves freely
   std::vector<int> of_bodies_;                    // of their numbers, 6 each, those that are unknowns

@@ -15,6 +15,7 @@
 #include "mechanics/terms/seams.hpp"
 #include "mechanics/terms/tears.hpp"
 #include "model/outlook.hpp"
+#include "model/parts.hpp"
 #include "run/breaks.hpp"
 #include "run/diagnosis.hpp"
 #include "run/folds.hpp"
@@ -66,6 +67,10 @@ Run::Run(std::shared_ptr<model::Model> model, double duration, std::shared_ptr<N
     for (const std::string& words : tears_->describe()) notices_->once(words, words);
   if (seams_ != nullptr)
     for (const std::string& words : seams_->describe()) notices_->remark(words);
+  for (const std::string& words : model::unconnected(*model_)) {
+    notices_->once(words, "warning: " + words);
+    note("mesh", words);
+  }
   if (const std::string words = bending_warning(*model_, *assembly_); !words.empty()) {
     notices_->once("bending of card " + model_->card().name, "warning: " + words);
     note("bending", words);

@@ -47,7 +47,9 @@ constexpr WarningKind kinds[] = {
     {"bending", "the bending rigidity of the card is far from that of cloth"},
     {"card", "the check of the card has a warning"},
     {"units", "a value of the deck is far outside the usual"},
-    {"mesh", "the file of a mesh was cut short or holds what is left out"},
+    {"mesh",
+     "the file of a mesh was cut short or holds what is left out, or a sheet is in parts that are not "
+     "connected"},
     {"restart", "the run was continued from the checkpoint of another deck"},
     {"lost", "an output of the restarted run is gone"},
     {"retired", "an argument of an earlier release has no effect any more"},

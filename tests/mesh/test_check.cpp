@@ -130,6 +130,52 @@ TEST_CASE("check: nodes at one place, and nodes in no element", "[mesh]") {
   CHECK(found(check(m), "duplicate").nodes == Ids{441, 442});
 }
 
+TEST_CASE("check: parts at one place are told wherever the mesh is from, but for those of a slit", "[mesh]") {
+  // Two squares of four elements side by side, with nodes of their own along the edge between them.
+  const auto halves = [](double gap) {
+    Mesh left = rectangle(2, 2, 2, 2), right = rectangle(2, 2, 2, 2);
+    std::vector<Vec3> nodes = left.nodes;
+    auto elements = left.elements;
+    for (const Vec3& x : right.nodes) nodes.push_back(x + Vec3(2 + gap, 0, 0));
+    for (auto ids : right.elements) {
+      for (Index& id : ids) id += id < 0 ? 0 : 9;
+      elements.push_back(ids);
+    }
+    return from_lists(nodes, elements);
+  };
+  Mesh m = halves(0);
+  const Report report = check(m);
+  CHECK_FALSE(report.ok());
+  CHECK(found(report, "apart").nodes == Ids{9, 12, 15});
+  CHECK(found(report, "apart").text ==
+        "the sheet is in 2 parts that are not connected, though they share places (nodes 10, 13, 16, the "
+        "first at {2, 0, 0} m): fabric.mesh{ nodes=..., elements=..., join=true } makes one node of those at "
+        "one place");
+  CHECK(join_nodes(m) == 3);
+  CHECK(check(m).ok());
+  CHECK(check(m).measures.parts == 1);
+  CHECK(check(halves(1e-4)).ok());  // side by side
+  // what merge() just missed, and what lies at some distance, as layers do
+  const auto merged = [](const Vec3& by, double distance) {
+    Mesh other = rectangle(2, 2, 2, 2);
+    for (Vec3& x : other.nodes) x += by;
+    return merge({std::make_shared<Mesh>(rectangle(2, 2, 2, 2)), std::make_shared<Mesh>(other)}, distance);
+  };
+  const Mesh missed = merged(Vec3(2.0002, 0, 0), 1e-6);
+  CHECK(found(check(missed), "apart").nodes == Ids{9, 12, 15});
+  says(check(missed).text(), "fabric.mesh.merge{ meshes=..., distance= }");
+  CHECK(check(merged(Vec3(2.0002, 0, 0), 1e-3)).ok());
+  CHECK(check(merged(Vec3(0, 0, 0.004), 1e-6)).ok());
+  // a slit made two parts of one, as it was to do; it does not hide that there were two before
+  m = rectangle(4, 2, 4, 2);
+  slit(m, Vec3(2, 0, 0), Vec3(2, 2, 0));
+  CHECK(check(m).ok());
+  CHECK(check(m).measures.parts == 2);
+  m = halves(0);
+  slit(m, Vec3(1, 0, 0), Vec3(1, 2, 0));
+  CHECK_FALSE(check(m).ok());
+}
+
 TEST_CASE("check: shape warnings", "[mesh]") {
   CHECK(found(check(rectangle(20, 1, 1, 1)), "aspect").elements == Ids{0});
   Mesh m = rectangle(1, 1, 1, 1);

@@ -387,22 +387,6 @@ void bend_meshes(const Call& call, std::vector<model::BodyGiven>& bodies) {
   }
 }
 
-// Says in how many pieces a sheet is that came from a file: what another program did not connect falls apart.
-void tell_parts(Call& call, const std::vector<model::BodyGiven>& bodies) {
-  for (const auto& body : bodies) {
-    if (!mesh::of_file(*body.mesh)) continue;
-    const mesh::Index parts = mesh::count_parts(*body.mesh);
-    if (parts < 2) continue;
-    const bool apart = mesh::check(*body.mesh).find("apart") != nullptr;
-    call.session().warn("mesh", position(call.L()) + (body.name.empty() ? "" : "body '" + body.name + "': ") +
-                                    body.mesh->origin + ": the sheet is in " + std::to_string(parts) +
-                                    " parts that are not connected" +
-                                    (apart ? ", though they share places: fabric.mesh.read{ file=..., "
-                                             "join=true } makes one node of those at one place"
-                                           : "; seams and ties connect them"));
-  }
-}
-
 int make_model(Call& call) {
   if (!call.has("bodies") && !call.has("mesh"))
     call.refuse("mesh", "expected a mesh, got nil (missing, or a misspelt variable)");
@@ -412,7 +396,6 @@ int make_model(Call& call) {
   else
     bodies.push_back(read_body(call, "", ""));
   if (call.flag("membrane")) make_membrane(call, bodies);
-  tell_parts(call, bodies);
   if (call.has("folds")) set_folds(call.text("folds"), bodies);
   if (call.text("yarns") == "full") interpolate_yarns(bodies);
   if (call.has("imperfection")) bend_meshes(call, bodies);

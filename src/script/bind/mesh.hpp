@@ -5,6 +5,9 @@
 
 namespace fabricsh::script {
 
+inline Argument join_() {
+  return flag_("join", "make one node of those at one place (within 1e-6 of the mesh's size)");
+}
 std::vector<Entry> mesh_generator_rows();
 std::vector<Entry> mesh_file_rows();
 std::vector<Entry> panel_rows();  // outlines, holes, darts and notches

@@ -1,6 +1,5 @@
 // fabric.mesh.read, mesh:write, mesh:check, mesh:orient.
 #include "format/mesh_file.hpp"
-#include "geometry/box.hpp"
 #include "mesh/check.hpp"
 #include "mesh/generators.hpp"
 #include "model/outlook.hpp"
@@ -25,10 +24,6 @@ std::string file_of(const std::string& path) {
   return shipped.empty() ? path : shipped;
 }
 
-// Nodes of a file that are nearer than this part of the mesh's size are at one place: about what single
-// precision leaves.
-constexpr double one_place = 1e-6;
-
 double metres_of(const std::string& units) {
   return units == "inch" ? 0.0254 : units == "mm" ? 1e-3 : units == "cm" ? 0.01 : 1.0;
 }
@@ -37,8 +32,7 @@ int read(Call& call) {
   const double unit = call.has("units") ? metres_of(call.text("units")) : 0;
   auto mesh =
       std::make_shared<Mesh>(read_mesh_file(call, file_of(call.text("file")), call.flag("reference"), unit));
-  if (call.has("join") && call.flag("join"))
-    mesh::join_nodes(*mesh, one_place * box_of(mesh->nodes).size().norm());
+  if (call.has("join") && call.flag("join")) mesh::join_nodes(*mesh);
   return push_object(call.L(), std::move(mesh));
 }
 
@@ -148,7 +142,7 @@ Entry read_row() {
       "fabric.mesh.read()",
       {value_("file", text,
               "ends in " + format::read_endings() + "; a bare name may be a mesh shipped with the program"),
-       flag_("join", "make one node of those at one place (within 1e-6 of the mesh's size)"),
+       join_(),
        flag_("reference",
              "the same mesh in the stress-free shape that an .inp, a .k or a .rad has beside it, for "
              "reference= of a model"),

@@ -77,7 +77,9 @@ int of_lists(Call& call) {
       call.refuse("elements", "expected node numbers from 1 at place " + std::to_string(elements.size()) +
                                   ", got " + exact_number(ids[3]));
   }
-  return give(call, mesh::from_lists(std::move(nodes), std::move(elements)));
+  mesh::Mesh made = mesh::from_lists(std::move(nodes), std::move(elements));
+  if (call.has("join") && call.flag("join")) mesh::join_nodes(made);
+  return give(call, std::move(made));
 }
 
 int merge(Call& call) {
@@ -164,15 +166,16 @@ Entry hemisphere_row() {
 }
 
 Entry of_row() {
-  return {"fabric.mesh.of{}",
-          {value_("nodes", table, "{ {x, y, z}, ... }, m; without z it is 0"),
-           value_("elements", table, "{ {1, 2, 5, 4}, ... }: node numbers, 3 or 4, counter-clockwise")},
-          "A mesh of your own, from its nodes and elements; also written fabric.mesh{ nodes=, elements= }. "
-          "Sets all and boundary.",
-          "local mesh = fabric.mesh{ nodes={ {0, 0}, {0.1, 0}, {0.1, 0.1}, {0, 0.1} }, elements={ {1, 2, 3}, "
-          "{1, 3, 4} } }\n"
-          "assert(#mesh.elements == 2 and #mesh:set 'boundary' == 4)",
-          of_lists};
+  return {
+      "fabric.mesh.of{}",
+      {value_("nodes", table, "{ {x, y, z}, ... }, m; without z it is 0"),
+       value_("elements", table, "{ {1, 2, 5, 4}, ... }: node numbers, 3 or 4, counter-clockwise"), join_()},
+      "A mesh of your own, from its nodes and elements; also written fabric.mesh{ nodes=, elements= }. "
+      "Sets all and boundary.",
+      "local mesh = fabric.mesh{ nodes={ {0, 0}, {0.1, 0}, {0.1, 0.1}, {0, 0.1} }, elements={ {1, 2, 3}, "
+      "{1, 3, 4} } }\n"
+      "assert(#mesh.elements == 2 and #mesh:set 'boundary' == 4)",
+      of_lists};
 }
 
 Entry merge_row() {

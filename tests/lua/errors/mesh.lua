@@ -209,6 +209,8 @@ wrong("fabric.mesh.of", "fabric.mesh{ nodes={ {0, 0}, {1, 0}, {0, 1} }, elements
   "deck.lua:1: of: element 1: expected node numbers from 1 to 3, got 4")
 wrong("fabric.mesh.merge", "fabric.mesh.merge{ meshes=fabric.mesh.disk{ radius=0.1, cells=2 } }",
   "deck.lua:1: merge: field 'meshes': expected a table { a, b, ... }, got a mesh")
+wrong("fabric.mesh.of", "fabric.mesh{ nodes={ {0, 0}, {1, 0}, {0, 1} }, elements={ {1, 2, 3} }, join='yes' }",
+  "deck.lua:1: of: field 'join': expected true or false, got 'yes'")
 wrong("fabric.mesh.of", "fabric.mesh{ nodes={ {0, 0}, {1, 0}, {0, 1} } }",
   "deck.lua:1: of: field 'elements': expected a table { {1, 2, 5, 4}, ... }, got nil (missing, or a misspelt variable)")
 wrong("fabric.mesh.merge", "fabric.mesh.merge{}",
