@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "base/number.hpp"
 #include "law/law.hpp"
+#include "mesh/check.hpp"
 #include "model/declaration_rows.hpp"
 #include "model/model.hpp"
 
@@ -74,8 +76,50 @@ Support symmetry(const std::string& set, int axis) {
   return held;
 }
 
+namespace {
+
+// What is shared among the nodes of a set goes by the area of its whole elements, and if it has none by the
+// length of its whole edges. Error: then a line beside the elements, or a node beside the edges, has no
+// share. Single nodes about elements are those of a border that cuts through others.
+void check_shares(const mesh::Mesh& mesh, const mesh::NodeSet& nodes, const std::string& call,
+                  const std::string& set) {
+  const auto in = [](const mesh::NodeSet& list, Index n) {
+    return std::binary_search(list.begin(), list.end(), n);
+  };
+  const auto ordered = [](mesh::NodeSet& list) {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+  };
+  mesh::NodeSet inside, on_edges, without;
+  for (const Index e : mesh.elements_in(nodes))
+    for (const Index n : mesh.elements[static_cast<std::size_t>(e)])
+      if (n >= 0) inside.push_back(n);
+  ordered(inside);
+  for (const auto& ids : mesh.elements)
+    for (std::size_t k = 0, count = ids[3] < 0 ? 3 : 4; k < count; ++k)
+      if (const Index a = ids[k], b = ids[(k + 1) % count];
+          in(nodes, a) && in(nodes, b) && !in(inside, a) && !in(inside, b))
+        on_edges.insert(on_edges.end(), {a, b});
+  ordered(on_edges);
+  const bool by_area = !inside.empty();
+  if (by_area)
+    without = on_edges;
+  else if (!on_edges.empty())
+    std::set_difference(nodes.begin(), nodes.end(), on_edges.begin(), on_edges.end(),
+                        std::back_inserter(without));
+  if (without.empty()) return;
+  throw Error(call + ": set '" + set + "' is shared by " +
+              (by_area ? "the area of its elements, and beside them it has edges"
+                       : "the length of its edges, and beside them it has single nodes") +
+              ", which would get nothing (" + mesh::listed("node", without) +
+              "): expected a call of their own");
+}
+
+}  // namespace
+
 void DeclarationCheck::set(const std::string& name, const char*) {
   const auto& nodes = mesh_.set(name);
+  if (shared_) check_shares(mesh_.uncut(), mesh_.uncut().set(name), call_, name);
   if (on_elements_ && mesh_.elements_in(nodes).empty())
     throw Error(call_ + ": set '" + name + "' holds no whole element");
 }

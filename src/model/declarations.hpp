@@ -138,6 +138,7 @@ struct PrescribedTurn {
 };
 struct GroundSpring {
   static constexpr const char* call() { return "spring"; }
+  static constexpr bool shared = true;  // by area or length
   std::string set;
   std::array<double, 3>
       stiffness{};  // N/m along the frame, to ground, total of the set, distributed like a force
@@ -241,7 +242,7 @@ struct BodyLoad {
 
 struct ForceLoad {
   static constexpr const char* call() { return "force"; }
-  static constexpr bool is_load = true;
+  static constexpr bool is_load = true, shared = true;
   static constexpr const char* sentence =
       "Loads a node set with a total force; a single node takes it whole. Loads a rigid body at its centre "
       "(dynamic runs need its mass), which then moves in the directions that m:fix does not hold.";
@@ -258,7 +259,7 @@ struct ForceLoad {
 };
 struct MomentLoad {
   static constexpr const char* call() { return "moment"; }
-  static constexpr bool is_load = true;
+  static constexpr bool is_load = true, shared = true;
   static constexpr const char* sentence =
       "Loads the directors of a node set with a moment, shared by length or area; or a rigid body about its "
       "centre.";
@@ -275,7 +276,7 @@ struct MomentLoad {
 };
 struct TractionLoad {
   static constexpr const char* call() { return "traction"; }
-  static constexpr bool is_load = true;
+  static constexpr bool is_load = true, shared = true;
   static constexpr const char* sentence =
       "Loads a node set with a dead traction on its reference area, or a line load on its reference edges.";
   static constexpr const char* example = "m:traction('top', { y=100 })";
@@ -514,8 +515,8 @@ void tell_loads(const Declarations& declarations, Visitor& visitor) {
 // Throws what is wrong with the values of a declaration by itself.
 class DeclarationCheck : public DeclarationVisitor {
  public:
-  DeclarationCheck(const mesh::Mesh& mesh, std::string call, bool on_elements)
-      : mesh_(mesh), call_(std::move(call)), on_elements_(on_elements) {}
+  DeclarationCheck(const mesh::Mesh& mesh, std::string call, bool on_elements, bool shared)
+      : mesh_(mesh), call_(std::move(call)), on_elements_(on_elements), shared_(shared) {}
   void set(const std::string& name, const char* = "");
   void components(const Components& value, const char* unit, const char* = "");
   void stiffness(const std::array<double, 3>& value, const char* unit);
@@ -532,14 +533,17 @@ class DeclarationCheck : public DeclarationVisitor {
   const mesh::Mesh& mesh_;
   std::string call_;
   bool on_elements_;  // the set has to have whole ones
+  bool shared_;       // among the nodes of the set, by area or length
 };
 
-// Errors: an unknown set, or one without a whole element for what is of elements; no component given; a
-// stiffness below 0; a number out of its row's range, or a vector whose length is.
+// Errors: an unknown set, or one without a whole element for what is of elements, or with nodes that would
+// get no share of what is shared by area or length; no component given; a stiffness below 0; a number out of
+// its row's range, or a vector whose length is.
 template <class D>
 void check_values(const mesh::Mesh& mesh, const D& declaration) {
-  constexpr bool on_elements = requires { D::on_elements; };
-  DeclarationCheck check(mesh, declaration.call(), on_elements);
+  constexpr bool on_elements = requires { D::on_elements; }
+  , shared = requires { D::shared; };
+  DeclarationCheck check(mesh, declaration.call(), on_elements, shared);
   D::tell(declaration, check);
 }
 

@@ -93,3 +93,25 @@ TEST_CASE("loads that cannot be say so by the name of their call") {
           m.add<model::TractionLoad>({"top", up(1, 1)});
         }) == "traction: the model is in use by an analysis and can't be changed any more");
 }
+
+TEST_CASE("what is shared by area or length is refused on sets whose other nodes would get nothing") {
+  auto sheet = std::make_shared<mesh::Mesh>(mesh::rectangle(0.04, 0.06, 2, 3));  // nodes 1 to 12, 3 in a row
+  sheet->define("area and edge", {0, 1, 3, 4, 9, 10, 11});
+  sheet->define("area and corner", {0, 1, 3, 4, 11});  // as of a region whose border cuts through elements
+  sheet->define("edge and node", {0, 1, 2, 10});
+  Model m(sheet, blend(), model::Options{});
+  const std::string edge =
+      ": set 'area and edge' is shared by the area of its elements, and beside them it has edges, which "
+      "would "
+      "get nothing (nodes 10, 11, 12): expected a call of their own";
+  CHECK(message_of([&] { m.force("area and edge", up(1, 1)); }) == "force" + edge);
+  CHECK(message_of([&] { m.add<model::MomentLoad>({"area and edge", up(1, 1)}); }) == "moment" + edge);
+  CHECK(message_of([&] { m.add<model::TractionLoad>({"area and edge", up(1, 1)}); }) == "traction" + edge);
+  CHECK(message_of([&] { m.add<model::GroundSpring>({"area and edge", {1, 0, 0}}); }) == "spring" + edge);
+  CHECK(
+      message_of([&] { m.force("edge and node", up(1, 1)); }) ==
+      "force: set 'edge and node' is shared by the length of its edges, and beside them it has single nodes, "
+      "which would get nothing (node 11): expected a call of their own");
+  m.force("area and corner", up(1, 1));
+  m.pressure("area and edge", history::History::ramp(1, 1));  // which acts on elements alone
+}

@@ -80,8 +80,18 @@ model::RigidVelocity read_velocity(const Fields& given, const std::string& what)
     if (given.has(axes[i])) v.linear[i] = given.number(axes[i]);
   if (given.has("spin"))
     v.spin = std::numbers::pi / 180 * read_vector(given.numbers("spin"), what + "field 'spin'");
-  if (given.has("centre")) v.centre = read_vector(given.numbers("centre"), what + "field 'centre'");
+  if (given.has("centre")) {
+    if (!given.has("spin")) given.refuse("centre", "expected a spin about it too, got none");
+    v.centre = read_vector(given.numbers("centre"), what + "field 'centre'");
+  }
   return v;
+}
+
+// That of the call itself.
+model::RigidVelocity read_whole_velocity(const Fields& given) {
+  if (!given.has("x") && !given.has("y") && !given.has("z") && !given.has("spin"))
+    throw Error("velocity: expected at least one of x, y, z, spin, got none");
+  return read_velocity(given, "velocity: ");
 }
 
 // Calls the function of position for a node.
@@ -110,7 +120,7 @@ int velocity_of_body(Call& call) {
   const Fields given = call.fields("velocity");
   if (given.has("centre"))
     given.refuse("centre", "a rigid body spins about its centre of mass: expected nothing");
-  const model::RigidVelocity v = read_velocity(given, "velocity: ");
+  const model::RigidVelocity v = read_whole_velocity(given);
   return declare(call, model::BodyVelocity{call.object<const model::Rigid>("set"), v.linear, v.spin});
 }
 
@@ -120,7 +130,7 @@ int velocity(Call& call) {
   if (const Function place = call.function("velocity")) {
     v.place = [place, set = v.set](const Vec3& X) { return velocity_at(place, set, X); };
   } else {
-    const model::RigidVelocity all = read_velocity(call.fields("velocity"), "velocity: ");
+    const model::RigidVelocity all = read_whole_velocity(call.fields("velocity"));
     v.linear = all.linear;
     v.spin = all.spin;
     v.centre = all.centre;

@@ -142,6 +142,10 @@ wrong("model:velocity", "model:velocity('top', { x='1' })",
   "deck.lua:1: velocity: field 'velocity.x': expected a number in m/s, got '1'")
 wrong("model:velocity", "model:velocity('top', { spin={1, 'two'} })",
   "deck.lua:1: velocity: field 'velocity.spin': expected a table of numbers, got 'two' at place 2")
+wrong("model:velocity", "model:velocity('top', {})",
+  "deck.lua:1: velocity: expected at least one of x, y, z, spin, got none")
+wrong("model:velocity", "model:velocity('top', { x=1, centre={0, 0, 0} })",
+  "deck.lua:1: velocity: field 'velocity.centre': expected a spin about it too, got none")
 
 -- impossible models
 wrong("fabric.model", "fabric.model{ mesh=mesh, card='blend' }",
