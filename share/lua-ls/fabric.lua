@@ -2913,7 +2913,7 @@ function model:moment(set, components, options) end
 ---@class model_move_fields.components.turn
 ---@field axis number[] {x, y, z}: direction of the axis
 ---@field angle? number|function|history degrees: angle about the axis
----@field centre? number[] {x, y, z}, m: a point of the axis; default the body's centre
+---@field centre? number[] {x, y, z}, m: a point of the axis; default the body's centre, of a surface without a mass that of its area
 
 ---@class model_move_fields.components
 ---@field x? number|function|history m: history along x

@@ -8,7 +8,6 @@
 #include "base/number.hpp"
 #include "base/utf8.hpp"
 #include "contact/scene.hpp"
-#include "geometry/box.hpp"
 
 namespace fabricsh::model {
 
@@ -85,13 +84,28 @@ class Checks {
   std::string call_;
 };
 
+// Of its area, whatever axes it is given in.
+Vec3 centre_of(const Facets& f) {
+  const auto x = [&f](std::int32_t i) -> const Vec3& { return f.vertices[static_cast<std::size_t>(i)]; };
+  const Vec3& origin = x(f.triangles.front()[0]);
+  double area = 0;
+  Vec3 moment = Vec3::Zero();
+  for (const auto& [i, j, k] : f.triangles) {
+    const Vec3 a = x(i) - origin, b = x(j) - origin, c = x(k) - origin;
+    const double twice = (b - a).cross(c - a).norm();
+    area += twice;
+    moment += twice / 3 * (a + b + c);
+  }
+  return area > 0 ? Vec3(origin + moment / area) : origin;
+}
+
 struct CentreOf {
   Vec3 operator()(const Sphere& s) const { return s.centre; }
   Vec3 operator()(const Plane& p) const { return p.point; }
   Vec3 operator()(const Cylinder& c) const { return (c.from + c.to) / 2; }
   Vec3 operator()(const Disc& d) const { return d.centre; }
-  Vec3 operator()(const Facets& f) const { return box_of(f.vertices).middle(); }
-  Vec3 operator()(const MovingFacets& m) const { return box_of(m.first.vertices).middle(); }
+  Vec3 operator()(const Facets& f) const { return centre_of(f); }
+  Vec3 operator()(const MovingFacets& m) const { return centre_of(m.first); }
 };
 
 struct Check {

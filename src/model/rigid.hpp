@@ -62,7 +62,7 @@ class Rigid {
   const std::string& name() const { return name_; }  // as given; empty: none
   const std::string& kind() const { return kind_; }  // "sphere"
   // Default centre of rotations and the position that a:body returns, m: the centre of mass of a free body,
-  // otherwise that of the shape.
+  // otherwise that of the shape, of a surface that of its area.
   const Vec3& centre() const { return centre_; }
   contact::Mass weigh() const;  // of a free body
   const MovingFacets* moving() const { return std::get_if<MovingFacets>(&shape_); }

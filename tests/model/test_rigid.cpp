@@ -64,6 +64,20 @@ TEST_CASE(
   CHECK((solid.weigh().inertia - Mat3(wanted.asDiagonal())).norm() < 1e-12 * wanted.norm());
 }
 
+TEST_CASE("the centre of a surface without mass is the same material point in all axes") {
+  // An L of two rectangles, 4 x 1 and 1 x 2, in the plane; one of them cut otherwise than the other.
+  model::Facets l;
+  l.vertices = {{0, 0, 0}, {4, 0, 0}, {4, 1, 0}, {0, 1, 0}, {1, 1, 0}, {1, 3, 0}, {0, 3, 0}};
+  l.triangles = {{0, 1, 2}, {0, 2, 4}, {0, 4, 3}, {3, 4, 5}, {3, 5, 6}};
+  const Vec3 wanted = (4 * Vec3(2, 0.5, 0) + 2 * Vec3(0.5, 2, 0)) / 6;
+  CHECK((Rigid(l, {}, "", "surface").centre() - wanted).norm() < 1e-15);
+  const Mat3 turn = Eigen::AngleAxisd(2.4, Vec3(1, 2, -0.7).normalized()).toRotationMatrix();
+  for (Vec3& x : l.vertices) x = Vec3(100, -70, 50) + turn * x;
+  CHECK((Rigid(l, {}, "", "surface").centre() - (Vec3(100, -70, 50) + turn * wanted)).norm() < 1e-13);
+  const model::MovingFacets moving{l, {0, 1}, {l.vertices, l.vertices}};
+  CHECK(Rigid(moving, {}, "", "motion").centre() == Rigid(l, {}, "", "surface").centre());
+}
+
 TEST_CASE("a body without mass does not move by itself, and what cannot be free is refused with a mass") {
   CHECK_FALSE(Rigid(Sphere{0.05, Vec3(1, 2, 3)}, {}, "", "sphere").free());
   CHECK(Rigid(Sphere{0.05, Vec3(1, 2, 3)}, {}, "", "sphere").centre() == Vec3(1, 2, 3));

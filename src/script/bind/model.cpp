@@ -135,7 +135,9 @@ Argument turn_row() {
   return fields_("turn?",
                  {value_("axis", numbers, "{x, y, z}: direction of the axis"),
                   history_("angle", "degrees", "angle about the axis"),
-                  value_("centre?", numbers, "{x, y, z}, m: a point of the axis; default the body's centre")},
+                  value_("centre?", numbers,
+                         "{x, y, z}, m: a point of the axis; default the body's centre, of a surface "
+                         "without a mass that of its area")},
                  "of a rigid body: {axis=, angle=, centre=}");
 }
 
