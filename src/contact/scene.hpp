@@ -101,6 +101,8 @@ struct TriangleRow {
 
 // Pa, presses woven cloth down to its fibres.
 inline constexpr double dense_pressure = 1e6;
+// Pa/m: of a contact with that pressure where its range, from gap to floor (m), is used up.
+inline double dense_stiffness(double gap, double floor) { return dense_pressure / (gap - floor); }
 
 struct Interaction {
   std::int32_t first = 0, second = 0;  // surfaces; equal for a cloth in contact with itself

@@ -179,7 +179,7 @@ void Contact::find_slip(std::size_t i, std::span<const Vec3> x, const Way& way, 
   slip.friction = it.friction;
   // A barrier carries more than the law. Where the step permits, it holds friction as cloth pressed dense
   // does.
-  const double dense = dense_pressure / (it.law.gap() - it.law.floor());
+  const double dense = dense_stiffness(it.law.gap(), it.law.floor());
   const bool holds = !it.parts.empty() && way.inverse_mass.empty();
   slip.stiffness =
       c.pair.grip * tangential * (holds ? std::max(it.law.stiffest(), dense) : it.law.stiffest());

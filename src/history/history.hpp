@@ -20,6 +20,7 @@ class History {
 
   double value(double t) const;
   bool is_constant() const { return !callback_ && points_->size() <= 1; }
+  bool is_straight() const { return !callback_; }  // between kinks; a function of time may do anything
   const std::vector<double>& kinks() const { return *kinks_; }
 
  private:

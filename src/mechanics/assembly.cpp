@@ -272,11 +272,9 @@ bool Assembly::tangent(const law::Step& step, linear::Matrix& K, std::span<const
   terms_.elements().sum_forces(sums);
   outcome_ = terms_.add_forces(1, std::move(elements), step, trial(), sums);
   stiffness_->scatter_tied(to);
-  linear::Matrix apart;
-  if (apart_) apart = linear::Matrix(pattern());
-  Stiffness::Sink sink(*stiffness_, to, apart_ ? &apart : nullptr);
+  Stiffness::Sink sink(*stiffness_, to, apart_ ? &kept_apart_ : nullptr);
   for (const auto& term : terms_) term->add_tangent(trial(), sink);
-  if (sink.has_apart()) K.apart = std::move(apart.value);
+  if (sink.has_apart()) std::swap(K.apart, kept_apart_.value);
   for (const auto* const term : terms_.all<FewRankTerm>()) add_ranks(*term, K, lead, product);
   if (!dofs_.freedoms().bodies.empty()) {
     std::vector<double> dead;

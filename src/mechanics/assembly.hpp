@@ -141,6 +141,7 @@ class Assembly {
   TermList terms_;
   bool upper_ = false, apart_ = false;
   std::unique_ptr<Stiffness> stiffness_;
+  linear::Matrix kept_apart_;                          // room for the entries that a tangent keeps apart
   std::vector<NodePair> coupled_, committed_coupled_;  // pairs in the pattern, ascending; at the last commit
   std::vector<double> force_x_, force_d_;              // internal, 3 per node
   double lost_ = 0;                                    // J, in joints

@@ -2,6 +2,8 @@
 // Term, or by a part that does; the assembly finds the facets when the term is added.
 #pragma once
 #include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -64,6 +66,20 @@ class AtStepEnd : public Facet {
   virtual std::span<const Vec3> nodal_forces() const = 0;  // N
   virtual double work_on_cloth() const = 0;                // J, on the nodes that move freely, in the step
 };
+
+// s: the latest end, up to `to`, of a step from `from` on that is not too long: of one to `end`, parts(end)
+// says how many times. It is never shorter than by 2^-60.
+template <class Parts>
+double latest_end(double from, double to, const Parts& parts) {
+  constexpr int tries = 60;
+  constexpr double same = 1e-9;  // shares of a limit that are the same
+  for (int k = 0; k < tries; ++k) {
+    const double share = parts(to);
+    if (!(share > 1 + same)) break;
+    to = from + (to - from) / std::clamp(std::ceil(share * (1 - same)), 2.0, 1e6);
+  }
+  return to;
+}
 
 // Says how far a step may go. The way from the marked positions to the trial ones is straight for the nodes.
 class StepLimiter : public Facet {

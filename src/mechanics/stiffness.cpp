@@ -1,6 +1,7 @@
 #include "mechanics/stiffness.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/error.hpp"
 #include "geometry/node_view.hpp"
@@ -440,7 +441,10 @@ bool Stiffness::Sink::through_ties(Index a, Index b) const {
 
 void Stiffness::Sink::on_positions_apart(Index a, Index b, const Mat3& k, const Mat3& apart) {
   if (apart_ == nullptr || apart.isZero(0)) return add_positions(a, b, k, to_);
-  has_apart_ = true;
+  if (!std::exchange(has_apart_, true)) {
+    apart_->pattern = to_.K.pattern;
+    apart_->value.assign(to_.K.value.size(), 0.0);
+  }
   add_positions(a, b, k - apart, to_);
   add_positions(a, b, apart, {*apart_, to_.lead, to_.product});
 }

@@ -108,17 +108,15 @@ std::array<double, 6> Newmark::rate_of_momentum(const mechanics::RigidBody& body
   return {linear[0], linear[1], linear[2], angular[0], angular[1], angular[2]};
 }
 
-void Newmark::commit(double time, std::span<const double> targets) {
+void Newmark::commit() {
   before_ = trial_;
-  const double h = 1e-3 * dt();
-  const auto earlier = assembly_.dofs().targets(time - h);
   const auto& motions = assembly_.dofs().freedoms().motions;
   for (std::size_t i = 0; i < motions.size(); ++i) {
     const auto& m = motions[i];
     if (m.component > 2) continue;
     const Vec3 along = assembly_.dofs().freedoms().nodes[m.node].frame.row(m.component).transpose();
     auto v = at(before_.v.x, m.node), a = at(before_.a.x, m.node);
-    v += ((targets[i] - earlier[i]) / h - v.dot(along)) * along;
+    v += (driven_[i] - v.dot(along)) * along;
     a -= a.dot(along) * along;
   }
 }

@@ -87,9 +87,9 @@ class Newmark final : public mechanics::Motion {
   std::array<double, 6> rate_of_momentum(const mechanics::RigidBody& body) const;
   // Computes the trial motion after dt() from the increment between committed and trial configuration.
   void update();
-  // Commits the trial motion. targets: of the driven freedoms at `time`; their displacements get the rate of
-  // the step just made, because Newmark's formulas would oscillate after a kink.
-  void commit(double time, std::span<const double> targets);
+  // Commits the trial motion. The displacements of driven freedoms get their rates of drive(), because
+  // Newmark's formulas would oscillate after a kink.
+  void commit();
   // Subtracts accelerations from the committed ones, which the next step then begins without. The committed
   // velocities get `impulse` (s) times them.
   void take_off(const mechanics::NodalRates& a, double impulse = 0);

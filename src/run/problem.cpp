@@ -83,7 +83,7 @@ void EquilibriumProblem::commit(double time) {
   if (newmark_ != nullptr) look_back();
   assembly_.commit(time);
   if (newmark_ != nullptr) {
-    newmark_->commit(time, targets_);
+    newmark_->commit();
     forget_step_end();
   }
   memory_.driven = targets_;

@@ -9,6 +9,7 @@
 
 #include "base/number.hpp"
 #include "geometry/node_view.hpp"
+#include "mechanics/facets.hpp"
 #include "mechanics/terms/contact.hpp"
 #include "mechanics/terms/directors.hpp"
 #include "mechanics/terms/gas.hpp"
@@ -179,19 +180,16 @@ void Run::step() {
 namespace {
 
 // s, up to `to`: until then the turn is at most a quarter of a circle. The directors of a longer step would
-// go by the shorter way, and lose whole turns. A function of time may do anything between the looks at it.
+// go by the shorter way, and lose whole turns.
 double end_of_turn(const model::History& angle, double from, double to) {
-  constexpr int looks = 32, tries = 60;
-  constexpr double quarter = 90 * (1 + 1e-9);  // degrees
-  const int parts = angle.is_constant() || !angle.kinks().empty() ? 1 : looks;
-  for (int k = 0; k < tries; ++k) {
+  constexpr double quarter = 90;  // degrees
+  const int looks = angle.is_straight() ? 1 : 32;
+  return mechanics::latest_end(from, to, [&](double end) {
     double most = 0;
-    for (int i = 1; i <= parts; ++i)
-      most = std::max(most, std::abs(angle.value(from + (to - from) * i / parts) - angle.value(from)));
-    if (!(most > quarter)) break;
-    to = from + (to - from) / std::clamp(std::ceil(most / quarter), 2.0, 1e6);
-  }
-  return to;
+    for (int i = 1; i <= looks; ++i)
+      most = std::max(most, std::abs(angle.value(from + (end - from) * i / looks) - angle.value(from)));
+    return most / quarter;
+  });
 }
 
 }  // namespace

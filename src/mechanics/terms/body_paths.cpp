@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "mechanics/facets.hpp"
 #include "mechanics/terms/bodies.hpp"
 
 namespace fabricsh::mechanics {
@@ -12,9 +13,7 @@ namespace {
 
 constexpr double kRadian = std::numbers::pi / 180;
 constexpr double kInPlane = 1e-6;
-constexpr int kLooks = 32;      // times within a step at which a path is looked at
-constexpr int kTries = 60;      // a step becomes no shorter than by 2^-60
-constexpr double kSame = 1e-9;  // shares of a limit that are the same
+constexpr int kLooks = 32;  // times within a step at which a path is looked at
 
 // m, from a point to the segment from a to b.
 double off(const Vec3& p, const Vec3& a, const Vec3& b) {
@@ -25,9 +24,9 @@ double off(const Vec3& p, const Vec3& a, const Vec3& b) {
 }
 
 bool runs_straight(const model::BodyMotion& motion) {
-  const auto is_table = [](const auto& h) { return !h || h->is_constant() || !h->kinks().empty(); };
-  return std::all_of(motion.displacement.begin(), motion.displacement.end(), is_table) &&
-         (!motion.turn || is_table(std::optional(motion.turn->angle)));
+  return std::all_of(motion.displacement.begin(), motion.displacement.end(),
+                     [](const auto& h) { return !h || h->is_straight(); }) &&
+         (!motion.turn || motion.turn->angle.is_straight());
 }
 
 }  // namespace
@@ -91,13 +90,8 @@ double BodyPaths::latest_end(std::size_t i, double from, double to, double near,
                              const BoundingBox& cloth) const {
   const BodyState::Body& body = state_.bodies[i];
   if (body.free < 0 && body.motion == nullptr) return to;
-  double end = to;
-  for (int tries = 0; tries < kTries; ++tries) {
-    const double parts = path(body, from, end, near, cloth).parts();
-    if (!(parts > 1 + kSame)) break;
-    end = from + (end - from) / std::clamp(std::ceil(parts * (1 - kSame)), 2.0, 1e6);
-  }
-  return end;
+  return mechanics::latest_end(from, to,
+                               [&](double end) { return path(body, from, end, near, cloth).parts(); });
 }
 
 double BodyPaths::turned_most() const {

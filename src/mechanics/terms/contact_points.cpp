@@ -55,7 +55,7 @@ double half_pressed(const contact::Surface& body, const contact::ContactLaw& law
 
 // Pa/m: with a larger stiffness the pressures of cloth use up a small part of the range.
 double softest_constraint(const contact::ContactLaw& law) {
-  return contact::dense_pressure / (law.gap() - law.floor());
+  return contact::dense_stiffness(law.gap(), law.floor());
 }
 
 // Of elements over the range of contact with a solid that gives way; 0: it does not, or is not a solid.

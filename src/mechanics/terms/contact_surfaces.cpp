@@ -274,7 +274,7 @@ ContactSurfaces::Meeting ContactSurfaces::meeting_of(const model::SurfacePair& m
   if (!data.curve.empty())
     data.floor = std::min(data.floor, kLeast * data.curve.front().first);
   else
-    data.stiffness = given.stiffness.value_or(contact::dense_pressure / (data.gap - data.floor));
+    data.stiffness = given.stiffness.value_or(contact::dense_stiffness(data.gap, data.floor));
   return out;
 }
 
@@ -448,7 +448,7 @@ void ContactSurfaces::follow_elements() {
     if (gap <= scene_.interactions()[i].law.gap()) continue;
     m.follows = true;
     m.data = {gap, m.data.floor,
-              contact::dense_pressure / (gap - m.data.floor)};  // the floor is below the gap that it had
+              contact::dense_stiffness(gap, m.data.floor)};  // the floor is below the gap that it had
     scene_.interaction(i).law = contact::ContactLaw(m.data);
   }
 }

@@ -62,7 +62,7 @@ int ramp(Call& call) {
 
 int value(Call& call) { return push_value(call.L(), call.self<History>()->value(call.number("time"))); }
 
-bool is_function(const History& h) { return !h.is_constant() && h.kinks().empty(); }
+bool is_function(const History& h) { return !h.is_straight(); }
 
 // At its kinks a history has the values that it was given.
 int points(Call& call) {
