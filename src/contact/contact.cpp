@@ -418,18 +418,27 @@ bool Contact::approaches_fast(const Candidate& c, const Force& force, const Corn
 // A body's corners do not give way, so that a pair's stiffness for one node, while all nodes of the pair move
 // alike or against each other, is at most that times the node's weight: the weights on one side have the
 // sum 1.
-void Contact::barriers(const std::function<void(std::int32_t, double, const Vec3&)>& visit) const {
+void Contact::barriers(
+    const std::function<void(std::int32_t, double, const Vec3&, const BodySide&)>& visit) const {
   for (const std::uint32_t i : guarded_) {
     const Candidate& c = inner_[i];
     const Force::Barrier& barrier = guards_[i].barrier;
     const Interaction& it = scene_->interactions()[std::size_t(c.interaction)];
     if (!(barrier.stiffness > 0) || it.cloths || !eases(it)) continue;
+    BodySide side;
+    double sum = 0;
+    for (std::size_t k = 0; k < 4; ++k)
+      if (c.point[k] >= 0 && !(k == 0 && c.spot.any()) && rigid(c.point[k])) {
+        side.point[k] = c.point[k];
+        sum += side.share[k] = barrier.weight[k];
+      }
+    for (double& share : side.share) share /= sum;
     if (c.spot.any())
       for (std::size_t k = 0; k < 3; ++k)
-        visit(c.spot.node[k], barrier.stiffness * c.spot.weight(k), barrier.normal);
+        visit(c.spot.node[k], barrier.stiffness * c.spot.weight(k), barrier.normal, side);
     for (std::size_t k = c.spot.any() ? 1 : 0; k < 4; ++k)
       if (c.point[k] >= 0 && !rigid(c.point[k]) && barrier.weight[k] != 0)
-        visit(c.point[k], barrier.stiffness * std::abs(barrier.weight[k]), barrier.normal);
+        visit(c.point[k], barrier.stiffness * std::abs(barrier.weight[k]), barrier.normal, side);
   }
 }
 

@@ -75,8 +75,12 @@ class Contact {
   bool eases(const Interaction& it) const { return it.eased && (it.cloths || eases_); }
   // Of the forces that were last added, in the pairs' order: how stiff the guards of bodies that are eased
   // are for each node of the cloth, N/m, and along which normal. The sum is a bound for all that the nodes do
-  // at once.
-  void barriers(const std::function<void(std::int32_t, double, const Vec3&)>& visit) const;
+  // at once. The third: the body's corners of the pair and their shares of it, which add up to 1; 0: none.
+  struct BodySide {
+    std::array<std::int32_t, 4> point{};
+    std::array<double, 4> share{};
+  };
+  void barriers(const std::function<void(std::int32_t, double, const Vec3&, const BodySide&)>& visit) const;
   // The same of guards between cloths, with the points of each pair and their weights: how its sides part.
   using VisitBetween = std::function<void(const std::array<std::int32_t, 4>&, const Force::Barrier&)>;
   void barriers_between(const VisitBetween& visit) const;

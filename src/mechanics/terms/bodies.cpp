@@ -199,6 +199,18 @@ void Bodies::place(const BodyState::Body& body, double time, std::span<Vec3> x) 
   for (std::size_t i = 0; i < x.size(); ++i) x[i] = pose(state_.reference[body.first + i]);
 }
 
+std::vector<Vec3> Bodies::places(std::size_t i, double time) const {
+  const BodyState::Body& body = state_.bodies[i];
+  std::vector<Vec3> x(body.count);
+  try {
+    place(body, time, x);
+  } catch (const Error&) {
+    for (std::size_t k = 0; k < x.size(); ++k)
+      x[k] = 2 * state_.target[body.first + k] - state_.committed[body.first + k];
+  }
+  return x;
+}
+
 void Bodies::set_time(double from, double to) {
   state_.from = from;
   state_.to = to;

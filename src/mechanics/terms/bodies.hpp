@@ -123,6 +123,14 @@ class Bodies {
   void begin(std::span<const Vec3> force);
   // Sets the forces on the vertices at the end of the step, N, and the torques of friction, N m.
   void load(std::span<const Vec3> force, std::span<const Vec3> torque);
+  // Adds to the force on a vertex of a body that is held or driven, N.
+  void add(std::size_t vertex, const Vec3& force) { state_.trial_force[vertex] += force; }
+  bool is_driven(std::size_t i) const {
+    return state_.bodies[i].motion != nullptr || state_.bodies[i].moving.has_value();
+  }
+  // Where the vertices of a driven body are at a time after the step, m; where a history has no number then,
+  // as far on as it came in the step.
+  std::vector<Vec3> places(std::size_t i, double time) const;
   void commit();
   void rollback();
   // The forces at the step's end are sought from here on.

@@ -6,9 +6,11 @@
 // what is pressed between tools has the balance that it has in short steps. The rest of r, which the inertia
 // holds back, does a work that comes back as the nodes leave the barrier; the account of the barrier has it.
 //
-// A body takes what is held back of each node. Two cloths give it to each other: the pair's inertia S b b^T,
-// where b has the weights of its corners along the normal, meets only how its sides part. The forces that it
-// holds back are -lambda b of each pair, so that they have neither a sum nor a moment, whatever lambda is.
+// Of a body the inertia meets the acceleration a - a_b relative to it, and the body takes what is held back
+// of each node: their work is that on the way relative to it. So what goes along with a tool has no part in
+// it, whether the tool sets out or stops. Two cloths give it to each other: the pair's inertia S b b^T, where
+// b has the weights of its corners along the normal, meets only how its sides part. The forces that it holds
+// back are -lambda b of each pair, so that they have neither a sum nor a moment, whatever lambda is.
 #include <unordered_map>
 #include <utility>
 
@@ -26,6 +28,7 @@ constexpr int kMostIterations = 300;
 struct MetNode {
   Index node = 0;
   Mat3 inertia = Mat3::Zero();    // kg, global axes
+  Vec3 carried = Vec3::Zero();    // N, that times the bodies' accelerations
   Vec3 force = Vec3::Zero();      // N, global axes
   Mat3 lightness = Mat3::Zero();  // 1/kg, of what may move
 };
@@ -153,8 +156,29 @@ void BarrierInertia::allow() {
   }
 }
 
+Vec3 BarrierInertia::acceleration(const contact::Contact::BodySide& side) {
+  const Bodies& bodies = state_.surfaces.bodies();
+  const double dt = state_.dt();
+  later_.resize(bodies.count());
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (side.share[k] == 0) continue;
+    const auto point = static_cast<std::size_t>(side.point[k]);
+    for (std::size_t b = 0; b < bodies.count(); ++b) {
+      const auto [first, last] = bodies.vertices(b);
+      const std::size_t vertex = point - state_.surfaces.nodes();
+      if (vertex < first || vertex >= last || !bodies.is_driven(b)) continue;
+      if (later_[b].empty()) later_[b] = bodies.places(b, state_.time + dt);
+      sum += side.share[k] *
+             ((later_[b][vertex - first] - state_.x[point]) - (state_.x[point] - state_.start[point]));
+    }
+  }
+  return sum / (dt * dt);
+}
+
 void BarrierInertia::hold_back(std::span<double> residual) {
   held_.clear();
+  later_.clear();
   const double dt = state_.dt();
   if (!(state_.trial.guard > 0) || !(dt > 0)) return;
   std::vector<MetNode> met;                       // in the order of the pairs
@@ -164,9 +188,22 @@ void BarrierInertia::hold_back(std::span<double> residual) {
     if (added) met.push_back({node});
     return place->second;
   };
-  state_.pairs.barriers([&](std::int32_t node, double stiffness, const Vec3& n) {
-    met[place_of(node)].inertia += kEased * dt * dt * stiffness * n * n.transpose();
-  });
+  struct Meeting {
+    std::size_t place;
+    double inertia, carried;  // kg, m/s^2 along the normal
+    Vec3 normal;
+    contact::Contact::BodySide body;
+  };
+  std::vector<Meeting> meetings;
+  state_.pairs.barriers(
+      [&](std::int32_t node, double stiffness, const Vec3& n, const contact::Contact::BodySide& body) {
+        MetNode& at = met[place_of(node)];
+        const double inertia = kEased * dt * dt * stiffness;
+        at.inertia += inertia * n * n.transpose();
+        const double carried = n.dot(acceleration(body));
+        at.carried += inertia * carried * n;
+        meetings.push_back({places.at(node), inertia, carried, n, body});
+      });
   std::vector<Parting> partings;
   state_.pairs.barriers_between(
       [&](const std::array<std::int32_t, 4>& points, const contact::Force::Barrier& barrier) {
@@ -178,8 +215,9 @@ void BarrierInertia::hold_back(std::span<double> residual) {
   std::vector<InFrame> in_frame;
   for (MetNode& node : met) {
     const auto& freedoms = dofs_.freedoms().nodes[static_cast<std::size_t>(node.node)];
-    const InFrame& at = in_frame.emplace_back(freedoms, node.inertia,
-                                              cloth_.mass()[static_cast<std::size_t>(node.node)], residual);
+    InFrame& at = in_frame.emplace_back(freedoms, node.inertia,
+                                        cloth_.mass()[static_cast<std::size_t>(node.node)], residual);
+    at.force += at.free.asDiagonal() * (freedoms.frame * node.carried);
     if (partings.empty()) continue;
     const Mat3& frame = freedoms.frame;
     node.force = frame.transpose() * at.force;
@@ -191,15 +229,32 @@ void BarrierInertia::hold_back(std::span<double> residual) {
     for (std::size_t k = 0; k < 4; ++k)
       if (partings[p].weight[k] != 0)
         by_pairs[partings[p].place[k]] += lambda[p] * partings[p].weight[k] * partings[p].normal;
+  std::vector<Vec3> acceleration_of(met.size());  // m/s^2
   for (std::size_t i = 0; i < met.size(); ++i) {
     const InFrame& at = in_frame[i];
     const NodeFreedoms& freedoms = dofs_.freedoms().nodes[static_cast<std::size_t>(met[i].node)];
     const Vec3 left = at.force - at.free.asDiagonal() * (freedoms.frame * by_pairs[i]);
-    const Vec3 moving = at.mass * at.whole.llt().solve(left), rest = at.force - moving;
+    const Vec3 moving = at.mass * at.whole.llt().solve(left);
     for (int c = 0; c < 3; ++c)
       if (const Index e = freedoms.equation[static_cast<std::size_t>(c)]; e >= 0)
         residual[static_cast<std::size_t>(e)] = moving[c];
-    held_.push_back({met[i].node, freedoms.frame.transpose() * rest});
+    acceleration_of[i] = freedoms.frame.transpose() * moving / at.mass;
+    if (partings.empty()) continue;
+    held_.push_back(
+        {met[i].node, freedoms.frame.transpose() * (at.free.asDiagonal() * (freedoms.frame * by_pairs[i]))});
+  }
+  for (const Meeting& meeting : meetings) {
+    const NodeFreedoms& freedoms = dofs_.freedoms().nodes[static_cast<std::size_t>(met[meeting.place].node)];
+    const Vec3 along = freedoms.frame.transpose() *
+                       (in_frame[meeting.place].free.asDiagonal() * (freedoms.frame * meeting.normal));
+    const Vec3 force =
+        meeting.inertia * (along.dot(acceleration_of[meeting.place]) - meeting.carried) * along;
+    held_.push_back({met[meeting.place].node, force, meeting.body});
+    for (std::size_t k = 0; k < 4; ++k)
+      if (meeting.body.share[k] != 0)
+        state_.surfaces.bodies().add(
+            static_cast<std::size_t>(meeting.body.point[k]) - state_.surfaces.nodes(),
+            meeting.body.share[k] * force);
   }
 }
 
@@ -209,7 +264,13 @@ double BarrierInertia::work() const {
   for (const auto* all : {&held_, &before_})
     for (const HeldBack& held : *all) {
       const auto n = static_cast<std::size_t>(held.node);
-      work += held.force.dot(state_.x[n] - state_.start[n]) / 2;
+      Vec3 way = state_.x[n] - state_.start[n];
+      for (std::size_t k = 0; k < 4; ++k)
+        if (held.body.share[k] != 0) {
+          const auto point = static_cast<std::size_t>(held.body.point[k]);
+          way -= held.body.share[k] * (state_.x[point] - state_.start[point]);
+        }
+      work += held.force.dot(way) / 2;
     }
   return work;
 }

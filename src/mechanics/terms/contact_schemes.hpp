@@ -129,19 +129,28 @@ class BarrierInertia {
   void keep(Archive& archive) { archive(before_, energy_); }
 
  private:
-  // The part of the forces on a node that is held back.
+  // The part of the forces on a node that is held back: by a body, which has it with the other sign, or by
+  // pairs of cloths.
   struct HeldBack {
     Index node = 0;
     Vec3 force = Vec3::Zero();  // N
-    void keep(Archive& archive) { archive(node, force[0], force[1], force[2]); }
+    contact::Contact::BodySide body = {};
+    void keep(Archive& archive) {
+      archive(node, force[0], force[1], force[2]);
+      for (std::size_t k = 0; k < 4; ++k) archive(body.point[k], body.share[k]);
+    }
   };
   double work() const;
+  // m/s^2, of the body at a pair, by where it is at the beginning of the step, at its end and after a further
+  // one as long.
+  Vec3 acceleration(const contact::Contact::BodySide& side);
 
   ContactState& state_;
   const Cloth& cloth_;
   const Dofs& dofs_;
-  std::vector<HeldBack> held_, before_;  // in the trial and in the committed state
-  double energy_ = 0;                    // J, up to the committed state
+  std::vector<HeldBack> held_, before_;   // in the trial and in the committed state
+  std::vector<std::vector<Vec3>> later_;  // m, vertices of bodies after a further step; empty: not known
+  double energy_ = 0;                     // J, up to the committed state
 };
 
 class ExplicitContact final : public ContactScheme {
