@@ -313,11 +313,12 @@ void Assembly::add_ranks(const FewRankTerm& term, linear::Matrix& K, std::span<c
   }
 }
 
-bool Assembly::material_tangent(linear::Matrix& K, std::span<const double> lead, std::span<double> product) {
+bool Assembly::material_tangent(linear::Matrix& K, std::span<const double> lead, std::span<double> product,
+                                const Stiffness::Reader* read) {
   K.follow(pattern());
   K.clear();
   std::fill(product.begin(), product.end(), 0.0);
-  const Stiffness::Target to{K, lead, product};
+  const Stiffness::Target to{K, lead, product, read};
   const bool turned = motion_ != nullptr && configuration_.moved();
   outcome_ = terms_.elements().scatter_tangents(
       {}, true, *stiffness_, to, turned ? configuration_.committed_kinematics() : std::span<const double>());

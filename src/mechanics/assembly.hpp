@@ -70,8 +70,10 @@ class Assembly {
   bool tangent(const law::Step& step, linear::Matrix& K, std::span<const double> lead,
                std::span<double> product, bool extrapolated = false);
   // K_M, the law's part of the tangent at the trial configuration [williams2010, eq. 5.71]; in motion that of
-  // the committed one, turned with each element from there. lead and product as for tangent().
-  bool material_tangent(linear::Matrix& K, std::span<const double> lead, std::span<double> product);
+  // the committed one, turned with each element from there. lead and product as for tangent(), read as for
+  // Stiffness::Target.
+  bool material_tangent(linear::Matrix& K, std::span<const double> lead, std::span<double> product,
+                        const Stiffness::Reader* read = nullptr);
   const Outcome& outcome() const {
     return outcome_;
   }  // of the last forces or tangent: the worst of all terms

@@ -42,11 +42,13 @@ class FollowerLoad : public Facet {
   virtual const std::vector<Vec3>* moments() const { return nullptr; }
 };
 
-// Forces that depend on the motion of a step. They are not part of the internal forces: support forces and
-// the work of loads and supports do not include them.
+// Forces that depend on the motion of a step. They are not part of the internal forces. What supports have to
+// overcome of them beside what on_mass() says is in on_supports(), and the work of supports that move in
+// Term::step_work().
 class OnMotion : public Facet {
  public:
   virtual MassFactors on_mass() const { return {}; }
+  virtual std::span<const double> on_supports() const { return {}; }  // N, 3 per node, global; empty: none
   // Called at the beginning of a step, when the trial configuration is the committed one.
   virtual Outcome begin_step(const Motion&) { return {}; }
   // Subtracts forces on the unknowns, N and N m, from the residual r; and adds their derivative to K, with

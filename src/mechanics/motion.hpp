@@ -36,6 +36,8 @@ class Motion {
   // Of forces equal to mass times `factor` (1/s) times velocity; and of mass times acceleration.
   virtual double work_of_velocity(double factor) const = 0;
   virtual double work_of_acceleration() const = 0;
+  // Of the forces at the end of a step in their work; those at its beginning have the rest.
+  virtual double weight_of_end() const { return 0.5; }
   // J, in the trial state, without the driven displacements.
   virtual double kinetic() const = 0;
 

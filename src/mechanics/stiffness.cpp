@@ -283,6 +283,7 @@ void Stiffness::fetch(Index b, const Target& to) const {
 
 void Stiffness::scatter(Index b, const double* K, const Target& to) {
   const Batch& batch = batches_[b];
+  if (to.read != nullptr) (*to.read)(b, K);
   for (int l = 0; l < batch.used; ++l) {
     const Index element = b * lanes + l;
     if (paired_[element]) {

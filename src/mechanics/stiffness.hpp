@@ -3,6 +3,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -35,15 +36,20 @@ class Stiffness {
   void couple(std::span<const NodePair> pairs);
 
   // A matrix to be filled. With `lead` (increments of the driven degrees of freedom) the product of the
-  // coupling block with them is added to `product`, one number per unknown.
+  // coupling block with them is added to `product`, one number per unknown. read: gets the tangents of each
+  // batch as the kernels write them, whole; called from several threads.
+  using Reader = std::function<void(Index batch, const double* K)>;
   struct Target {
     linear::Matrix& K;
     std::span<const double> lead;
     std::span<double> product;
+    const Reader* read = nullptr;
   };
   void fetch(Index batch, const Target& to) const;  // to be called some time before scatter()
-  // The blocks of a batch's tangents that scatter() reads: bit 4 a + b of nodes a and b.
-  unsigned wanted(Index batch) const { return wanted_[static_cast<std::size_t>(batch)]; }
+  // The blocks of a batch's tangents that are read: bit 4 a + b of nodes a and b.
+  unsigned wanted(Index batch, const Target& to) const {
+    return to.read != nullptr ? 0xffffu : wanted_[static_cast<std::size_t>(batch)];
+  }
   // Adds the tangents of a batch, as the kernels write them; batches of one colour may run in parallel.
   void scatter(Index batch, const double* K, const Target& to);
   // Adds those of elements with tied nodes, which scatter() stores: their leads may be shared across colours.

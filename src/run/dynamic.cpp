@@ -128,7 +128,8 @@ Dynamic::Dynamic(std::shared_ptr<model::Model> model, const DynamicOptions& opti
   using namespace mechanics;
   inertia_ = &assembly_->terms().add(
       std::make_unique<Inertia>(assembly_->cloth().mass(), assembly_->cloth().rotary_inertia(scaled_)));
-  if (options_.mass_damping > 0) assembly_->terms().add(std::make_unique<MassDamping>(options_.mass_damping));
+  if (options_.mass_damping > 0)
+    assembly_->terms().add(std::make_unique<MassDamping>(*assembly_, options_.mass_damping));
   if (options_.stiffness_damping > 0)
     assembly_->terms().add(std::make_unique<StiffnessDamping>(*assembly_, options_.stiffness_damping));
   stable_ = assembly_->terms().stable_step(scaled_);

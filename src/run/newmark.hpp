@@ -105,14 +105,13 @@ class Newmark final : public mechanics::Motion {
   double work(std::span<const double> before, std::span<const double> after) const override;
   double work_of_velocity(double factor) const override { return work_on_mass(factor, before_.v, trial_.v); }
   double work_of_acceleration() const override { return work_on_mass(1, before_.a, trial_.a); }
+  double weight_of_end() const override { return scheme_.is_trapezoidal() ? scheme_.gamma : 0.5; }
   double kinetic() const override;
 
  private:
   // J, work of forces equal to mass times `factor` times these rates, without driven displacements.
   double work_on_mass(double factor, const mechanics::NodalRates& before,
                       const mechanics::NodalRates& after) const;
-  // Of forces at the end of a step; those at its beginning have the rest.
-  double weight_of_end() const { return scheme_.is_trapezoidal() ? scheme_.gamma : 0.5; }
   std::vector<double> mean_rates() const;
   void update_rigid(std::size_t node, std::span<const double> now, std::span<const double> old);
   double along(const mechanics::DrivenFreedom& m, std::span<const double> v) const;

@@ -81,7 +81,10 @@ Vec3 Readings::reaction(const std::string& set) const {
 
 Vec3 Readings::reaction_at(mesh::Index node) const {
   if (dead_.empty()) return Vec3::Zero();  // before the first step no forces have been computed
-  return assembly_->dofs().support_force(node, assembly_->internal().on_x, dead_) + inertia(node);
+  Vec3 force = assembly_->dofs().support_force(node, assembly_->internal().on_x, dead_) + inertia(node);
+  for (const auto* const term : assembly_->terms().on_motion())
+    if (const auto more = term->on_supports(); !more.empty()) force += at(more, node);
+  return force;
 }
 
 const mechanics::Contacts& Readings::contact() const {

@@ -97,7 +97,7 @@ TEST_CASE("the tangent is the derivative of the residual, by Newmark with every 
     mechanics::Assembly assembly(*m);
     const auto& inertia = assembly.terms().add(std::make_unique<mechanics::Inertia>(
         assembly.cloth().mass(), assembly.cloth().rotary_inertia(false)));
-    if (c.mass > 0) assembly.terms().add(std::make_unique<mechanics::MassDamping>(c.mass));
+    if (c.mass > 0) assembly.terms().add(std::make_unique<mechanics::MassDamping>(assembly, c.mass));
     if (c.stiffness > 0)
       assembly.terms().add(std::make_unique<mechanics::StiffnessDamping>(assembly, c.stiffness));
     const auto scheme = run::NewmarkScheme::of_hht(c.hht);

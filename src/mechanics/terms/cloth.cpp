@@ -532,7 +532,8 @@ Outcome Cloth::scatter_tangents(const law::Step& step, bool law_only, Stiffness&
           fetch_nodes(batches_[b + 1]);
         }
         double* const trial = kept ? buffer.data() : aside == nullptr ? nullptr : aside + batches_[b].law;
-        failed = std::max(failed, evaluate(b, step, trial, {k, law_only, kept, stiffness.wanted(b), before}));
+        failed =
+            std::max(failed, evaluate(b, step, trial, {k, law_only, kept, stiffness.wanted(b, to), before}));
         stiffness.scatter(b, k, to);
       }
     }

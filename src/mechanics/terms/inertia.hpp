@@ -4,6 +4,8 @@
 
 namespace fabricsh::mechanics {
 
+class Assembly;
+
 // Forces M a. Energies: "kinetic", of the trial state.
 class Inertia final : public Term, public OnMotion {
  public:
@@ -22,20 +24,23 @@ class Inertia final : public Term, public OnMotion {
   const std::vector<double>&mass_, &rotary_;
 };
 
-// Forces a M v. Energies: "mass damping", lost so far.
+// Forces a M v. Energies: "mass damping", lost so far. On driven displacements it acts with their mean
+// velocity in a step, so that a kink of their way does not matter.
 class MassDamping final : public Term, public OnMotion {
  public:
-  explicit MassDamping(double rate) : rate_(rate) {}  // a: 1/s
+  MassDamping(const Assembly& assembly, double rate) : assembly_(assembly), rate_(rate) {}  // a: 1/s
   const char* name() const override { return "mass damping"; }
   MassFactors on_mass() const override { return {0, rate_}; }
   void add_energies(const Trial&, std::vector<Energy>& out) const override {
     out.push_back({"mass damping", Account::damping, lost_});
   }
-  void finish_step(const Motion& motion) override { lost_ += motion.work_of_velocity(rate_); }
+  StepWork step_work() const override { return {driven_, 0}; }
+  void finish_step(const Motion& motion) override;
   void keep(Archive& archive) override { archive(lost_); }
 
  private:
-  double rate_, lost_ = 0;  // J, in committed steps
+  const Assembly& assembly_;
+  double rate_, lost_ = 0, driven_ = 0;  // J, in committed steps; in the last one, of driven displacements
 };
 
 }  // namespace fabricsh::mechanics
