@@ -10,6 +10,7 @@
 #include "geometry/box.hpp"
 #include "geometry/node_view.hpp"
 #include "mechanics/terms/contact.hpp"
+#include "run/flat.hpp"
 
 namespace fabricsh::run {
 
@@ -240,6 +241,8 @@ bool Implicit::attempt(double size, StepReport& report) {
   const double now = committed_time();
   problem_.set_time(size);
   auto result = newton_.solve(problem_, {options_.tolerance, options_.max_iterations, options_.line_search});
+  if (result.status == solver::NewtonStatus::converged && result.negative_pivots > 0)
+    result = minimise(std::move(result), size, report);
   if (result.status == solver::NewtonStatus::too_many_iterations && problem_.at_target() &&
       result.residuals.back() <= std::min(1e-5, kStanding * options_.tolerance))
     result.status = solver::NewtonStatus::converged;
@@ -252,6 +255,29 @@ bool Implicit::attempt(double size, StepReport& report) {
   const bool converged = step_.take(result, report.step, *assembly_, model_->mesh());
   trial_time_ = converged ? size : now;
   return converged;
+}
+
+// A step is a minimum of one potential, of the motion, the cloth, contact and the loads. Newton's method
+// finds a saddle as well, as of a column that stands straight beyond Euler's load. From there the way leads
+// to the side on which the potential is less, or a shorter step resolves how the cloth leaves its shape.
+solver::NewtonResult Implicit::minimise(solver::NewtonResult found, double size, const StepReport& report) {
+  if (report.cuts >= options_.max_cuts || size - committed_time() < 2 * control_.smallest()) {
+    if (!warned("unstable"))
+      warn("unstable", "dynamic: at time " + number(size) +
+                           " s the cloth is in a shape that it would leave " +
+                           "within the step, and shorter steps do not tell where to; the results from here " +
+                           "on are doubtful: more max_cuts, or damping, may do");
+    return found;
+  }
+  if (!downhill_)
+    downhill_ = std::make_unique<solver::TrustRegion>(
+        make_solver(options_.solver, !takes_unsymmetric(), is_near_symmetric()),
+        is_near_symmetric() || assembly_->terms().symmetric(), judge_of(*model_, *assembly_));
+  auto least = downhill_->correct(
+      problem_, {options_.tolerance, options_.max_iterations, options_.line_search, problem_.size()});
+  least.iterations += found.iterations;
+  least.far = found.far;
+  return least;
 }
 
 void Implicit::commit(StepReport& report) {

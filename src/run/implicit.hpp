@@ -6,6 +6,7 @@
 #include "run/problem.hpp"
 #include "run/step_control.hpp"
 #include "solver/newton.hpp"
+#include "solver/trust_region.hpp"
 
 namespace fabricsh::run {
 
@@ -59,11 +60,13 @@ class Implicit final : public Dynamic {
   void weigh_step_ends();
   void take_scheme();  // that of the options, the one that damps, or the one in which directors settle
   bool has_turning_directors() const;
+  solver::NewtonResult minimise(solver::NewtonResult found, double size, const StepReport& report);
   void settle();
 
   Newmark newmark_;
   EquilibriumProblem problem_;
   solver::Newton newton_;
+  std::unique_ptr<solver::TrustRegion> downhill_;  // created if it is used
   StepControl control_;
   double extent_ = 0, next_ = 0;  // m, the size of the model; s, the next step for the error asked for
   Diagnosis step_;                // the present one

@@ -52,8 +52,8 @@ class StepControl {
   // Sliding friction takes many iterations whatever the step: from here on, steps that have not failed do not
   // shrink below this part of the largest.
   void expect_friction() { held_ = largest_ / 16; }
-  // Where loose cloth buckles steps are cut one after another: after one that has failed before, some are made
-  // until the next one is longer, and twice as many if that had come too soon.
+  // Where loose cloth buckles steps are cut one after another: after one that has failed before, some are
+  // made until the next one is longer, and twice as many if that had come too soon.
   void rest_after_failure() {
     next_rest_ = grown_ < kSoon ? std::clamp(2 * next_rest_, kRest, kLongestRest) : kRest;
     rest_ = next_rest_;

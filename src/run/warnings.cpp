@@ -14,7 +14,7 @@ constexpr WarningKind kinds[] = {
     {"director", "a director has turned over to the other side of the sheet", serious},
     {"beyond", "the strain is beyond what the card was tested to; serious with limit=\"stop\""},
     {"path", "steps of a static run are long for laws that remember their path", serious},
-    {"unstable", "a step of a static run has ended in a shape that is not stable", serious},
+    {"unstable", "a step has ended in a shape that is not stable", serious},
     {"compressed", "elements carry compression under which the cloth within them would fold", serious},
     {"pivots", "a static run has passed a limit or bifurcation point, or left an unstable shape"},
     {"branches", "a static run has left an unstable shape more than once, and its steps decide for which"},
