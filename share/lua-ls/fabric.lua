@@ -366,7 +366,8 @@ function fabric.columns(rows) end
 
 ---@class fabric_dynamic_fields.until_rest
 ---@field calm? number kinetic energy over the energy stored (default 0.01)
----@field window? number s: how long it has to be that calm (default 0.02)
+---@field window? number s: how long it has to be that calm, at least (default 0.02)
+---@field still? number m: how far a node may move meanwhile; default 1/1000 of the size of the cloth
 
 ---@class fabric_dynamic_fields
 ---@field model? model what is computed; with from= that of the other run unless given
@@ -381,7 +382,7 @@ function fabric.columns(rows) end
 ---@field error? number implicit: steps are so short that none errs by more in the place of a node, over the size of the model; step= is then the largest, a twentieth of the duration unless given; default steps as step= says
 ---@field linear? "auto"|"symmetric"|"unsymmetric" implicit: direct solver: auto (symmetric where law and loads are), symmetric, unsymmetric (default "auto")
 ---@field damping? fabric_dynamic_fields.damping Rayleigh's damping {mass=a, stiffness=b}; none unless given
----@field until_rest? fabric_dynamic_fields.until_rest end where all rests: when every seam that is drawn has closed and the kinetic energy has been at most calm= of that stored for window=; a.stopped is then 'at rest', and solve() goes on to the duration, which it may take at most
+---@field until_rest? fabric_dynamic_fields.until_rest end where all rests: every seam that is drawn has closed, and for window= and for a third of the time since seams, loads or motions changed, the kinetic energy has been at most calm= of that stored and no node has moved by more than still=; a.stopped is then 'at rest', and solve() goes on to the duration, which it may take at most
 ---@field inertia? "scaled"|"true" rotary inertia of the cloth: true, or scaled up where it would limit the explicit step
 ---@field force? boolean take the step even above the stable one (default false)
 ---@field ledger_limit? number the run stops when the error of the energy ledger exceeds this part of the external work (default 0.05)

@@ -30,6 +30,9 @@ constexpr double kWarning = 1e-3;       // created energy over the external work
 constexpr double kShortWarning = 1e-2;  // the same in a run of fewer than kYoung steps
 constexpr double kHeavy = 0.05;   // fraction of the kinetic energy in scaled rotary inertia that is tolerated
 constexpr int kLooksForRest = 8;  // in the window of rest
+constexpr double kStill = 1e-3;   // of the size of the cloth: the way of a node at rest
+constexpr double kRestPart = 1.0 / 3;  // of the time since it was led: so long it has to be calm at least
+constexpr double kCreep = 0.25;  // of that way within the window, at the speed of the whole: nothing begins
 constexpr double kRateStep = 1e-6;  // s, for differences of prescribed motions
 
 void refuse(const char* field, const char* expected, double got) {
@@ -134,6 +137,7 @@ Dynamic::Dynamic(std::shared_ptr<model::Model> model, const DynamicOptions& opti
     assembly_->terms().add(std::make_unique<StiffnessDamping>(*assembly_, options_.stiffness_damping));
   stable_ = assembly_->terms().stable_step(scaled_);
   smallest_ = assembly_->cloth().rates().smallest_size();
+  now_.led_until = began();
   if (options_.until_rest) every(options_.until_rest->window / kLooksForRest, [this](Run&) { watch_rest(); });
 }
 
@@ -141,16 +145,46 @@ bool Dynamic::is_calm(const EnergyAccount& e) const {
   return e.stored > 0 && e.kinetic <= options_.until_rest->calm * e.stored;
 }
 
-// A motion that only turns around is not calm for as long as the window.
+bool Dynamic::is_led() const {
+  return (seams_ != nullptr && seams_->draws()) || driven(*this, options_.until_rest->window / kLooksForRest);
+}
+
+double Dynamic::still() const {
+  const double size = box_of(assembly_->dofs().reference()).size().norm();
+  return options_.until_rest->still.value_or(kStill * size);
+}
+
+double Dynamic::rests_after() const {
+  return std::max(options_.until_rest->window, kRestPart * (time() - now_.led_until)) * (1 - 1e-9);
+}
+
+// Energies alone do not tell: seams and contact may store much, and a slow swing is calm where it turns
+// around. What moves little in a third of the time moves little in the time to come, unless it begins to.
 void Dynamic::watch_rest() {
   if (now_.rested) return;
-  if (!is_calm(energy()) || (seams_ != nullptr && seams_->draws()) ||
-      driven(*this, options_.until_rest->window / kLooksForRest)) {
+  const EnergyAccount e = energy();
+  const auto x = std::as_const(*assembly_).state().x();
+  if (is_led()) now_.led_until = time();
+  if (now_.led_until == time() || !is_calm(e)) {
     now_.calm_since = -1;
     return;
   }
-  if (now_.calm_since < 0) now_.calm_since = time();
-  if (time() - now_.calm_since < options_.until_rest->window * (1 - 1e-9)) return;
+  const auto from_here = [&] {
+    now_.calm_since = time();
+    now_.calm_kinetic = e.kinetic;
+    now_.calm_places.assign(x.begin(), x.end());
+  };
+  double way = 0;
+  if (now_.calm_since >= 0)
+    for (std::ptrdiff_t n = 0; 3 * n < static_cast<std::ptrdiff_t>(x.size()); ++n)
+      way = std::max(way, (at(x, n) - at(now_.calm_places, n)).norm());
+  if (now_.calm_since < 0 || way > still()) from_here();
+  if (time() - now_.calm_since < rests_after()) return;
+  const auto& masses = assembly_->cloth().mass();
+  const double creep = kCreep * still() / options_.until_rest->window;
+  if (e.kinetic > now_.calm_kinetic &&
+      2 * e.kinetic > std::accumulate(masses.begin(), masses.end(), 0.0) * creep * creep)
+    return from_here();
   now_.rested = true;
   if (const std::vector<double> kinks = model().kinks(); !kinks.empty() && time() < kinks.back())
     notices().remark("dynamic: at rest at " + number(time()) + " s; loads or motions of the model go on to " +
@@ -170,8 +204,9 @@ void Dynamic::report_unrest(const EnergyAccount& e) {
            (e.stored > 0 ? " of that stored" : " J, and none is stored") + " (calm is up to " +
            number(options_.until_rest->calm) + ")";
   if (why.empty())
-    why = "it has been calm for " + number(time() - std::max(now_.calm_since, began()), 3) + " s only, of " +
-          number(options_.until_rest->window) + " s";
+    why = "no node has moved by more than " + number(still(), 3) + " m for " +
+          number(time() - std::max(now_.calm_since, began()), 3) + " s only, of " + number(rests_after(), 3) +
+          " s";
   warn("rest", "warning: dynamic: not at rest at the end, " + number(time()) + " s: " + why +
                    "; a longer duration or more damping would do");
 }
@@ -187,7 +222,8 @@ std::string Dynamic::method() const {
   if (o.spectral_radius) text << ", spectral radius " << number(*o.spectral_radius);
   text << decided_text(dynamic_options(), o);
   if (o.until_rest)
-    text << ", until rest " << number(o.until_rest->calm) << " for " << number(o.until_rest->window) << " s";
+    text << ", until rest " << number(o.until_rest->calm) << " for " << number(o.until_rest->window)
+         << " s within " << number(o.until_rest->still.value_or(-1)) << " m";
   if (o.linear != Symmetry::automatic) text << ", linear " << static_cast<int>(o.linear);
   return text.str();
 }

@@ -22,10 +22,12 @@ inline constexpr double kDampingAlpha = -0.2;
 // with gamma = 1, or by Euler's backward rule.
 enum class Damping { none, hht, strong, backward };
 
-// The run ends when all seams that are drawn have closed, and the kinetic energy has been at most `calm` of
-// the energy stored for as long as the window.
+// The run ends when all seams that are drawn have closed, and for as long as the window, and as a third of
+// the time since seams, loads and motions were last changing, the kinetic energy has been at most `calm` of
+// the energy stored, and no node has gone farther than `still`.
 struct UntilRest {
   double calm = 1e-2, window = 0.02;  // window: s
+  std::optional<double> still = {};   // m
 };
 
 // Described by the rows of dynamic_options(), in dynamic_options.cpp.
@@ -143,12 +145,15 @@ class Dynamic : public Run {
     double kinetic = 0, scaled = 0;  // J, the largest so far; its part in scaled rotary inertia
     mesh::Index began = -1;          // element in which energy was created at the first warning
     std::int64_t touched = -1;       // committed steps when a moved body first touched; -1: not yet
-    double forgiven = 0;     // the ledger's error over its scale when steps were shortened for a turning
-    double early = 0;        // J, the ledger's error while ten times the limit was allowed
-    int short_steps = 0;     // steps that contact has made much shorter
-    int flat_looks = 0;      // how often it was asked whether a flat sheet is stable
-    double calm_since = -1;  // s; -1: it is not calm
-    bool rested = false;     // it has ended at rest before
+    double forgiven = 0;      // the ledger's error over its scale when steps were shortened for a turning
+    double early = 0;         // J, the ledger's error while ten times the limit was allowed
+    int short_steps = 0;      // steps that contact has made much shorter
+    int flat_looks = 0;       // how often it was asked whether a flat sheet is stable
+    double calm_since = -1;   // s; -1: it is not calm
+    double calm_kinetic = 0;  // J, then
+    std::vector<double> calm_places;  // of the nodes, then, m
+    double led_until = 0;             // s, the last look at which seams, loads or motions were changing
+    bool rested = false;              // it has ended at rest before
     void keep_reported(const DynamicState& then) {
       reported_error |= then.reported_error, reported_split |= then.reported_split;
       reported_jump |= then.reported_jump, reported_scaled |= then.reported_scaled;
@@ -157,7 +162,8 @@ class Dynamic : public Run {
     void keep(Archive& archive) {
       archive(step, loss, driven_kinetic_at_0, next_check, steps, looked, reported_error, reported_split,
               reported_jump, reported_scaled, was_over, damping, settling, settles, surplus, base, kinetic,
-              scaled, began, touched, forgiven, early, short_steps, flat_looks, calm_since, rested);
+              scaled, began, touched, forgiven, early, short_steps, flat_looks, calm_since, calm_kinetic,
+              calm_places, led_until, rested);
     }
   } now_;
 
@@ -168,6 +174,9 @@ class Dynamic : public Run {
   void watch_rest();
   void report_unrest(const EnergyAccount& energies);
   bool is_calm(const EnergyAccount& energies) const;
+  bool is_led() const;                                // by seams, loads or motions
+  double still() const;                               // m, the way of a node within which it rests
+  double rests_after() const;                         // s, that it has to be calm
   void weigh_inertia(double kinetic, double scaled);  // records the part of scaled rotary inertia, J
   bool is_end(double time) const;
   double next_look(double after) const;  // s, when the ledger is looked at next

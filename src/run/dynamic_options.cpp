@@ -37,11 +37,15 @@ field::FieldOf<O> rest_row() {
   using field::number;
   const std::vector<field::FieldOf<UntilRest>> rows = field::with_defaults<UntilRest>(
       {number("calm", &UntilRest::calm, "", {0, 1, true, true}, "kinetic energy over the energy stored"),
-       number("window", &UntilRest::window, "s", positive, "how long it has to be that calm")});
-  return field::group("until_rest", &O::until_rest, rows,
-                      "end where all rests: when every seam that is drawn has closed and the kinetic energy "
-                      "has been at most calm= of that stored for window=; a.stopped is then 'at rest', and "
-                      "solve() goes on to the duration, which it may take at most");
+       number("window", &UntilRest::window, "s", positive, "how long it has to be that calm, at least"),
+       number("still", &UntilRest::still, "m", positive, "how far a node may move meanwhile")
+           .or_by("1/1000 of the size of the cloth")});
+  return field::group(
+      "until_rest", &O::until_rest, rows,
+      "end where all rests: every seam that is drawn has closed, and for window= and for a third of "
+      "the time since seams, loads or motions changed, the kinetic energy has been at most "
+      "calm= of that stored and no node has moved by more than still=; a.stopped is then "
+      "'at rest', and solve() goes on to the duration, which it may take at most");
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ local function vest(t)
   m:seam { "f.ls", "b.rs", hinge = true }:seam { "f.rs", "b.ls", hinge = true }
   m:seam { "f.lsh", "b.rsh", over = t.over, hinge = true }:seam { "f.rsh", "b.lsh", over = t.over, hinge = true }
   m:gravity { 0, 0, -9.81 }:contact { between = { trunk, "all" }, friction = t.friction or 0.4 }
-  return fabric.dynamic { model = m, duration = t.duration or 1.5, damping = { mass = 30 }, until_rest = { calm = 0.05, window = 0.03 } }
+  return fabric.dynamic { model = m, duration = t.duration or 1.5, damping = { mass = 30 }, until_rest = { calm = 0.05, window = 0.03, still = 20 * mm } }
 end
 
 -- As a child: places while the shoulders are led over the trunk, whole or taken up from a checkpoint on the way.

@@ -181,7 +181,7 @@ wrong("fabric.dynamic", "fabric.dynamic{ model=held, duration=1, scheme='explict
 wrong("fabric.dynamic", "fabric.dynamic{ model=held, duration=1, damping=5 }",
   "deck.lua:1: dynamic: field 'damping': expected a table {mass, stiffness}, got 5")
 wrong("fabric.dynamic", "fabric.dynamic{ model=held, duration=1, until_rest=true }",
-  "deck.lua:1: dynamic: field 'until_rest': expected a table {calm, window}, got true")
+  "deck.lua:1: dynamic: field 'until_rest': expected a table {calm, window, still}, got true")
 wrong("fabric.dynamic", "fabric.dynamic{ model=held, duration=1, until_rest={ calm=0 } }",
   "deck.lua:1: dynamic: field 'until_rest.calm': expected a number above 0 to below 1, got 0")
 wrong("fabric.dynamic", "fabric.dynamic{ model=held, duration=1, until_rest={ calm=1e300 } }",
