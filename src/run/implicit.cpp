@@ -241,7 +241,7 @@ bool Implicit::attempt(double size, StepReport& report) {
   const double now = committed_time();
   problem_.set_time(size);
   auto result = newton_.solve(problem_, {options_.tolerance, options_.max_iterations, options_.line_search});
-  if (result.status == solver::NewtonStatus::converged && result.negative_pivots > 0)
+  if (result.status == solver::NewtonStatus::converged && result.negative_pivots > 0 && damps_unresolved())
     result = minimise(std::move(result), size, report);
   if (result.status == solver::NewtonStatus::too_many_iterations && problem_.at_target() &&
       result.residuals.back() <= std::min(1e-5, kStanding * options_.tolerance))
@@ -255,6 +255,13 @@ bool Implicit::attempt(double size, StepReport& report) {
   const bool converged = step_.take(result, report.step, *assembly_, model_->mesh());
   trial_time_ = converged ? size : now;
   return converged;
+}
+
+// Euler's rule, or what a deck has chosen to damp what no step resolves.
+bool Implicit::damps_unresolved() const {
+  const auto& scheme = newmark_.scheme();
+  return now_.settling == 0 &&
+         (options_.spectral_radius || (scheme.is_trapezoidal() && scheme.gamma == kBackward));
 }
 
 // A step is a minimum of one potential, of the motion, the cloth, contact and the loads. Newton's method

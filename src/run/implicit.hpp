@@ -60,6 +60,7 @@ class Implicit final : public Dynamic {
   void weigh_step_ends();
   void take_scheme();  // that of the options, the one that damps, or the one in which directors settle
   bool has_turning_directors() const;
+  bool damps_unresolved() const;
   solver::NewtonResult minimise(solver::NewtonResult found, double size, const StepReport& report);
   void settle();
 
