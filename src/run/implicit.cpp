@@ -261,7 +261,7 @@ bool Implicit::attempt(double size, StepReport& report) {
 bool Implicit::damps_unresolved() const {
   const auto& scheme = newmark_.scheme();
   return now_.settling == 0 &&
-         (options_.spectral_radius || (scheme.is_trapezoidal() && scheme.gamma == kBackward));
+         (options_.spectral_radius.value_or(1) < 1 || (scheme.is_trapezoidal() && scheme.gamma == kBackward));
 }
 
 // A step is a minimum of one potential, of the motion, the cloth, contact and the loads. Newton's method
