@@ -313,10 +313,8 @@ void Implicit::commit(StepReport& report) {
   const bool was_cut = report.cuts > 0 || repeatable_.halved > 0;
   if (options_.error)
     control_.aim(was_cut ? std::min(next_, control_.current()) : next_);
-  else {
-    if (report.cuts > 0) control_.rest_after_failure();
+  else
     control_.grow(step_.last.far, was_cut);
-  }
   now_.step = control_.current();
   ++now_.steps;
 }
