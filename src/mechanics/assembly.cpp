@@ -61,7 +61,7 @@ bool Assembly::limits() const {
 // Supports go to their targets whatever the fraction is; if that is not safe either, the result is 0. Bodies
 // that turn take another way to a part of the step than to all of it: what such a way then allows is taken
 // with some room, since it would come nearer to the same limit by ever less.
-double Assembly::limit(std::span<const double> delta, std::span<const double> targets) {
+double Assembly::limit(std::span<const double> delta, std::span<const double> targets, double way) {
   constexpr int tries = 5;
   constexpr double room = 0.9;
   std::vector<StepLimiter*> limiters;
@@ -74,20 +74,20 @@ double Assembly::limit(std::span<const double> delta, std::span<const double> ta
     return smallest;
   };
   for (auto* const limiter : limiters) limiter->mark(trial());
-  apply_increment(delta, 1, targets);
+  apply_increment(delta, way, targets);
   // A step across many elements would have to be checked against everything; only its beginning is checked.
   double fraction = least(&StepLimiter::near_share);
-  if (fraction < 1) apply_increment(delta, fraction, targets);
+  if (fraction < 1) apply_increment(delta, way * fraction, targets);
   fraction *= least(&StepLimiter::safe_fraction);
   for (int i = 0; fraction < 1 && fraction > 0; ++i) {
-    apply_increment(delta, fraction, targets);
+    apply_increment(delta, way * fraction, targets);
     const double again = least(&StepLimiter::safe_fraction);
     if (again >= 1) return fraction;
     fraction = i == tries ? 0 : room * fraction * again;
   }
   if (fraction > 0) return fraction;
   // The forces of the whole step say why there is none, for a run that ends here.
-  apply_increment(delta, 1, targets);
+  apply_increment(delta, way, targets);
   Forces sums = this->sums();
   Outcome worst;
   for (const auto& term : terms_) {
@@ -97,6 +97,31 @@ double Assembly::limit(std::span<const double> delta, std::span<const double> ta
   }
   take(std::move(worst));
   return 0;
+}
+
+bool Assembly::is_safe(std::span<const double> delta, double part, std::span<const double> targets) {
+  apply_increment(delta, part, targets);
+  const auto& all = terms_.limiters();
+  return std::all_of(all.begin(), all.end(), [this](auto* limiter) {
+    return !limiter->limits() || limiter->safe_fraction(trial()) >= 1;
+  });
+}
+
+bool Assembly::parts_leave_way() const {
+  return limits() && std::any_of(terms_.movers().begin(), terms_.movers().end(),
+                                 [](const auto* mover) { return mover->parts_leave_way(); });
+}
+
+void Assembly::save_iterate() {
+  const auto k = std::as_const(configuration_).kinematics();
+  saved_.assign(k.begin(), k.end());
+  for (auto* const mover : terms_.movers()) mover->save();
+}
+
+void Assembly::restore_iterate() {
+  std::copy(saved_.begin(), saved_.end(), configuration_.kinematics().begin());
+  configuration_.touch();
+  for (auto* const mover : terms_.movers()) mover->restore();
 }
 
 namespace {

@@ -40,6 +40,8 @@ class Assembly {
 
   // --- configurations: see Dofs
   void begin_iterate();
+  void save_iterate();     // the trial configuration
+  void restore_iterate();  // trial = the one saved last
   // share: of the ways of what terms move themselves, where that is not `scale`, as in a step that does not
   // iterate: there the unknowns move by their rates times the time.
   void apply_increment(std::span<const double> delta, double scale, std::span<const double> targets,
@@ -56,10 +58,15 @@ class Assembly {
   // At rest: the stiffness of the terms' own unknowns, the nodes following them, over some that is positive:
   // it has as many negative eigenvalues. Empty: there are none of which an energy decides, or no solution.
   Eigen::MatrixXd own_stiffness(const Solve& solve);
-  // The fraction, 0 to 1, of a step from the iterate along delta, with the supports at their targets, that
-  // all terms consider safe. If one of them limits steps, the trial configuration is left somewhere along it.
-  double limit(std::span<const double> delta, std::span<const double> targets);
+  // From the iterate, which is the trial configuration: the share, 0 to 1, of `way` times a step along delta,
+  // with the supports at their targets, that all terms consider safe. If one of them limits steps, the trial
+  // configuration is left somewhere along it.
+  double limit(std::span<const double> delta, std::span<const double> targets, double way = 1);
   bool limits() const;  // whether any does
+  // The same for a part of that way, which leaves it where terms move other than by its share. Leaves the
+  // trial configuration there.
+  bool is_safe(std::span<const double> delta, double part, std::span<const double> targets);
+  bool parts_leave_way() const;
 
   // --- at the trial configuration. False: a term failed (see outcome).
   bool forces(const law::Step& step);  // internal forces and trial states
@@ -146,6 +153,7 @@ class Assembly {
   linear::Matrix kept_apart_;                          // room for the entries that a tangent keeps apart
   std::vector<NodePair> coupled_, committed_coupled_;  // pairs in the pattern, ascending; at the last commit
   std::vector<double> force_x_, force_d_;              // internal, 3 per node
+  std::vector<double> saved_;                          // kinematics of an iterate
   double lost_ = 0;                                    // J, in joints
   double trial_time_ = 0;                              // s
   const Motion* motion_ = nullptr;

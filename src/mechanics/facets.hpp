@@ -120,6 +120,10 @@ class OwnUnknowns : public Facet {
   virtual void begin_iterate() {}
   virtual void move(double scale) = 0;             // by a fraction of the solver's step
   virtual bool at_target() const { return true; }  // whether prescribed ways are at their ends
+  // Whether what it moves by a part of the solver's step does not lie on the straight way to the whole.
+  virtual bool parts_leave_way() const { return false; }
+  virtual void save() {}     // what move() changes
+  virtual void restore() {}  // as saved last
   virtual std::size_t own_unknowns() const { return 0; }
   // Effect of a change of unknown j on the internal forces on the nodes, N, 3 per node. False: none.
   virtual bool own_push(std::size_t /*j*/, std::span<double> /*on_x*/) const { return false; }

@@ -186,16 +186,6 @@ void EquilibriumProblem::keep(Archive& archive) {
   if (archive.reading()) set_time(std::as_const(assembly_).state().time());
 }
 
-void EquilibriumProblem::save_iterate() {
-  const auto k = std::as_const(assembly_).state().kinematics();
-  kept_.assign(k.begin(), k.end());
-}
-
-void EquilibriumProblem::restore_iterate() {
-  std::copy(kept_.begin(), kept_.end(), assembly_.state().kinematics().begin());
-  assembly_.state().touch();
-}
-
 law::Step EquilibriumProblem::step(law::AtSwitch at) const {
   const double now = std::as_const(assembly_).state().time();
   return {now, trial_time_ - now, at};
@@ -307,6 +297,12 @@ double EquilibriumProblem::force_scale() const {
 
 // --- Newton
 
+void EquilibriumProblem::return_to_commit() {
+  assembly_.rollback();
+  assembly_.begin_iterate();
+  arrived_ = memory_.driven;
+}
+
 // Sets the increments of the driven degrees of freedom in the step.
 void EquilibriumProblem::lead_to_targets() {
   for (std::size_t i = 0; i < lead_.size(); ++i) lead_[i] = targets_[i] - memory_.driven[i];
@@ -323,8 +319,7 @@ void EquilibriumProblem::lead_to_targets() {
 }
 
 Answer EquilibriumProblem::predict(linear::Matrix& K, std::span<double> r, std::span<double> lead) {
-  assembly_.rollback();
-  assembly_.begin_iterate();
+  return_to_commit();
   lead_to_targets();
   if (newmark_ == nullptr) set_push(external_, memory_.external);
   const bool turns = newmark_ == nullptr && reverses();
@@ -383,8 +378,7 @@ Answer EquilibriumProblem::extrapolated_tangent(linear::Matrix& K) {
 // --- path following
 
 Answer EquilibriumProblem::start(linear::Matrix& K, std::span<double> r, std::span<double> q) {
-  assembly_.rollback();
-  assembly_.begin_iterate();
+  return_to_commit();
   look_ahead();
   const auto at = memory_.kink && reverses() ? law::AtSwitch::unloading : law::AtSwitch::loading;
   const Answer answer = tangent_and_rate(at, K, q);

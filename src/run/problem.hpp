@@ -64,19 +64,29 @@ class EquilibriumProblem final : public solver::PathProblem {
   void apply_increment(std::span<const double> delta, double scale) override {
     assembly_.apply_increment(delta, scale, targets_);
   }
-  void accept() override { assembly_.begin_iterate(); }
+  void accept() override {
+    assembly_.begin_iterate();
+    arrived_ = targets_;
+  }
   bool at_target() const override { return assembly_.terms().at_target(); }
   Answer residual(std::span<double> r) override;
   Answer tangent(linear::Matrix& K) override;
   double turn_of(std::span<const double> delta) const override;
-  void save_iterate() override;
-  void restore_iterate() override;
+  void save_iterate() override { assembly_.save_iterate(); }
+  void restore_iterate() override { assembly_.restore_iterate(); }
   double force_scale() const override;
 
  private:
   void add_mass(linear::Matrix& K, double c, double of_body);
   // --- the rest of it
-  double limit(std::span<const double> delta) override { return assembly_.limit(delta, targets_); }
+  double limit(std::span<const double> delta, double way) override {
+    return assembly_.limit(delta, targets_, way);
+  }
+  // The supports go all of their way in any part of a step.
+  bool is_safe(std::span<const double> delta, double part) override {
+    return !assembly_.limits() || (arrived_ == targets_ && !assembly_.parts_leave_way()) ||
+           assembly_.is_safe(delta, part, targets_);
+  }
   bool finish_direction(const Solve& solve, std::span<double> delta) override {
     return assembly_.finish_direction(solve, weight(), delta);
   }
@@ -105,6 +115,7 @@ class EquilibriumProblem final : public solver::PathProblem {
   Answer made(bool done) const { return done ? Answer::ok : assembly_.outcome().answer; }
   bool iterates() const { return newmark_ != nullptr || !motion_.moves(); }
   double weight() const { return newmark_ == nullptr ? 1 : 1 + newmark_->scheme().hht; }  // of the forces
+  void return_to_commit();
   void lead_to_targets();
   void balance(double inertia, double at_end, std::span<double> r);
   mechanics::NodalRates accelerations(std::span<const double> r);
@@ -124,8 +135,9 @@ class EquilibriumProblem final : public solver::PathProblem {
   Newmark* newmark_;  // null for other schemes
   const Poll& poll_;
   double small_time_, trial_time_ = 0;
-  std::vector<double> product_, ahead_, later_external_, push_, kept_, balance_, on_x_, on_d_;
+  std::vector<double> product_, ahead_, later_external_, push_, balance_, on_x_, on_d_;
   std::vector<double> lead_, targets_, external_;
+  std::vector<double> arrived_;          // the targets at which the supports are in the iterate
   std::vector<double> lumped_;           // mass of each unknown, kg and kg m^2, once it is needed
   struct StepMemory {                    // the data of earlier steps that the next one needs
     std::vector<double> driven, lead;    // at the last commit; change in the last step

@@ -33,9 +33,11 @@ class Problem {
   virtual Answer predict(Matrix& K, std::span<double> r, std::span<double> lead) = 0;
   // trial = iterate moved by scale * delta, with the supports at their targets.
   virtual void apply_increment(std::span<const double> delta, double scale) = 0;
-  // The fraction of a step from the iterate along delta that is safe, at most 1. At 0
+  // The share of `way` times a step from the iterate along delta that is safe, at most 1. At 0
   // the step must be cut. (The supports go to their targets whatever the fraction.)
-  virtual double limit(std::span<const double> /*delta*/) { return 1; }
+  virtual double limit(std::span<const double> /*delta*/, double /*way*/ = 1) { return 1; }
+  // Whether a part of the way that limit() was last asked for is safe, too. It need not lie on that way.
+  virtual bool is_safe(std::span<const double> /*delta*/, double /*part*/) { return true; }
   // A direction delta = K^-1 r, to which the problem adds what it solves for beside the matrix; solve: K x =
   // b. False: there is none.
   using Solve = std::function<bool(std::span<const double> b, std::span<double> x)>;
@@ -57,7 +59,7 @@ class Problem {
   virtual void add_inertia(Matrix& /*K*/, double /*times*/) {}
   // rad: the largest turn that a step along delta makes, of a director, or of a mean edge by its end.
   virtual double turn_of(std::span<const double> delta) const = 0;
-  virtual void save_iterate() = 0;     // stores the iterate
+  virtual void save_iterate() = 0;     // stores the trial configuration, an iterate
   virtual void restore_iterate() = 0;  // trial = the iterate stored last
   // The largest entry of a residual in N (moments are divided by
   // the problem's length), and the unknown that has it (-1: none).

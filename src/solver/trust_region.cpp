@@ -163,6 +163,7 @@ void Walk::evaluate(TrialStep& step) {
 void Walk::search(double fraction, bool moving, TrialStep& step) {
   double end = 0;
   const auto found = line_search(work_, {!moving, true, fraction}, [&](double s) -> TriedFraction {
+    if (s != fraction && !problem_.is_safe(delta_, s)) return {Answer::cut};
     end = work_at(s, step);
     return {step.answer, end};
   });
@@ -315,9 +316,14 @@ Walk::Saddle Walk::leave_saddle() {
   if (!take_mode()) return Saddle::stays;
   if (rises_on_both_sides()) return tangent_at_iterate() == Answer::ok ? Saddle::none : Saddle::stays;
   if (check_.negative() > options_.most_unstable || saddles_ == std::size(kAway)) return Saddle::stays;
-  const double turn = std::min(options_.turns * kAway[saddles_++], problem_.limit(delta_));
-  const double one = work_to_side(turn), other = work_to_side(-turn);
-  work_to_side(one >= kSame * other ? turn : -turn);
+  const double turn = options_.turns * kAway[saddles_++];
+  const auto end_of = [this](double way) {
+    work_to_side(0);
+    return way * problem_.limit(delta_, way);
+  };
+  const double end = end_of(turn), other_end = end_of(-turn);
+  const double one = work_to_side(end), other = work_to_side(other_end);
+  work_to_side(one >= kSame * other ? end : other_end);
   r_.swap(trial_r_);
   radius_ = kWidest;
   next_m_ = kFirst;

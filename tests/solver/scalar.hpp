@@ -54,7 +54,7 @@ class Scalar final : public solver::PathProblem {
     shares.push_back(scale);
     trial_ = iterate_ + scale * delta[0];
   }
-  double limit(std::span<const double> delta) override { return safe ? safe(iterate_, delta[0]) : 1; }
+  double limit(std::span<const double> delta, double) override { return safe ? safe(iterate_, delta[0]) : 1; }
   void accept() override { iterate_ = trial_; }
   Answer residual(std::span<double> r) override {
     if (broken && broken(trial_)) return Answer::broken;

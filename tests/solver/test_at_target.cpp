@@ -30,7 +30,9 @@ class Late final : public Problem {
     tangent(K);
     return residual(r);
   }
-  double limit(std::span<const double>) override { return std::min(1.0, stride / (way - body_iterate_)); }
+  double limit(std::span<const double>, double) override {
+    return std::min(1.0, stride / (way - body_iterate_));
+  }
   void apply_increment(std::span<const double> delta, double scale) override {
     trial_ = iterate_ + scale * delta[0];
     body_ = body_iterate_ + (at_target() ? 0 : scale * (way - body_iterate_));

@@ -71,6 +71,16 @@ void BodyEquations::move(double scale) {
   state_.fly();
 }
 
+void BodyEquations::save() {
+  for (BodyState::Free& free : state_.free) free.saved = free.end;
+}
+
+void BodyEquations::restore() {
+  if (!state_.implicit || state_.free.empty()) return;
+  for (BodyState::Free& free : state_.free) free.end = free.saved;
+  state_.fly();
+}
+
 BodyEquations::Matrix6 BodyEquations::compliance(std::size_t free) const {
   const double dt = state_.flight();
   Matrix6 out = Matrix6::Zero();

@@ -21,6 +21,8 @@ class BodyEquations {
   void direct(std::span<const double> way);  // the change that move() takes shares of
   void begin_iterate();
   void move(double scale);
+  void save();     // the unknowns
+  void restore();  // as saved last
   // Of a free body, by its number: the derivative of its position and rotation by the force and torque at
   // the step's end, 6 x 6.
   using Matrix6 = Eigen::Matrix<double, 6, 6>;

@@ -26,8 +26,9 @@ struct BodyState {
     }
     contact::Wrench load = {};  // of loads, springs and dampers, in `trial` already
     double largest = 0;         // N, of what pushes it
-    // Implicit steps: the force at the end with which it flies, that of the iterate, and the change from it.
-    contact::Wrench end = {}, iterate = {}, way = {};
+    // Implicit steps: the force at the end with which it flies, that of the iterate, the change from it, and
+    // that of an iterate to which the solver may return.
+    contact::Wrench end = {}, iterate = {}, way = {}, saved = {};
   };
   struct Body {
     model::RigidPointer given;

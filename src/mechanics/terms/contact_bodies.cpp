@@ -21,6 +21,16 @@ void BodyUnknowns::move(double scale) {
   equations().move(scale);
 }
 
+void BodyUnknowns::save() {
+  saved_share_ = state_.share;
+  equations().save();
+}
+
+void BodyUnknowns::restore() {
+  state_.share = saved_share_;
+  equations().restore();
+}
+
 void BodyUnknowns::clear() {
   pairs_ = 0;
   blocks_.clear();

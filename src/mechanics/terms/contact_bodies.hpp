@@ -24,6 +24,10 @@ class BodyUnknowns final : public OwnUnknowns {
   void begin_iterate() override;
   void move(double scale) override;
   bool at_target() const override { return state_.share >= 1 || !state_.surfaces.moves(); }
+  // Free bodies go by a share of a way whose end changes in the same iteration, and turn.
+  bool parts_leave_way() const override { return own_unknowns() > 0; }
+  void save() override;
+  void restore() override;
   std::size_t own_unknowns() const override { return equations().unknowns(); }
   bool own_push(std::size_t j, std::span<double> on_x) const override;
   Eigen::VectorXd own_answer(std::span<const double> move) const override;
@@ -77,6 +81,7 @@ class BodyUnknowns final : public OwnUnknowns {
   ContactState& state_;
   const GasOnBodies& gas_;
   bool static_ = false;
+  double saved_share_ = 0;
   std::size_t pairs_ = 0;
   std::vector<PairBlock> blocks_;
   std::vector<OnBody> on_bodies_;

@@ -34,6 +34,7 @@ void ContactPassing::mark(const Trial& trial) {
   marked_.resize(state_.x.size());
   by_.resize(state_.x.size());
   state_.positions(trial.configuration.x(), state_.share, marked_);
+  marked_gap_ = state_.evaluated ? state_.trial.gap : 0;
 }
 
 double ContactPassing::near_share(const Trial& trial) {
@@ -57,9 +58,7 @@ double ContactPassing::safe_fraction(const Trial& trial) {
     by_[i] -= marked_[i];
     most = std::max(most, by_[i].squaredNorm());
   }
-  if (state_.evaluated && contact::cannot_meet(std::sqrt(most), state_.trial.gap) &&
-      vertex_motion_bounds_surface_motion)
-    return 1;
+  if (contact::cannot_meet(std::sqrt(most), marked_gap_) && vertex_motion_bounds_surface_motion) return 1;
   return state_.pairs.safe_fraction(marked_, by_);
 }
 

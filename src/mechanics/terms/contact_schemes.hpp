@@ -67,6 +67,7 @@ class ContactPassing final : public StepLimiter {
  private:
   ContactState& state_;
   std::vector<Vec3> marked_, by_;
+  double marked_gap_ = 0;  // m, the smallest where the way begins; 0: not known
   // Whether the motion of a point is given: nodes that are held or driven, vertices of bodies that are not
   // free. Empty: nothing of that kind moves towards cloth of that kind.
   std::vector<char> driven_;
