@@ -16,6 +16,10 @@ constexpr int kMostOnBranches = 20;  // iterations
 // of all others, or as far as the first.
 constexpr double kFurthestFirst = 1, kFurthest = 0.3;
 constexpr double kMostInertia = 100;
+// On branches: directions until yarns have found most of theirs; the share of the residual's work along one
+// that may be left at its end, and after how many in turn with more it is of no use to go on.
+constexpr int kSettles = 3, kSwings = 2;
+constexpr double kContracts = 0.5;
 constexpr int kMoreTimes = 3;   // max_iterations, while the residual falls near a solution
 constexpr double kNear = 1e-3;  // a residual near a solution
 }  // namespace
@@ -70,6 +74,7 @@ std::optional<NewtonStatus> Newton::search(Problem& problem, bool search) {
   const double largest = problem.limit(delta_);
   if (!(largest > 0)) return NewtonStatus::blocked;
   const auto try_fraction = [&](double a) -> TriedFraction {
+    if (a != largest && !problem.is_safe(delta_, a)) return {Answer::cut};
     problem.apply_increment(delta_, a);
     const Answer answer = checked(problem.residual(trial_r_), trial_r_);
     if (answer != Answer::ok) return {answer};
@@ -93,6 +98,25 @@ bool ends_near(std::span<const double> residuals) {
   constexpr double kFalls = 0.25;
   const std::size_t n = residuals.size();
   return n >= 3 && residuals[n - 1] < kNear && residuals[n - 1] > kFalls * residuals[n - 3];
+}
+
+// To the trial configuration a fraction of delta away, whose residual is then in `trial`; r: that of the
+// iterate. shortens: where the forces there push back by more than they pushed, to a shorter one, as after a
+// direction that is much too long. share: the work of the residual along delta there over that here.
+Answer go(Problem& problem, std::span<const double> delta, std::span<const double> r, double fraction,
+          bool shortens, std::span<double> trial, double& share) {
+  constexpr int kTimes = 2;
+  const double before = dot(delta, r);
+  for (int i = 0;; ++i) {
+    problem.apply_increment(delta, fraction);
+    const Answer answer = checked(problem.residual(trial), trial);
+    if (answer != Answer::ok) return answer;
+    const double after = dot(delta, trial);
+    share = after == 0 ? 0 : after / before;
+    if (!shortens || i == kTimes || !(-after > std::abs(before))) return answer;
+    fraction *= std::clamp(before / (before - after), 0.1, 0.5);
+    if (!problem.is_safe(delta, fraction)) return Answer::cut;
+  }
 }
 
 // Yarns without load that are all at their kinks let a residual fall slowly but surely.
@@ -157,9 +181,10 @@ bool Newton::bring_within(double furthest, Problem& problem, NewtonResult& resul
   return true;
 }
 
-// Stresses that are linear about the strains predicted need no line search: what a turn stretches falsely,
-// and where a yarn goes beyond its branch, the next direction takes back. Ends with too many iterations at a
-// trial configuration from which others can go on, with law_failed where there is none.
+// Stresses that are linear about the strains predicted hardly need a line search: what a turn stretches
+// falsely, and where a yarn goes beyond its branch, the next direction takes back. Where two in turn hardly
+// do, yarns change their branches to and fro. Ends with too many iterations at a trial configuration from
+// which others can go on, with law_failed where there is none.
 NewtonResult Newton::follow_branches(Problem& problem, const NewtonOptions& options) {
   NewtonResult result;
   const auto failed = [&result] {
@@ -167,6 +192,7 @@ NewtonResult Newton::follow_branches(Problem& problem, const NewtonOptions& opti
     return result;
   };
   double furthest = 0;
+  int swings = 0;
   for (int i = 0; i < std::min(kMostOnBranches, options.max_iterations); ++i) {
     if (!direction(problem)) return failed();
     ++result.iterations;
@@ -175,12 +201,14 @@ NewtonResult Newton::follow_branches(Problem& problem, const NewtonOptions& opti
     if (!bring_within(furthest, problem, result)) return failed();
     const double fraction = problem.limit(delta_);
     if (!(fraction > 0)) return failed();
-    problem.apply_increment(delta_, fraction);
-    if (checked(problem.residual(trial_r_), trial_r_) != Answer::ok) return failed();
+    const bool arrived = i > 0 && problem.at_target();
+    double share = 0;
+    if (go(problem, delta_, r_, fraction, arrived, trial_r_, share) != Answer::ok) return failed();
+    swings = !arrived || i < kSettles || std::abs(share) <= kContracts ? 0 : swings + 1;
     const std::optional<NewtonStatus> judged = judge(problem, trial_r_, options.tolerance, result);
     if (judged && judged != NewtonStatus::converged) return failed();
     if (judged) result.status = *judged;
-    if (judged || ends_near(result.residuals)) break;
+    if (judged || swings == kSwings || ends_near(result.residuals)) break;
     if (checked(problem.tangent_on_branches(K_, r_), r_) != Answer::ok) return failed();
     problem.accept();
   }
