@@ -430,12 +430,12 @@ end
 
 -- --- what has passed
 
--- Facets as contact cuts them. Sheets of one kind of cloth are a surface.
+-- Facets as contact cuts them. Sheets of one kind of cloth are a surface: those that are as thick and heavy, also of two cards.
 local function facets_of_cloth(run, bodies)
   local mesh, at = run.mesh, run:field "reference"
   local centre, surfaces, first, facets = brute.middle(at), {}, 0, {}
   for i, b in ipairs(bodies) do
-    if not (i > 1 and b.card == bodies[1].card) then surfaces[#surfaces + 1] = { nodes = at, elements = {} } end
+    if not (i > 1 and b.card.thickness == bodies[1].card.thickness) then surfaces[#surfaces + 1] = { nodes = at, elements = {} } end
     table.move(mesh.elements, first + 1, first + #b.mesh.elements, #surfaces[#surfaces].elements + 1, surfaces[#surfaces].elements)
     first = first + #b.mesh.elements
   end
