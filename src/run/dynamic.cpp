@@ -219,7 +219,7 @@ std::string Dynamic::method() const {
        << ", damping " << number(o.mass_damping) << " and " << number(o.stiffness_damping)
        << ", scaled inertia " << scaled_ << ", line search " << o.line_search << ", force " << o.force
        << solver_text(o.solver);
-  if (o.spectral_radius) text << ", spectral radius " << number(*o.spectral_radius);
+  if (o.spectral_radius || radius_ < 1) text << ", spectral radius " << number(radius_);
   text << decided_text(dynamic_options(), o);
   if (o.until_rest)
     text << ", until rest " << number(o.until_rest->calm) << " for " << number(o.until_rest->window)

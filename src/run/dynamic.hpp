@@ -92,9 +92,8 @@ class Dynamic : public Run {
   // The dissipation of the scheme (gamma, hht) in a step: W_ext - W_int - W_damp - change of kinetic energy.
   bool damps() const {
     const bool implicit = options_.scheme == Scheme::implicit_steps;
-    return now_.damping != Damping::none || options_.spectral_radius.value_or(1) < 1 ||
-           options_.gamma != 0.5 || options_.hht.value_or(0) != 0 ||
-           (implicit && options_.beta.value_or(0.25) != 0.25);
+    return now_.damping != Damping::none || radius_ < 1 || options_.gamma != 0.5 ||
+           options_.hht.value_or(0) != 0 || (implicit && options_.beta.value_or(0.25) != 0.25);
   }
   std::vector<double> driven_rates() const;  // of the driven freedoms at the trial time, m/s or 1/s
   double driven_kinetic() const override;
@@ -128,6 +127,7 @@ class Dynamic : public Run {
 
   DynamicOptions options_;
   const DynamicOptions given_;
+  double radius_ = 1;  // the spectral radius of an implicit scheme, where it is chosen by that
   bool scaled_;
   const mechanics::Inertia* inertia_ = nullptr;  // a term of the assembly
   double stable_ = 0, smallest_ = 0;             // s; m, the smallest element

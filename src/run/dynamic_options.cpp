@@ -62,13 +62,16 @@ const std::vector<field::FieldOf<DynamicOptions>>& dynamic_options() {
            "explicit (central differences) or implicit (Newmark with Newton)"),
       number("gamma", &O::gamma, "", Range{0.5, 1}, "of Newmark; above 1/2 it damps").or_by("1/2"),
       number("beta", &O::beta, "", Range{0, 1}, "of Newmark").or_by("0 explicit, (1/2 + gamma)^2/4 implicit"),
-      number("hht", &O::hht, "", Range{-1.0 / 3, 0},
-             "alpha of Hilbert, Hughes and Taylor: damps high frequencies")
+      number(
+          "hht", &O::hht, "", Range{-1.0 / 3, 0},
+          "alpha of Hilbert, Hughes and Taylor: damps high frequencies; beside contact as spectral_radius = "
+          "(1 + hht) / (1 - hht)")
           .or_by("0, and -0.2 from the step on in which implicit steps have made energy"),
       number("spectral_radius", &O::spectral_radius, "", Range{0, 1},
              "implicit: share of an amplitude that is left after a step much longer than its period; what is "
-             "lost is in energy.damping. From 1/2 on by alpha, of second order; below by the generalised "
-             "trapezoidal rule, which beside contact never makes energy"),
+             "lost is in energy.damping. By the generalised trapezoidal rule, which never makes energy of "
+             "contact; without contact from 1/2 on by alpha, of second order")
+          .or_by("1, beside contact 0.9 unless another field chooses the scheme, or error= the steps"),
       flag("slow", &O::slow,
            "implicit: motion that passes through near-equilibria, as spectral_radius=0 (Euler's backward "
            "rule): what is faster than the steps dies within them"),

@@ -58,15 +58,35 @@ constexpr double kStanding = 100;
 // With the modes of Newmark's method for gamma and the beta that damps most.
 NewmarkScheme damping_by(double gamma) { return NewmarkScheme::trapezoidal((0.5 + gamma) / 2); }
 
-// Hilbert, Hughes and Taylor's alpha has radii from 1/2 on and is of second order; below that only the
-// generalised trapezoidal rule has, down to Euler's backward rule.
-NewmarkScheme scheme_of_radius(double radius) {
-  return radius < 0.5 ? NewmarkScheme::trapezoidal(1 / (1 + radius))
-                      : NewmarkScheme::of_hht(-(1 - radius) / (1 + radius));
+// The radius beside contact of a deck that chooses no scheme. Average acceleration would keep what buckles
+// within a step on its saddle, and make energy where yarns or pairs switch.
+constexpr double kBesideContact = 0.9;
+
+bool has_contact(const mechanics::Assembly& assembly) {
+  return assembly.terms().find<mechanics::Contacts>() != nullptr;
 }
 
-NewmarkScheme scheme_of(const DynamicOptions& o) {
-  if (o.spectral_radius) return scheme_of_radius(*o.spectral_radius);
+bool chooses_none(const DynamicOptions& o) {
+  return !o.hht && !o.beta && !o.spectral_radius && o.gamma == 0.5;
+}
+
+double radius_of(const DynamicOptions& o, const mechanics::Assembly& assembly) {
+  if (o.spectral_radius || !has_contact(assembly)) return o.spectral_radius.value_or(1);
+  if (const double hht = o.hht.value_or(0); hht != 0) return (1 + hht) / (1 - hht);
+  return chooses_none(o) && !o.error ? kBesideContact : 1;
+}
+
+// Hilbert, Hughes and Taylor's alpha has radii from 1/2 on and is of second order; below that only the
+// generalised trapezoidal rule has, down to Euler's backward rule. Alpha's beta is not gamma / 2, so that
+// contact would make a velocity of what a load changes in a step: beside it that rule has all radii.
+NewmarkScheme scheme_of_radius(double radius, bool contact) {
+  return radius < 0.5 || contact ? NewmarkScheme::trapezoidal(1 / (1 + radius))
+                                 : NewmarkScheme::of_hht(-(1 - radius) / (1 + radius));
+}
+
+NewmarkScheme scheme_of(const DynamicOptions& o, const mechanics::Assembly& assembly) {
+  if (const double radius = radius_of(o, assembly); radius < 1)
+    return scheme_of_radius(radius, has_contact(assembly));
   const double hht = o.hht.value_or(0);
   if (hht != 0) return NewmarkScheme::of_hht(hht);
   return o.beta ? NewmarkScheme::of_newmark(o.gamma, *o.beta) : damping_by(o.gamma);
@@ -75,7 +95,7 @@ NewmarkScheme scheme_of(const DynamicOptions& o) {
 // The forces of contact work in a step against velocities, those of the cloth against accelerations. In
 // Newmark's method with more than the least beta the two mix, and contact could make energy.
 void check_contact(const DynamicOptions& o, const mechanics::Assembly& assembly) {
-  if (!o.beta || *o.beta == o.gamma / 2 || assembly.terms().find<mechanics::Contacts>() == nullptr) return;
+  if (!o.beta || *o.beta == o.gamma / 2 || !has_contact(assembly)) return;
   throw Error("dynamic: field 'beta': expected none beside contact, or gamma/2 = " + number(o.gamma / 2) +
               ", got " + number(*o.beta) +
               ", with which contact makes energy (gamma alone damps there, too)");
@@ -91,7 +111,7 @@ double steps_per_turn(const model::Model& model) {
 StepControl control_of(const DynamicOptions& o, const mechanics::Assembly& assembly) {
   const double usual = o.duration / (o.error ? 20 : 200);
   StepControl control{o.step.value_or(usual), 0, o.max_cuts, kMotionIterations};
-  if (assembly.terms().find<mechanics::Contacts>() != nullptr) control.expect_friction();
+  if (has_contact(assembly)) control.expect_friction();
   return control;
 }
 
@@ -100,10 +120,11 @@ StepControl control_of(const DynamicOptions& o, const mechanics::Assembly& assem
 Implicit::Implicit(std::shared_ptr<model::Model> model, const DynamicOptions& options,
                    std::shared_ptr<Notices> notices, const Beginning& beginning)
     : Dynamic(std::move(model), options, std::move(notices), beginning),
-      newmark_(*assembly_, *inertia_, scheme_of(options_)),
+      newmark_(*assembly_, *inertia_, scheme_of(options_, *assembly_)),
       problem_(*assembly_, newmark_, poll_),
       newton_(make_solver(options_.solver, !takes_unsymmetric(), is_near_symmetric())),
       control_(control_of(options, *assembly_)) {
+  radius_ = radius_of(options_, *assembly_);
   // Damping by stiffness multiplies its matrix, and a solver of one's own may read all of it.
   if (!takes_unsymmetric() && !(options_.stiffness_damping > 0) && !options_.solver) assembly_->keep_upper();
   if (is_near_symmetric()) assembly_->keep_apart();
@@ -260,8 +281,7 @@ bool Implicit::attempt(double size, StepReport& report) {
 // Euler's rule, or what a deck has chosen to damp what no step resolves.
 bool Implicit::damps_unresolved() const {
   const auto& scheme = newmark_.scheme();
-  return now_.settling == 0 &&
-         (options_.spectral_radius.value_or(1) < 1 || (scheme.is_trapezoidal() && scheme.gamma == kBackward));
+  return now_.settling == 0 && (radius_ < 1 || (scheme.is_trapezoidal() && scheme.gamma == kBackward));
 }
 
 // A step is a minimum of one potential, of the motion, the cloth, contact and the loads. Newton's method
@@ -313,8 +333,10 @@ void Implicit::commit(StepReport& report) {
   const bool was_cut = report.cuts > 0 || repeatable_.halved > 0;
   if (options_.error)
     control_.aim(was_cut ? std::min(next_, control_.current()) : next_);
-  else
+  else {
+    if (report.cuts > 0) control_.rest_after_failure();
     control_.grow(step_.last.far, was_cut);
+  }
   now_.step = control_.current();
   ++now_.steps;
 }
@@ -329,6 +351,8 @@ void Implicit::settle() {
   if (now_.settling == 0) take_scheme();
 }
 
+bool Implicit::chooses_scheme() const { return chooses_none(options_); }
+
 const mechanics::NodalRates& Implicit::rates() const { return newmark_.velocities(); }
 
 // Average acceleration keeps the energy of linear systems alone: the kinks of a fabric's law feed frequencies
@@ -342,9 +366,8 @@ std::string Implicit::begin_to_damp(double error) {
     now_.forgiven = error;
     if (!text.empty()) return text;
   }
-  damp(now_.damping == Damping::none  ? Damping::hht
-       : now_.damping == Damping::hht ? Damping::strong
-                                      : Damping::backward);
+  const bool first = now_.damping == Damping::none && !has_contact(*assembly_);
+  damp(first ? Damping::hht : now_.damping < Damping::strong ? Damping::strong : Damping::backward);
   return damping_text();
 }
 
@@ -393,7 +416,8 @@ std::string Implicit::shorten(double turn, double part) {
 // Rigid sets keep energy and momentum at any step.
 void Implicit::watch_turning() {
   if (options_.error || !assembly_->dofs().freedoms().bodies.empty()) return;
-  const double turn = damps() ? 0 : turn_per_step();
+  const bool wanted = damps() && (!chooses_scheme() || now_.damping != Damping::none);
+  const double turn = wanted ? 0 : turn_per_step();
   const double steps = steps_per_turn(*model_), wide = 2 * std::numbers::pi / steps;
   if (!(turn > 1.01 * wide)) return;
   const std::string words = shorten(turn, wide / turn);
@@ -517,7 +541,7 @@ void Implicit::take_scheme() {
                       : now_.damping == Damping::backward ? NewmarkScheme::trapezoidal(kBackward)
                       : now_.damping == Damping::strong   ? damping_by(kStrongGamma)
                       : now_.damping == Damping::hht      ? NewmarkScheme::of_hht(kDampingAlpha)
-                                                          : scheme_of(options_));
+                                                          : scheme_of(options_, *assembly_));
   weigh_step_ends();
 }
 

@@ -45,9 +45,7 @@ class Implicit final : public Dynamic {
   bool loss_falls();
   bool leave_hht(bool repeat);
   void begin_free();
-  bool chooses_scheme() const {
-    return !options_.hht && !options_.beta && !options_.spectral_radius && options_.gamma == 0.5;
-  }
+  bool chooses_scheme() const;
   std::string begin_to_damp(double error) override;
   void damp(Damping damping);
   double turn_per_step() const;       // rad, of a motion that is a turning for the most part, else 0

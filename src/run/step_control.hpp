@@ -31,7 +31,7 @@ class StepControl {
         current_(largest),
         iterations_(iterations) {}
 
-  void keep(Archive& archive) { archive(current_, cap_); }
+  void keep(Archive& archive) { archive(current_, cap_, rest_, next_rest_, grown_); }
   double current() const { return current_; }
   double largest() const { return std::min(largest_, cap_); }
   // From here on steps are at most so long, s; none that a cut could not make.
@@ -52,20 +52,32 @@ class StepControl {
   // Sliding friction takes many iterations whatever the step: from here on, steps that have not failed do not
   // shrink below this part of the largest.
   void expect_friction() { held_ = largest_ / 16; }
+  // Where loose cloth buckles steps are cut one after another: after one that has failed before, some are
+  // made until the next one is longer, and twice as many if that had come too soon.
+  void rest_after_failure() {
+    next_rest_ = grown_ < kSoon ? std::clamp(2 * next_rest_, kRest, kLongestRest) : kRest;
+    rest_ = next_rest_;
+  }
   // After a step with many iterations the next one is smaller, but none that a cut could not make; after few
   // it grows back to the largest.
   void grow(int iterations, bool was_cut) {
-    const double n = std::max(1, iterations);
+    const double n = std::max(1, iterations), before = current_;
     if (iterations > iterations_.many)
       current_ = std::max({0.5 * current_, std::min(current_, smallest_),
                            current_ * std::sqrt(iterations_.wanted / n), std::min(current_, held_)});
-    else if (!was_cut)
+    else if (!was_cut && rest_ == 0)
       current_ = std::min(largest(), current_ * std::clamp(2 * iterations_.wanted / n, 1.0, 2.0));
+    if (!was_cut && rest_ > 0) --rest_;
+    grown_ = current_ > before ? 0 : std::min(grown_ + 1, kSoon);
   }
 
  private:
+  static constexpr int kRest = 2, kLongestRest = 16, kSoon = 2;
+
   double largest_, smallest_, current_, held_ = 0, cap_ = std::numeric_limits<double>::infinity();
   StepIterations iterations_;
+  int rest_ = 0, next_rest_ = 0;  // steps until one may be longer, now and after the last failure
+  int grown_ = kSoon;             // steps since one has become longer, up to kSoon
 };
 
 }  // namespace fabricsh::run
