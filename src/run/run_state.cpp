@@ -263,12 +263,6 @@ void ExternalWork::add(mechanics::Assembly& assembly, std::span<const double> de
   add(of_step(assembly, dead, false).work);
 }
 
-mechanics::StepWork ExternalWork::add_bounded(mechanics::Assembly& assembly, std::span<const double> dead) {
-  const mechanics::StepWork step = of_step(assembly, dead, true);
-  add(step.work);
-  return step;
-}
-
 void ExternalWork::add_weighted(mechanics::Assembly& assembly, std::span<const double> dead, double theta) {
   double change = 0;
   const mechanics::StepWork step = of_step(assembly, dead, true, &change);

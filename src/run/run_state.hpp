@@ -42,8 +42,10 @@ class ExternalWork {
   void start(mechanics::Assembly& assembly, std::span<const double> dead);
   void add(mechanics::Assembly& assembly, std::span<const double> dead);
   // The same where the path between the states is unknown (relaxation). With forces that change monotonically
-  // along it the work lies between that of the first and of the last state's forces.
-  mechanics::StepWork add_bounded(mechanics::Assembly& assembly, std::span<const double> dead);
+  // along it the work lies between that of the first and of the last state's forces. To be added by add().
+  mechanics::StepWork bounded(mechanics::Assembly& assembly, std::span<const double> dead) {
+    return of_step(assembly, dead, true);
+  }
   // The same where the forces count `theta` at the end of a step and the rest at its beginning.
   void add_weighted(mechanics::Assembly& assembly, std::span<const double> dead, double theta);
   // J, adds work known from elsewhere.

@@ -573,12 +573,15 @@ void Static::commit(StepReport& report) {
   dead_ = problem_->external();
   assembly_->finish_step();
   now_.internal = internal();
-  const auto done = work_.add_bounded(*assembly_, dead_);
+  const auto done = work_.bounded(*assembly_, dead_);
   const double excess = now_.internal - internal_before - done.work;
-  now_.relaxed += std::max(0.0, -excess);
-  // Elsewhere the trapezium of a load that stiffens is above its work, and nothing has fallen.
   const bool fell = step_.last.left_unstable > 0 || relaxing_ || crept_;
   const bool jumps = now_.jumps && reports_.empty();
+  // Along equilibria loads and supports work what the cloth stores and loses. That tells their work where
+  // their forces at both ends leave it open, as where yarns unload or stiffen within the step.
+  const double open = std::clamp(excess, fell || jumps ? 0.0 : -done.spread, done.spread);
+  work_.add(done.work + open);
+  now_.relaxed += std::max(0.0, open - excess);
   if (fell && !jumps && !(report.path <= usual_path)) now_.fallen += std::max(0.0, -excess);
   const double made = std::max(0.0, excess - done.spread);
   now_.made += made;

@@ -91,3 +91,20 @@ assert(says(long) and says(long):find("more energy than what moves can have give
 assert(not says(short), says(short))
 assert(long.energy.error > 0.05 and short.energy.error < 0.01)
 fabric.expect { { "force on a ball that slides in two steps, N", force, right, relative = 0.01 } }
+
+-- Yarns that are pulled, let go and pulled again within a few long steps: what supports work is what the cloth stores and
+-- loses, as in short ones.
+local function reversed(step)
+  local mesh = fabric.mesh.rectangle { width = 30 * mm, height = 60 * mm, nx = 1, ny = 2 }
+  local m = fabric.model { mesh = mesh, card = fabric.card("blend", { bending = "estimated" }), warp = 90 }
+  local way = { { 0, 0 }, { 0.2, 6 }, { 0.33, 3.5 }, { 0.47, 7.5 }, { 0.61, 1 }, { 0.83, 8 }, { 1, 6.5 } }
+  for _, p in ipairs(way) do p[2] = p[2] * mm end
+  m:fix("all", "z rotation"):fix("bottom", "x y"):fix("top", "x"):move("top", { y = fabric.history(way) })
+  return fabric.static { model = m, duration = 1, step = step }:solve().energy
+end
+local few, many = reversed(0.1), reversed(0.002)
+fabric.expect {
+  { "work over reversals in long steps, J", few.external, many.external, relative = 5e-3 },
+  { "work over reversals, of what is stored and lost", few.external / (few.stored + few.dissipated), 1, absolute = 1e-9 },
+  { "in short steps", many.external / (many.stored + many.dissipated), 1, absolute = 1e-9 },
+}
