@@ -63,10 +63,13 @@ class OnMotion : public Facet {
 // others [kane1999]: forces that come and go within a step then make no energy.
 class AtStepEnd : public Facet {
  public:
-  virtual void set_weight(double weight) = 0;  // of the steps from the next one on, which are implicit
-  virtual bool acts() const = 0;               // in the trial state
+  // Of the steps from the next one on, which are implicit; late: the weight that their rule gives to what a
+  // rigid body has at the end of a step, its velocity and the forces that do not act at the end alone.
+  virtual void set_weight(double weight, double late) = 0;
+  virtual bool acts() const = 0;                           // in the trial state
   virtual std::span<const Vec3> nodal_forces() const = 0;  // N
   virtual double work_on_cloth() const = 0;                // J, on the nodes that move freely, in the step
+  virtual double lost_by_rule() const { return 0; }        // J, of free bodies in the step, beside work
 };
 
 // s: the latest end, up to `to`, of a step from `from` on that is not too long: of one to `end`, parts(end)

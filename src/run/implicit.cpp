@@ -56,7 +56,9 @@ constexpr double kSafe = 0.9, kShrink = 0.2, kGrow = 2;
 constexpr double kStanding = 100;
 
 // With the modes of Newmark's method for gamma and the beta that damps most.
-NewmarkScheme damping_by(double gamma) { return NewmarkScheme::trapezoidal((0.5 + gamma) / 2); }
+NewmarkScheme damping_by(double gamma, bool bodies_too = true) {
+  return NewmarkScheme::trapezoidal((0.5 + gamma) / 2, bodies_too);
+}
 
 // The radius beside contact of a deck that chooses no scheme. Average acceleration would keep what buckles
 // within a step on its saddle, and make energy where yarns or pairs switch.
@@ -78,15 +80,19 @@ double radius_of(const DynamicOptions& o, const mechanics::Assembly& assembly) {
 
 // Hilbert, Hughes and Taylor's alpha has radii from 1/2 on and is of second order; below that only the
 // generalised trapezoidal rule has, down to Euler's backward rule. Alpha's beta is not gamma / 2, so that
-// contact would make a velocity of what a load changes in a step: beside it that rule has all radii.
-NewmarkScheme scheme_of_radius(double radius, bool contact) {
-  return radius < 0.5 || contact ? NewmarkScheme::trapezoidal(1 / (1 + radius))
-                                 : NewmarkScheme::of_hht(-(1 - radius) / (1 + radius));
+// contact would make a velocity of what a load changes in a step: beside it that rule has all radii. Bodies,
+// whose forces all come at once, follow it at any radius that a deck asks for.
+NewmarkScheme scheme_of_radius(double radius, bool contact, bool bodies_too) {
+  const double theta = 1 / (1 + radius);
+  if (radius < 0.5 || contact) return NewmarkScheme::trapezoidal(theta, bodies_too);
+  auto scheme = NewmarkScheme::of_hht(-(1 - radius) / (1 + radius));
+  scheme.late = theta;
+  return scheme;
 }
 
 NewmarkScheme scheme_of(const DynamicOptions& o, const mechanics::Assembly& assembly) {
   if (const double radius = radius_of(o, assembly); radius < 1)
-    return scheme_of_radius(radius, has_contact(assembly));
+    return scheme_of_radius(radius, has_contact(assembly), !chooses_none(o));
   const double hht = o.hht.value_or(0);
   if (hht != 0) return NewmarkScheme::of_hht(hht);
   return o.beta ? NewmarkScheme::of_newmark(o.gamma, *o.beta) : damping_by(o.gamma);
@@ -315,6 +321,9 @@ void Implicit::commit(StepReport& report) {
   const bool settling = now_.settling > 0, damps = this->damps() && !settling,
              swings = damps && !scheme.is_trapezoidal();
   const double kinetic = swings ? newmark_.kinetic() : 0, work = swings ? problem_.work_of_balance() : 0;
+  if (swings)
+    for (const auto* const term : assembly_->terms().all<mechanics::AtStepEnd>())
+      now_.loss += term->lost_by_rule();
   dead_ = problem_.external();
   if (damps && scheme.is_trapezoidal())
     work_.add_weighted(*assembly_, dead_, scheme.gamma);
@@ -537,9 +546,9 @@ void Implicit::halve(double end, int halved) {
 }
 
 void Implicit::take_scheme() {
-  newmark_.set_scheme(now_.settling > 0                   ? NewmarkScheme::trapezoidal(kSettling)
+  newmark_.set_scheme(now_.settling > 0                   ? NewmarkScheme::trapezoidal(kSettling, false)
                       : now_.damping == Damping::backward ? NewmarkScheme::trapezoidal(kBackward)
-                      : now_.damping == Damping::strong   ? damping_by(kStrongGamma)
+                      : now_.damping == Damping::strong   ? damping_by(kStrongGamma, false)
                       : now_.damping == Damping::hht      ? NewmarkScheme::of_hht(kDampingAlpha)
                                                           : scheme_of(options_, *assembly_));
   weigh_step_ends();
@@ -547,7 +556,7 @@ void Implicit::take_scheme() {
 
 void Implicit::weigh_step_ends() {
   for (auto* const term : assembly_->terms().all<mechanics::AtStepEnd>())
-    term->set_weight(newmark_.weight_at_step_end());
+    term->set_weight(newmark_.weight_at_step_end(), newmark_.scheme().late);
 }
 
 void Implicit::give_up(const StepReport& report) {

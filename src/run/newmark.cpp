@@ -76,13 +76,13 @@ void Newmark::update() {
   }
 }
 
-// The midpoint's rule, x+ - x = dt (v + v+) / 2, for nodes and directors alike, which then are points of the
-// body.
+// The midpoint's rule, x+ - x = dt (v + v+) / 2, or the scheme's weights in its place, for nodes and
+// directors alike, which then are points of the body.
 void Newmark::update_rigid(std::size_t node, std::span<const double> now, std::span<const double> old) {
   const auto d = std::as_const(assembly_).state().d();
   const auto one = [&](const Vec3& moved, const std::vector<double>& v0, std::vector<double>& v,
                        std::vector<double>& a) {
-    at(v, node) = 2 / dt() * moved - at(v0, node);
+    at(v, node) = 1 / scheme_.late / dt() * moved - (1 / scheme_.late - 1) * at(v0, node);
     at(a, node) = (at(v, node) - at(v0, node)) / dt();
   };
   one(at(now, node) - at(old, node), before_.v.x, trial_.v.x, trial_.a.x);
@@ -148,8 +148,8 @@ std::vector<double> Newmark::mean_rates() const {
   mechanics::NodalRates mean{std::vector<double>(3 * nodes), std::vector<double>(3 * nodes)};
   for (std::size_t n = 0; n < nodes; ++n) {
     if (assembly_.dofs().freedoms().body(static_cast<mechanics::Index>(n)) >= 0) {
-      at(mean.x, n) = (at(before_.v.x, n) + at(trial_.v.x, n)) / 2;
-      at(mean.d, n) = (at(before_.v.d, n) + at(trial_.v.d, n)) / 2;
+      at(mean.x, n) = (1 - scheme_.late) * at(before_.v.x, n) + scheme_.late * at(trial_.v.x, n);
+      at(mean.d, n) = (1 - scheme_.late) * at(before_.v.d, n) + scheme_.late * at(trial_.v.d, n);
       continue;
     }
     const Vec3 d0 = at(old_d, n), d1 = at(d, n);

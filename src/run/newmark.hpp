@@ -30,6 +30,8 @@
 // rule with their momentum P (six numbers) and the forces F on their unknowns:
 //
 //   x+ = x + dt (v + v+) / 2,   (P+ - P) / dt = (1 - gamma) F^ + gamma F^+,   F^+ = (1 + alpha) F+ - alpha F
+//
+// or, where the generalised trapezoidal rule has been asked for, its x+ = x + dt ((1 - theta) v + theta v+).
 #pragma once
 #include <array>
 #include <span>
@@ -42,6 +44,7 @@ namespace fabricsh::run {
 
 struct NewmarkScheme {
   double gamma = 0.5, beta = 0.25, hht = 0, delta = 0.25;
+  double late = 0.5;  // of a rigid body's velocity at the end of a step in its mean
 
   // Second order accurate and damping high frequencies most [hilbert1977].
   static NewmarkScheme of_hht(double alpha) {
@@ -50,7 +53,9 @@ struct NewmarkScheme {
   static NewmarkScheme of_newmark(double gamma, double beta, double alpha = 0) {
     return {gamma, beta, alpha, 0.5 - beta};
   }
-  static NewmarkScheme trapezoidal(double theta) { return {theta, theta * theta, 0, theta * (1 - theta)}; }
+  static NewmarkScheme trapezoidal(double theta, bool bodies_too = true) {
+    return {theta, theta * theta, 0, theta * (1 - theta), bodies_too ? theta : 0.5};
+  }
 
   bool is_trapezoidal() const { return beta == gamma * gamma && delta == gamma * (1 - gamma); }
   // Of a force at the step's end alone, in the acceleration there, so that it has the way of a constant one;

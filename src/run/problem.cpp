@@ -112,8 +112,9 @@ double EquilibriumProblem::goes_on(std::vector<double>& way) const {
   }
   const double h = memory_.last_step, both = h + memory_.step_before;
   const double first = dt * (dt + both) / (h * (h - both)), second = dt * (dt + h) / (both * (both - h));
+  way.resize(from.size());
   for (std::size_t i = 0; i < way.size(); ++i)
-    way[i] = first * (memory_.before[i] - now[i]) + second * (memory_.earlier[i] - now[i]);
+    way[i] = first * (memory_.before[i] - from[i]) + second * (memory_.earlier[i] - from[i]);
   return (dt + h) * (dt + both) / (6 * dt * dt);
 }
 
@@ -259,13 +260,14 @@ void EquilibriumProblem::close(linear::Matrix& K) {
   const auto on = assembly_.terms().on_mass();
   const double dt = motion_.dt();
   add_mass(K, (on.acceleration / scheme.beta / dt + weight() * on.velocity * scheme.gamma / scheme.beta) / dt,
-           2 * (on.acceleration / scheme.gamma / dt + weight() * on.velocity) / dt);
+           (on.acceleration / scheme.gamma / dt + weight() * on.velocity) / scheme.late / dt);
 }
 
 void EquilibriumProblem::add_inertia(linear::Matrix& K, double times) {
   if (newmark_ == nullptr) return;
   const double dt = motion_.dt(), part = times * assembly_.terms().on_mass().acceleration / dt / dt;
-  add_mass(K, part / newmark_->scheme().beta, 2 * part / newmark_->scheme().gamma);
+  const auto& scheme = newmark_->scheme();
+  add_mass(K, part / scheme.beta, part / scheme.late / scheme.gamma);
 }
 
 // The mass matrix c times, that of rigid bodies of_body times.

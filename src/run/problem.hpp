@@ -53,8 +53,8 @@ class EquilibriumProblem final : public solver::PathProblem {
   void keep(Archive& archive);
   // Tells whether a path is at a kink of a history, where loads may reverse.
   void at_kink(bool kink) { memory_.kink = kink; }
-  // m: by how much the place of a node at the end of the trial step may be wrong, at most, because the step
-  // is so long: from the way that the steps so far lead.
+  // m: by how much the place of a node, or of a point of a free body, at the end of the trial step may be
+  // wrong, at most, because the step is so long: from the way that the steps so far lead.
   double error_of_step() const;
 
   // --- interface of the solvers, as far as runs use it themselves

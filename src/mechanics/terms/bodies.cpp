@@ -273,7 +273,7 @@ void Bodies::add_gas(const BodyState::Body& body, BodyState::Free& free) const {
     free.wrench.torque += before.torque;
     return;
   }
-  const double share = state_.share_of_gas();
+  const double share = state_.share_of_end();
   const contact::Wrench after = part(free.predicted, state_.target, state_.trial_gas);
   free.trial.force += share * after.force + (1 - share) * before.force;
   free.trial.torque += share * after.torque + (1 - share) * before.torque;

@@ -5,8 +5,10 @@
 // half a kick, the flight, half a kick. In explicit steps the first kick is from the force at the beginning
 // of the step, the second from that at its end (velocity Verlet). In implicit steps both kicks are from the
 // force at the end, six numbers for each body, which is solved for together with the unknowns of the cloth;
-// gravity, loads and springs act with their means, so that they make no energy. In static steps the six
-// numbers are a displacement and a rotation, and the forces on the body balance.
+// gravity, loads and springs act with their means, so that they make no energy. In the generalised
+// trapezoidal rule (see Newmark) the first kick is a part theta of the impulse, and the means have the weight
+// theta at the end of the step. In static steps the six numbers are a displacement and a rotation, and the
+// forces on the body balance.
 // Newton's iterations take them there by shares, along straight lines, so that no contact is passed over.
 #pragma once
 #include <cmath>
@@ -29,6 +31,8 @@ class BodyReadings {
   double kinetic() const;  // J, of the free bodies
   // External work on cloth and bodies in the step: that of driven bodies, and that of gravity on free ones.
   StepWork step_work() const;
+  // J, that an implicit step with theta over 1/2 takes from free bodies and their springs.
+  double lost_by_rule() const;
   Vec3 force(std::size_t i) const;  // N, of the cloth on body i
   Vec3 held(std::size_t i) const;   // N, with which m:fix holds body i: zero in the directions left free
   // 1/kg, an upper bound of the inverse effective mass of a vertex.
@@ -135,6 +139,7 @@ class Bodies {
   void rollback();
   // The forces at the step's end are sought from here on.
   void go_implicit() { state_.implicit = true; }
+  void set_late(double late) { state_.late = late; }  // theta, of the implicit steps from the next one on
   // The places at which the bodies are at rest are sought from here on. reach: m, how far one may go in an
   // iteration that nothing holds yet.
   // Loads that act at time 0 rise over the first `rise` seconds, so that a body does not set out for where

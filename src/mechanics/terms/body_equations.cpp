@@ -39,8 +39,10 @@ double BodyEquations::largest_force() const {
   double most = 0;
   for (const BodyState::Free& free : state_.free) {
     // Where all forces balance, each of them is compared with.
-    if (state_.statics) most = std::max(most, free.largest);
-    if (state_.statics) continue;
+    if (state_.balances()) {
+      most = std::max(most, free.largest);
+      continue;
+    }
     const contact::Wrench& is = state_.loaded ? free.trial : free.wrench;
     most =
         std::max({most, is.force.lpNorm<Eigen::Infinity>(), is.torque.lpNorm<Eigen::Infinity>() / free.size});
@@ -84,8 +86,8 @@ void BodyEquations::restore() {
 BodyEquations::Matrix6 BodyEquations::compliance(std::size_t free) const {
   const double dt = state_.flight();
   Matrix6 out = Matrix6::Zero();
-  out.topLeftCorner<3, 3>() = dt * dt / 2 / state_.free[free].committed.mass() * Mat3::Identity();
-  out.bottomRightCorner<3, 3>() = dt * dt / 2 * state_.free[free].predicted.inertia().inverse();
+  out.topLeftCorner<3, 3>() = dt * dt * state_.late / state_.free[free].committed.mass() * Mat3::Identity();
+  out.bottomRightCorner<3, 3>() = dt * dt * state_.late * state_.free[free].predicted.inertia().inverse();
   if (!state_.free[free].cut) return out;
   Eigen::Matrix<double, 6, 1> left;
   left << state_.free[free].moves, state_.free[free].turns;
@@ -115,7 +117,7 @@ void BodyEquations::add_response(Eigen::MatrixXd& response) const {
   };
   for (const BodyLoads::Spring& spring : loads_.springs()) {
     if (spring.damper && !(dt > 0)) continue;
-    const Vec3 k = spring.stiffness * (spring.damper ? 1 / dt : state_.statics ? 1 : 0.5);
+    const Vec3 k = spring.stiffness * (spring.damper ? 1 / dt : state_.share_of_end());
     const int b = state_.bodies[spring.body].free;
     const int other = spring.to < 0 ? -1 : state_.bodies[std::size_t(spring.to)].free;
     add(b, b, -k);

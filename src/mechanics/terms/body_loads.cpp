@@ -73,9 +73,7 @@ Vec3 BodyLoads::pull(const Spring& spring) const {
     const Vec3 speed = (after - before) / (state_.to - state_.from) - half * free.left({others, {}}).force;
     return spring.stiffness.cwiseProduct(speed).cwiseQuotient(Vec3::Ones() + half * spring.stiffness);
   }
-  if (!spring.damper)
-    return spring.stiffness.cwiseProduct(state_.implicit && !state_.statics ? Vec3((before + after) / 2)
-                                                                            : after);
+  if (!spring.damper) return spring.stiffness.cwiseProduct(state_.in_step(before, after));
   return state_.to > state_.from
              ? Vec3(spring.stiffness.cwiseProduct(after - before) / (state_.to - state_.from))
              : Vec3(Vec3::Zero());
@@ -123,9 +121,7 @@ void BodyLoads::apply() {
     free.largest = free.trial.force.lpNorm<Eigen::Infinity>();
   }
   for (const Load& load : loads_)
-    push(load, state_.implicit && !state_.statics
-                   ? Vec3((total(load, state_.from) + total(load, state_.to)) / 2)
-                   : total(load, state_.to));
+    push(load, state_.in_step(total(load, state_.from), total(load, state_.to)));
   for (const bool dampers : {false, true})
     for (Spring& spring : springs_) {
       if (spring.damper != dampers) continue;
@@ -160,6 +156,14 @@ double BodyLoads::spring_energy() const {
   return sum;
 }
 
+double BodyLoads::spring_work() const {
+  double sum = 0;
+  for (const Spring& spring : springs_)
+    if (!spring.damper)
+      sum += spring.stiffness.dot((stretch(spring, true) - stretch(spring, false)).cwiseAbs2());
+  return sum;
+}
+
 // Of loads, and of what drives the far ends of springs.
 StepWork BodyLoads::work() const {
   StepWork sum;
@@ -169,7 +173,7 @@ StepWork BodyLoads::work() const {
     const Vec3 way =
         load.given->moment ? body.turned : Vec3(free.predicted.centre() - free.committed.centre());
     const Vec3 before = total(load, state_.from), after = total(load, state_.to);
-    sum.work += (before + after).dot(way) / 2;
+    sum.work += state_.mean(before, after).dot(way);
     sum.spread += std::abs((after - before).dot(way)) / 2;
   }
   for (const Spring& spring : springs_) {
@@ -178,7 +182,7 @@ StepWork BodyLoads::work() const {
     const Vec3 way = displacement_of(to, true) - displacement_of(to, false);
     const Vec3 mean =
         !spring.damper
-            ? Vec3(spring.stiffness.cwiseProduct(stretch(spring, false) + stretch(spring, true)) / 2)
+            ? Vec3(spring.stiffness.cwiseProduct(state_.mean(stretch(spring, false), stretch(spring, true))))
         : state_.implicit ? spring.trial_force
                           : Vec3((spring.force + spring.trial_force) / 2);
     sum.work += mean.dot(way);

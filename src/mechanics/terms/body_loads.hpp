@@ -33,6 +33,7 @@ class BodyLoads {
   void add_forces_on(std::size_t i, Vec3& force) const;  // N, on body i in the present state
   double spring_energy() const;                          // J, stored
   double damped() const;                                 // J, lost in dampers so far
+  double spring_work() const;  // J, of the changes of the springs' forces in the step, on their stretch
   StepWork work() const;       // in the step, of loads, and of what drives the far ends of springs
   double stable_step() const;  // s, of explicit steps, for springs and dampers
 

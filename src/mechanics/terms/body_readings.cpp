@@ -19,7 +19,7 @@ StepWork BodyReadings::step_work() const {
       const BodyState::Free& free = state_.free[body.free];
       const Vec3 moved = free.predicted.centre() - free.committed.centre();
       sum.work += body.given->mass().value_or(0) *
-                  (state_.gravity(state_.from) + state_.gravity(state_.to)).dot(moved) / 2;
+                  state_.mean(state_.gravity(state_.from), state_.gravity(state_.to)).dot(moved);
       continue;
     }
     const auto& force = state_.implicit ? state_.trial_force : state_.force;
@@ -35,6 +35,17 @@ StepWork BodyReadings::step_work() const {
     sum += work_of_gas(body);
   }
   return sum;
+}
+
+double BodyReadings::lost_by_rule() const {
+  double sum = 0;
+  for (const BodyState::Free& free : state_.free) {
+    const contact::FreeBody after = state_.kicked(free);
+    const Vec3 turned = after.angular_momentum() - free.committed.angular_momentum();
+    sum += after.mass() * (after.velocity() - free.committed.velocity()).squaredNorm() +
+           turned.dot(after.inertia().ldlt().solve(turned));
+  }
+  return (state_.late - 0.5) * (sum + loads_.spring_work());
 }
 
 Vec3 BodyReadings::force(std::size_t i) const {

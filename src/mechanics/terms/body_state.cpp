@@ -38,11 +38,11 @@ Vec3 BodyState::gravity(double time) const {
   return g;
 }
 
-contact::Wrench BodyState::first_half(const Free& body) const {
+contact::Wrench BodyState::first_part(const Free& body) const {
   if (statics) return body.left(body.end);
   const double mass = body.committed.mass();
   if (!implicit) return body.left({body.wrench.force + mass * gravity(from), body.wrench.torque});
-  return body.left({body.end.force + mass * (gravity(from) + gravity(to)) / 2, body.end.torque});
+  return body.left({body.end.force + mass * mean(gravity(from), gravity(to)), body.end.torque});
 }
 
 contact::FreeBody BodyState::kicked(const Free& body) const {
@@ -50,11 +50,14 @@ contact::FreeBody BodyState::kicked(const Free& body) const {
   if (to == from || statics) return body.predicted;
   contact::FreeBody at = body.predicted;
   // The rest of the impulse: of the mean of both forces, or in implicit steps of the force at the end.
-  const contact::Wrench first = first_half(body), &other = implicit ? body.trial : body.wrench;
+  const contact::Wrench first = first_part(body), &end = body.trial;
+  const contact::Wrench acts =
+      implicit ? end
+               : contact::Wrench{mean(body.wrench.force, end.force), mean(body.wrench.torque, end.torque)};
   const contact::Wrench rest =
-      body.left({other.force + body.trial.force + at.mass() * (gravity(from) + gravity(to)) - first.force,
-                 other.torque + body.trial.torque - first.torque});
-  at.kick(rest.force, rest.torque, (to - from) / 2);
+      body.left({acts.force + at.mass() * mean(gravity(from), gravity(to)) - late * first.force,
+                 acts.torque - late * first.torque});
+  at.kick(rest.force, rest.torque, to - from);
   return at;
 }
 
@@ -65,8 +68,8 @@ void BodyState::fly() {
     Free& free = this->free[static_cast<std::size_t>(body.free)];
     free.predicted = free.committed;
     if (dt != 0) {
-      const contact::Wrench kick = first_half(free);
-      free.predicted.kick(kick.force, kick.torque, dt / 2);
+      const contact::Wrench kick = first_part(free);
+      free.predicted.kick(kick.force, kick.torque, dt * late);
       free.predicted.drift(dt);
       if (statics) free.predicted.rest();
     }

@@ -52,8 +52,9 @@ struct BodyState {
   double from = 0, to = 0;        // s
   bool loaded = false;            // whether the forces in the trial state are known
   bool implicit = false, statics = false;
-  double rise = 0;   // s, in which statics bring up what acts at time 0 already
-  double reach = 0;  // m, that a body may go in an iteration which nothing holds yet
+  double late = 0.5;  // theta of implicit steps
+  double rise = 0;    // s, in which statics bring up what acts at time 0 already
+  double reach = 0;   // m, that a body may go in an iteration which nothing holds yet
 
   double flight() const { return statics ? 1 : to - from; }  // s
   double now() const { return loaded ? to : from; }          // s, of the state being read
@@ -62,11 +63,18 @@ struct BodyState {
   Vec3 gravity(double time) const;
   Vec3 displaced(const Body& body, double time) const;
   contact::Pose driven(const Body& body, double time) const;
-  double share_of_gas() const { return implicit && !statics ? 0.5 : 1; }  // of its force at the step's end
+  bool balances() const { return statics || late > 0.5; }  // whether all forces come to balance
+  // Of what acts at the step's end, in what acts in the step.
+  double share_of_end() const { return implicit && !statics ? late : 1; }
+  // What acts in the step, from its values at both ends; and what its work is counted with.
+  Vec3 in_step(const Vec3& before, const Vec3& after) const {
+    return implicit && !statics ? mean(before, after) : after;
+  }
+  Vec3 mean(const Vec3& before, const Vec3& after) const { return (1 - late) * before + late * after; }
   std::span<const Vec3> pressed() const { return loaded ? trial_gas : gas; }  // N, by gas; empty: none
   // The unknowns before the first iteration.
   contact::Wrench start_of(const Free& body) const { return statics ? contact::Wrench{} : body.wrench; }
-  contact::Wrench first_half(const Free& body) const;  // what kicks it before it flies, gravity included
+  contact::Wrench first_part(const Free& body) const;  // what kicks it before it flies, gravity included
   contact::FreeBody kicked(const Free& body) const;  // at the end of the step, if the forces there are known
   void fly();                                        // moves the free bodies to the end of the step
 

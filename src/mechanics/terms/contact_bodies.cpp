@@ -98,7 +98,7 @@ void BodyUnknowns::add_to_nodes(const OnBody& part, const BodyEquations::Vector6
 
 // Two bodies may meet where no cloth has any force.
 double BodyUnknowns::largest_own_force() const {
-  if (static_) return equations().largest_force();
+  if (bodies().state().balances()) return equations().largest_force();
   const auto& all = state_.surfaces.scene().interactions();
   const bool meet = std::any_of(all.begin(), all.end(), [](const auto& it) { return it.rigid; });
   return meet ? equations().largest_force() : 0;

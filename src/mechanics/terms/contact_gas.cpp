@@ -90,7 +90,7 @@ Eigen::VectorXd GasOnBodies::on_bodies(std::span<const double> change) const {
   for (std::size_t v = 0; nodes() + v < state_.x.size(); ++v) {
     const int body = bodies().state().free_of[v];
     if (body < 0) continue;
-    const Vec3 force = -bodies().state().share_of_gas() * at(change, static_cast<Index>(nodes() + v));
+    const Vec3 force = -bodies().state().share_of_end() * at(change, static_cast<Index>(nodes() + v));
     out.segment<3>(6 * body) += force;
     out.segment<3>(6 * body + 3) += bodies().equations().lever(v).cross(force);
   }
@@ -106,7 +106,7 @@ void GasOnBodies::add_answers(bool with_volumes, Eigen::MatrixXd& answers) const
   for (std::size_t v = 0; v < pressed.size(); ++v) {
     const int body = bodies().state().free_of[v];
     if (body < 0 || pressed[v].isZero(0)) continue;
-    answers.block<3, 3>(6 * body + 3, 6 * body + 3) += bodies().state().share_of_gas() *
+    answers.block<3, 3>(6 * body + 3, 6 * body + 3) += bodies().state().share_of_end() *
                                                        cross_matrix(pressed[v]) *
                                                        cross_matrix(bodies().equations().lever(v));
   }

@@ -11,8 +11,9 @@ namespace fabricsh::mechanics {
 
 // --- implicit steps
 
-void ImplicitContact::set_weight(double weight) {
+void ImplicitContact::set_weight(double weight, double late) {
   state_.weight = weight;
+  state_.surfaces.bodies().set_late(late);
   if (used_) return;
   used_ = true;
   state_.surfaces.bodies().go_implicit();

@@ -101,10 +101,11 @@ class ImplicitContact final : public ContactScheme, public AtStepEnd {
   void evaluated() override;
   double impact() const override { return taken_; }
 
-  void set_weight(double weight) override;
+  void set_weight(double weight, double late) override;
   bool acts() const override { return state_.acts(); }
   std::span<const Vec3> nodal_forces() const override { return state_.nodal_forces(); }
   double work_on_cloth() const override;
+  double lost_by_rule() const override { return state_.surfaces.bodies().readings().lost_by_rule(); }
 
  private:
   const SettlingOverlaps& settling_;
