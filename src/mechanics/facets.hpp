@@ -138,6 +138,10 @@ class OwnUnknowns : public Facet {
   virtual void direct(std::span<const double> /*way*/) {}    // of the next move, for the unknowns
   virtual double largest_own_residual() const { return 0; }  // N
   virtual double largest_own_force() const { return 0; }     // N, with which residuals are compared
+  // Appends the places (m, 3 each) of points on what it moves freely, with which the error of a step is
+  // judged: at the step's beginning, at its end, or where motion and forces at the beginning would lead.
+  enum class Places { before, after, ahead };
+  virtual void add_places(Places, std::vector<double>& /*x*/) const {}
   // At rest: how the unknowns resist their own change, without what holds those that nothing else holds;
   // empty: unknowns that no energy decides. With own_answer() to K^-1 own_push() it is the stiffness of all.
   virtual Eigen::MatrixXd own_stiffness() const { return {}; }

@@ -75,10 +75,9 @@ const std::vector<field::FieldOf<DynamicOptions>>& dynamic_options() {
       flag("slow", &O::slow,
            "implicit: motion that passes through near-equilibria, as spectral_radius=0 (Euler's backward "
            "rule): what is faster than the steps dies within them"),
-      number(
-          "error", &O::error, "", Range{0, 1, true, true},
-          "implicit: steps are so short that none errs by more in the place of a node, over the size of the "
-          "model; step= is then the largest, a twentieth of the duration unless given")
+      number("error", &O::error, "", Range{0, 1, true, true},
+             "implicit: steps are so short that none errs by more in the place of a node or body, over the "
+             "size of the model; step= is then the largest, a twentieth of the duration unless given")
           .or_by("steps as step= says")
           .decisive(),
       linear_row<O>("implicit: "),

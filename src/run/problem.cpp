@@ -90,24 +90,33 @@ void EquilibriumProblem::commit(double time) {
   remember();
 }
 
+std::vector<double> EquilibriumProblem::places(mechanics::OwnUnknowns::Places which) const {
+  const auto& state = std::as_const(assembly_).state();
+  const auto nodes = which == mechanics::OwnUnknowns::Places::after
+                         ? state.x()
+                         : state.committed_kinematics().first(3 * state.nodes());
+  std::vector<double> x(nodes.begin(), nodes.end());
+  for (const auto* const term : assembly_.terms().all<mechanics::OwnUnknowns>()) term->add_places(which, x);
+  return x;
+}
+
 // Remembers the places before the step.
 void EquilibriumProblem::look_back() {
-  const auto& state = std::as_const(assembly_).state();
-  const auto here = state.committed_kinematics().first(3 * state.nodes());
-  memory_.earlier.swap(memory_.before);
-  memory_.before.assign(here.begin(), here.end());
+  memory_.earlier = std::exchange(memory_.before, places(mechanics::OwnUnknowns::Places::before));
   memory_.step_before = std::exchange(memory_.last_step, motion_.dt());
 }
 
-// The way of the nodes in the step, if they go on along the parabola through the last three places, or, where
-// these are not known, with their velocities and accelerations. Returns how far the nodes of a smooth motion
-// are off then, in dt^3 times the third derivative of their places.
-double EquilibriumProblem::goes_on(std::vector<double>& way) const {
-  const auto now = std::as_const(assembly_).state().committed_kinematics();
+// The way from these places in the step, along the parabola through the last three, or, where these are not
+// known, with the velocities and accelerations. Returns how far a smooth motion is off then, in dt^3 times
+// the third derivative of the places.
+double EquilibriumProblem::goes_on(std::span<const double> from, std::vector<double>& way) const {
   const double dt = motion_.dt();
-  if (memory_.earlier.size() != way.size()) {
+  if (memory_.earlier.size() != from.size()) {
     const auto& motion = newmark_->committed();
-    for (std::size_t i = 0; i < way.size(); ++i) way[i] = dt * (motion.v.x[i] + dt / 2 * motion.a.x[i]);
+    way = places(mechanics::OwnUnknowns::Places::ahead);
+    for (std::size_t i = 0; i < motion.v.x.size(); ++i)
+      way[i] = dt * (motion.v.x[i] + dt / 2 * motion.a.x[i]);
+    for (std::size_t i = motion.v.x.size(); i < way.size(); ++i) way[i] -= from[i];
     return 1.0 / 6;
   }
   const double h = memory_.last_step, both = h + memory_.step_before;
@@ -121,21 +130,26 @@ double EquilibriumProblem::goes_on(std::vector<double>& way) const {
 // A scheme of second order is off by a known part of the difference from the parabola, one of the first order
 // by nearly all of it.
 double EquilibriumProblem::error_of_step() const {
-  const auto& state = std::as_const(assembly_).state();
-  const std::size_t n = 3 * state.nodes();
-  const auto old = state.committed_kinematics();
-  mechanics::NodalRates off{std::vector<double>(n), std::vector<double>(n)};
-  const double parabola = goes_on(off.x);
-  for (std::size_t i = 0; i < n; ++i) off.x[i] = state.x()[i] - old[i] - off.x[i];
-  double largest = 0;
+  const std::size_t n = 3 * std::as_const(assembly_).state().nodes();
+  const auto old = places(mechanics::OwnUnknowns::Places::before);
+  const auto now = places(mechanics::OwnUnknowns::Places::after);
+  mechanics::NodalRates off{{}, std::vector<double>(n)};
+  const double parabola = goes_on(old, off.x);
+  for (std::size_t i = 0; i < old.size(); ++i) off.x[i] = now[i] - old[i] - off.x[i];
+  double largest = 0, of_bodies = 0;
+  for (std::size_t i = n; i < off.x.size(); ++i) of_bodies = std::max(of_bodies, std::abs(off.x[i]));
+  off.x.resize(n);
   const auto unknowns = assembly_.dofs().collect_rates(off);
   for (std::size_t i = 0; i < unknowns.size(); ++i)
     if (!assembly_.dofs().turns(static_cast<mechanics::Index>(i)))
       largest = std::max(largest, std::abs(unknowns[i]));
+  for (const auto& body : assembly_.dofs().freedoms().bodies)
+    for (const auto node : body.nodes) of_bodies = std::max(of_bodies, at(off.x, node).cwiseAbs().maxCoeff());
   const auto& scheme = newmark_->scheme();
-  if (std::abs(scheme.gamma + scheme.hht - 0.5) > 1e-9) return largest;
-  const double own = std::abs(1.0 / 6 - scheme.beta + scheme.hht / 2);
-  return own / (own + parabola) * largest;
+  const double own = std::abs(1.0 / 6 - scheme.beta + scheme.hht / 2), midpoint = 1.0 / 12;
+  if (std::abs(scheme.gamma + scheme.hht - 0.5) < 1e-9) largest *= own / (own + parabola);
+  if (scheme.late == 0.5) of_bodies *= midpoint / (midpoint + parabola);
+  return std::max(largest, of_bodies);
 }
 
 // A step has some forces at its end alone: the next one begins without them.

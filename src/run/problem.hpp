@@ -107,7 +107,9 @@ class EquilibriumProblem final : public solver::PathProblem {
                      double small_time,
                      const Poll& poll);  // motion: null: none
   void look_back();
-  double goes_on(std::vector<double>& way) const;
+  // m, of the nodes, and after them of what terms move beside them.
+  std::vector<double> places(mechanics::OwnUnknowns::Places which) const;
+  double goes_on(std::span<const double> from, std::vector<double>& way) const;
   bool tangent_with(mechanics::Cloth::Branches branches, const law::Step& step, linear::Matrix& K,
                     std::span<const double> lead, std::span<double> product);
   // The present step as passed to the law.
@@ -146,7 +148,7 @@ class EquilibriumProblem final : public solver::PathProblem {
     std::vector<double> on_bodies;       // the scheme's forces F^ on rigid bodies then, six each
     double peak = 0;                     // N, the largest nodal force of the run's committed states
     bool kink = true;
-    // The places of the nodes before the last step and before that, and the lengths of the two steps, s.
+    // The places() before the last step and before that, and the lengths of the two steps, s.
     // Empty: there were none.
     std::vector<double> before, earlier;
     double last_step = 0, step_before = 0;

@@ -57,6 +57,27 @@ for name, case in pairs { swing = { swing, 2e-4 }, vibration = { vibrate, 2e-6 }
   end
 end
 
+-- A free body on a spring and a damper beside cloth at rest, pushed: x = v sin(wd t) exp(-zeta t) / wd.
+local last, fewer
+for k = 0, 2 do
+  local card = fabric.svk { name = "still", young = 1e7, poisson = 0, density = 500, thickness = 5e-4 }
+  local m = fabric.model { mesh = fabric.mesh.rectangle { width = 0.02, height = 0.02, nx = 1, ny = 1 }, card = card, warp = 0 }
+  local ball = fabric.rigid.sphere { radius = 0.01, centre = { 0.3, 0.05, 0.3 }, mass = 0.02, name = "ball" }
+  m:fix("all", "x y z rotation"):contact { between = { ball, "all" } }:spring(ball, { x = 8 }):damper(ball, { x = 0.08 })
+  m:velocity(ball, { x = 1 }):fix(ball, "y z rotation")
+  local a, steps = runs(m, { duration = 0.3, step = 0.02, error = 1e-3 / 8 ^ k })
+  local zeta = 2
+  local wd = math.sqrt(400 - zeta ^ 2)
+  local off = math.abs(a:body(ball) - 0.3 - math.exp(-zeta * 0.3) * math.sin(wd * 0.3) / wd)
+  print(("body, error %.3g: off by %.3g m, %d steps"):format(1e-3 / 8 ^ k, off, steps))
+  fabric.expect {
+    { "body: energy", a.energy.error, 0, absolute = 1e-9 },
+    last and { "body: of the error", off / last, 0.25, absolute = 0.12 },
+    fewer and { "body: times the steps", steps / fewer, 2, absolute = 0.35 },
+  }
+  last, fewer = off, steps
+end
+
 local _, _, _, a = swing { error = 1e-5, halfway = "once" }
 local _, _, _, b = swing { error = 1e-5, halfway = "again" }
 assert(#a.steps == #b.steps and a:node(2).x == b:node(2).x and a:node(2).z == b:node(2).z)

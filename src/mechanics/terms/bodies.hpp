@@ -16,7 +16,7 @@
 
 #include "base/archive.hpp"
 #include "geometry/box.hpp"
-#include "mechanics/term.hpp"
+#include "mechanics/facets.hpp"
 #include "mechanics/terms/body_equations.hpp"
 #include "mechanics/terms/body_loads.hpp"
 #include "mechanics/terms/body_state.hpp"
@@ -44,6 +44,8 @@ class BodyReadings {
   // m: of its surface from its centre, a rod's or disc's radius; 0 for a plane.
   double size(std::size_t i) const;
   double fastest_free() const;  // m/s, of the centres of free bodies
+  // Of each free body its centre and three points, far out on its axes; see OwnUnknowns::add_places().
+  void add_places(OwnUnknowns::Places which, std::vector<double>& x) const;
 
  private:
   StepWork work_of_gas(const BodyState::Body& body) const;

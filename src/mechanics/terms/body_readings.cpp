@@ -80,6 +80,23 @@ double BodyReadings::fastest_free() const {
   return most;
 }
 
+void BodyReadings::add_places(OwnUnknowns::Places which, std::vector<double>& x) const {
+  for (const BodyState::Free& free : state_.free) {
+    contact::FreeBody body = which == OwnUnknowns::Places::after ? free.predicted : free.committed;
+    if (which == OwnUnknowns::Places::ahead) {
+      const contact::Wrench now =
+          free.left({free.wrench.force + body.mass() * state_.gravity(state_.from), free.wrench.torque});
+      body.kick(now.force, now.torque, state_.flight() / 2);
+      body.drift(state_.flight());
+    }
+    const Mat3 axes = free.size * body.pose().turn;
+    for (int i = -1; i < 3; ++i) {
+      const Vec3 at = i < 0 ? body.centre() : Vec3(body.centre() + axes.col(i));
+      x.insert(x.end(), at.data(), at.data() + 3);
+    }
+  }
+}
+
 double BodyReadings::inverse_mass(std::size_t i) const {
   return state_.bodies[i].free < 0 ? 0 : state_.free[state_.bodies[i].free].bound;
 }

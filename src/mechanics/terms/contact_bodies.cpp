@@ -149,6 +149,10 @@ Eigen::MatrixXd BodyUnknowns::own_response() const {
   return out;
 }
 
+void BodyUnknowns::add_places(Places which, std::vector<double>& x) const {
+  bodies().readings().add_places(which, x);
+}
+
 Eigen::MatrixXd BodyUnknowns::own_stiffness() const {
   if (!static_) return {};
   Eigen::MatrixXd out = -responses();

@@ -37,6 +37,7 @@ class BodyUnknowns final : public OwnUnknowns {
   double largest_own_force() const override;  // where bodies meet each other; else 0
   double largest_own_residual() const override { return equations().largest_residual(); }
   Eigen::MatrixXd own_stiffness() const override;
+  void add_places(Places which, std::vector<double>& x) const override;
 
   // By the places (m) and turns (rad) of all free bodies, 6 numbers each: derivatives of the internal forces
   // on the nodes, N; of the forces and torques on the bodies with the other sign; and of the volumes of gas,
