@@ -49,11 +49,16 @@ Outcome Contacts::add_forces(const law::Step& step, const Trial& trial, Forces& 
   ContactState& s = state_;
   s.place(trial);
   const bool room = settling_.find_work();
-  std::fill(s.force.begin(), s.force.end(), Vec3::Zero());
-  std::fill(s.torque.begin(), s.torque.end(), Vec3::Zero());
-  s.trial = s.add_forces(scheme().way(step.dt));
-  s.trial_tied = s.ties.add_forces(s.x, s.force);
-  s.evaluated = true;
+  // Newton's iterations ask for the forces, and then for forces and tangent of the same state.
+  const ContactState::Moment now{trial.configuration.version(), s.time, s.share, step.dt};
+  if (!s.evaluated || s.evaluated_at != now || settling_.opens() || explicit_.used()) {
+    std::fill(s.force.begin(), s.force.end(), Vec3::Zero());
+    std::fill(s.torque.begin(), s.torque.end(), Vec3::Zero());
+    s.trial = s.add_forces(scheme().way(step.dt));
+    s.trial_tied = s.ties.add_forces(s.x, s.force);
+    s.evaluated = true;
+    s.evaluated_at = now;
+  }
   s.blocked = !(s.trial.gap > 0) || !room;
   if (passing_.given_motions_meet())
     return {Answer::cut, -1, "parts of the cloth whose motion is given pass through what is fixed or driven"};

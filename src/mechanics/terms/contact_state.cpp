@@ -107,10 +107,12 @@ double SettlingOverlaps::pace(std::span<const Vec3> x, double time, double dt) {
   return (more - less) / (2 * small);
 }
 
+bool SettlingOverlaps::opens() const { return state_.configuration.time() < state_.surfaces.opened_at(); }
+
 bool SettlingOverlaps::find_work() {
   work_ = {};
   const double from = state_.configuration.time(), dt = state_.dt();
-  if (!(from < state_.surfaces.opened_at()) || !(dt > 0)) return true;
+  if (!opens() || !(dt > 0)) return true;
   const double first = pace(state_.start, from, dt), last = pace(state_.x, state_.time, dt);
   work_ = {(first + last) / 2, std::abs(last - first) / 2};
   open_to(state_.time);

@@ -67,8 +67,13 @@ struct ContactState {
   double lost = 0, impact = 0;                // J, by friction and by impacts, up to the committed state
   double weight = 1;                          // of the forces at the end of an implicit step
   bool evaluated = false;                     // whether the forces of the trial state are known
-  bool blocked = false;                       // whether the state of the last forces is impossible
-  std::string overlaps;                       // at the start, as a message; empty: there are none
+  struct Moment {
+    std::uint64_t version = 0;  // of the configuration
+    double time = 0, share = 0, dt = 0;
+    bool operator==(const Moment&) const = default;
+  } evaluated_at;        // what the last forces are of
+  bool blocked = false;  // whether the state of the last forces is impossible
+  std::string overlaps;  // at the start, as a message; empty: there are none
 };
 
 // Overlaps at the start that are opened smoothly from time 0 to the end of their settling, and the work of
@@ -80,6 +85,7 @@ class SettlingOverlaps {
   // The work of opening in the step, by the trapezoid rule from its rates at both ends of the step. Returns
   // false if there is not enough room for the opening. Afterwards contact is opened as at the step's end.
   bool find_work();
+  bool opens() const;                             // in the step
   const StepWork& work() const { return work_; }  // in the step
 
  private:
