@@ -13,6 +13,8 @@ namespace fabricsh::linear {
 
 namespace {
 
+constexpr Index kShared = 50000;  // entries from which threads share them
+
 std::uint64_t next_version() {
   static std::atomic<std::uint64_t> last{0};
   return ++last;
@@ -67,13 +69,17 @@ Index Pattern::slot(Index r, Index c) const {
 }
 
 void Matrix::clear() {
-  std::fill(value.begin(), value.end(), 0.0);
+  const Index n = static_cast<Index>(value.size());
+#pragma omp parallel for schedule(static) if (n > kShared)
+  for (Index i = 0; i < n; ++i) value[static_cast<std::size_t>(i)] = 0;
   apart.clear();
   ranks = {};
 }
 
 void Matrix::scale(double factor) {
-  for (double& v : value) v *= factor;
+  const Index n = static_cast<Index>(value.size());
+#pragma omp parallel for schedule(static) if (n > kShared)
+  for (Index i = 0; i < n; ++i) value[static_cast<std::size_t>(i)] *= factor;
   for (double& v : apart) v *= factor;
   if (!ranks.empty()) ranks.core *= factor;
 }
@@ -122,6 +128,27 @@ Pattern both_triangles(const Pattern& upper) {
   return {std::move(starts), std::move(rows)};
 }
 
+// The sums of the absolute entries of columns. Those of a node are as long, and each addition has to wait for
+// the one before: four are done at once.
+void add_columns(const Matrix& A, std::vector<double>& sums) {
+  constexpr Index group = 4;
+  const Index size = A.size();
+  const std::vector<Index>& start = A.pattern->column;
+#pragma omp parallel for schedule(static) if (A.pattern->entries() > kShared)
+  for (Index first = 0; first < size; first += group) {
+    const Index n = std::min(group, size - first);
+    double sum[group] = {};
+    Index common = start[first + 1] - start[first];
+    for (Index c = first + 1; c < first + n; ++c) common = std::min(common, start[c + 1] - start[c]);
+    for (Index k = 0; k < common; ++k)
+      for (Index c = 0; c < n; ++c) sum[c] += std::abs(A.entry(start[first + c] + k));
+    for (Index c = 0; c < n; ++c) {
+      for (Index k = start[first + c] + common; k < start[first + c + 1]; ++k) sum[c] += std::abs(A.entry(k));
+      sums[static_cast<std::size_t>(first + c)] = sum[c];
+    }
+  }
+}
+
 // The sums of the absolute entries of the ranks, or more where several cancel.
 void add_absolute(const FewRanks& ranks, std::vector<double>& sums) {
   std::vector<double> whole;
@@ -152,14 +179,17 @@ void multiply(const FewRanks& ranks, std::span<const double> x, std::span<double
 void absolute_sums(const Matrix& A, std::vector<double>& sums) {
   const Pattern& pattern = *A.pattern;
   sums.assign(static_cast<std::size_t>(A.size()), 0.0);
-  for (Index c = 0; c < A.size(); ++c)
-    for (Index k = pattern.column[c]; k < pattern.column[c + 1]; ++k) {
-      const Index r = pattern.row[k];
-      if (pattern.upper && r > c) break;
-      const double a = std::abs(A.entry(k));
-      sums[static_cast<std::size_t>(c)] += a;
-      if (pattern.upper && r < c) sums[static_cast<std::size_t>(r)] += a;
-    }
+  if (!pattern.upper) {
+    add_columns(A, sums);
+  } else {
+    for (Index c = 0; c < A.size(); ++c)
+      for (Index k = pattern.column[c]; k < pattern.column[c + 1] && pattern.row[k] <= c; ++k) {
+        const Index r = pattern.row[k];
+        const double a = std::abs(A.entry(k));
+        sums[static_cast<std::size_t>(c)] += a;
+        if (r < c) sums[static_cast<std::size_t>(r)] += a;
+      }
+  }
   if (!A.ranks.empty()) add_absolute(A.ranks, sums);
   const double largest = sums.empty() ? 0 : *std::max_element(sums.begin(), sums.end());
   for (double& s : sums) s = std::max(s, 1e-12 * largest);

@@ -14,10 +14,11 @@ namespace fabricsh::linear {
 
 namespace {
 
-constexpr double kEnough = 1e-6;    // of the right-hand side, left of it
-constexpr double kRounded = 1e-12;  // of two opposite entries: they differ by rounding alone
-constexpr Index kMost = 40;         // iterations, beyond which the whole matrix is factorised
-constexpr double kHalfWay = 0.05;   // left after half of them, with which they do not lead there
+constexpr double kEnough = 1e-6;         // of the right-hand side, left of it
+constexpr double kRounded = 1e-12;       // of two opposite entries: they differ by rounding alone
+constexpr Index kMost = 40;              // iterations, beyond which the whole matrix is factorised
+constexpr double kHalfWay = 0.05;        // left after half of them, with which they do not lead there
+constexpr std::size_t kTogether = 8192;  // entries that one thread takes together
 
 class NearSymmetric final : public LinearSolver {
  public:
@@ -46,19 +47,14 @@ class NearSymmetric final : public LinearSolver {
     by_whole_ = false;
     rest_.clear();
     if (A.pattern->upper) return half_->factorise(A) || by_whole(A);
-    const double* const value = A.value.data();
-    double* const mean = S_.value.data();
-    for (std::size_t i = 0; i < above_.size(); ++i) {
-      const double a = value[above_[i]], b = value[below_[i]];
-      mean[i] = (a + b) / 2;
-      if (std::abs(a - b) > kRounded * std::abs(a + b)) {
-        const auto& starts = S_.pattern->column;
-        const auto next = std::upper_bound(starts.begin(), starts.end(), static_cast<Index>(i));
-        const Index row = S_.pattern->row[i], column = next - starts.begin() - 1;
-        rest_.push_back({row, column, (a - b) / 2});
-        rest_.push_back({column, row, (b - a) / 2});
-      }
+    const std::size_t parts = (above_.size() + kTogether - 1) / kTogether;
+    rests_.resize(parts);
+#pragma omp parallel for schedule(static) if (parts > 1)
+    for (std::size_t p = 0; p < parts; ++p) {
+      rests_[p].clear();
+      take_mean(A, p * kTogether, std::min((p + 1) * kTogether, above_.size()), rests_[p]);
     }
+    for (const auto& part : rests_) rest_.insert(rest_.end(), part.begin(), part.end());
     for (Index c = 0; c < A.size() && !A.apart.empty(); ++c)
       for (Index k = A.pattern->column[c]; k < A.pattern->column[c + 1]; ++k)
         if (const double v = A.apart[static_cast<std::size_t>(k)]; v != 0)
@@ -80,6 +76,28 @@ class NearSymmetric final : public LinearSolver {
   }
 
  private:
+  struct Entry {
+    Index row, column;
+    double value;
+  };
+
+  // Entries of S from `from` on; `rest` gets what A has beyond them.
+  void take_mean(const Matrix& A, std::size_t from, std::size_t to, std::vector<Entry>& rest) {
+    const double* const value = A.value.data();
+    double* const mean = S_.value.data();
+    for (std::size_t i = from; i < to; ++i) {
+      const double a = value[above_[i]], b = value[below_[i]];
+      mean[i] = (a + b) / 2;
+      if (std::abs(a - b) > kRounded * std::abs(a + b)) {
+        const auto& starts = S_.pattern->column;
+        const auto next = std::upper_bound(starts.begin(), starts.end(), static_cast<Index>(i));
+        const Index row = S_.pattern->row[i], column = next - starts.begin() - 1;
+        rest.push_back({row, column, (a - b) / 2});
+        rest.push_back({column, row, (b - a) / 2});
+      }
+    }
+  }
+
   bool by_whole(const Matrix& A) {
     if (!whole_) whole_ = make_unsymmetric_solver();
     by_whole_ = whole_->factorise(A);
@@ -160,11 +178,8 @@ class NearSymmetric final : public LinearSolver {
   std::unique_ptr<LinearSolver> half_ = make_symmetric_factors(), whole_;
   Matrix S_;                          // the symmetric part
   std::vector<Index> above_, below_;  // for each entry of S its place in A, and that of the entry opposite
-  struct Entry {
-    Index row, column;
-    double value;
-  };
-  std::vector<Entry> rest_;  // what A has beyond S
+  std::vector<Entry> rest_;           // what A has beyond S
+  std::vector<std::vector<Entry>> rests_;  // the same by parts
   bool by_whole_ = false;
   std::vector<Vector> basis_, solved_;  // S^-1 times the basis
 };

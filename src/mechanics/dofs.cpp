@@ -13,7 +13,7 @@
 namespace fabricsh::mechanics {
 
 namespace {
-constexpr Index kParallelFrom = 2048;  // number of nodes from which loops use several threads
+constexpr Index kParallelFrom = 1024;  // number of nodes from which loops use several threads
 }
 
 Dofs::Dofs(const model::Model& model, Configuration& configuration)

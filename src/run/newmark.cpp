@@ -57,7 +57,7 @@ void Newmark::update() {
     rates->d.resize(3 * nodes);
   }
   const mechanics::Freedoms& freedoms = assembly_.dofs().freedoms();
-#pragma omp parallel for schedule(static) if (nodes >= 2048)
+#pragma omp parallel for schedule(static) if (nodes >= 256)
   for (std::size_t n = 0; n < nodes; ++n) {
     if (freedoms.body(static_cast<mechanics::Index>(n)) >= 0) {
       update_rigid(n, x, old);

@@ -518,16 +518,17 @@ Outcome Cloth::scatter_tangents(const law::Step& step, bool law_only, Stiffness&
   if (!kept) evaluated_ = {};
   if (!law_only) astray_version_ = configuration_.version();
   Index failed = -1;
-  for (std::size_t c = 0; c + 1 < colour_start_.size(); ++c) {
-    const Index from = colour_start_[c], to_end = colour_start_[c + 1];
-#pragma omp parallel reduction(max : failed) if (to_end - from >= few_batches)
-    {
-      LineVector buffer(kept ? most_states_ : 0);
+  const auto colours = static_cast<Index>(colour_start_.size()) - 1;
+#pragma omp parallel reduction(max : failed) if (colour_start_.back() >= few_batches)
+  {
+    LineVector buffer(kept ? most_states_ : 0);
+    for (Index c = 0; c < colours; ++c) {
+      const Index end = colour_start_[c + 1];
 #pragma omp for schedule(static)
-      for (Index b = from; b < to_end; ++b) {
+      for (Index b = colour_start_[c]; b < end; ++b) {
         alignas(64) double k[element::shell4_dofs * element::shell4_dofs * lanes];
         stiffness.fetch(b, to);
-        if (b + 1 < to_end) {
+        if (b + 1 < end) {
           fetch(batches_[b + 1], aside);
           fetch_nodes(batches_[b + 1]);
         }
