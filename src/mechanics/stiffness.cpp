@@ -357,11 +357,20 @@ void Stiffness::add_entry(Index r, Index c, double v, const Target& to) const {
 
 namespace {
 
+// The place of an entry in its column: mostly the same for all columns of a node, and looked for if not.
+Index slot_near(const linear::Pattern& pattern, Index r, Index c, Index& place) {
+  const Index guess = pattern.column[c] + place;
+  if (guess >= pattern.column[c + 1] || pattern.row[guess] != r)
+    place = pattern.slot(r, c) - pattern.column[c];
+  return pattern.column[c] + place;
+}
+
 // Adds a block of two nodes without ties, from their equation number `first` on. The rows of a node follow
 // each other in each column.
 template <int n>
 void add_free(const Dofs& dofs, bool upper, Index a, Index b, int first, const Eigen::Matrix<double, n, n>& k,
               const Stiffness::Target& to) {
+  Index place = 0;
   const auto &rows = dofs.freedoms().nodes[a].equation, &columns = dofs.freedoms().nodes[b].equation;
   for (int j = 0; j < n; ++j) {
     const Index c = columns[first + j];
@@ -374,7 +383,7 @@ void add_free(const Dofs& dofs, bool upper, Index a, Index b, int first, const E
       if (c < held) {
         to.product[r] += k(i, j) * led;
       } else if (!upper || r <= c) {
-        if (slot < 0) slot = to.K.pattern->slot(row = r, c);
+        if (slot < 0) slot = slot_near(*to.K.pattern, row = r, c, place);
         to.K.value[slot + r - row] += k(i, j);
       }
     }
@@ -406,8 +415,10 @@ void Stiffness::add_diagonal(std::span<const double> c_x, std::span<const double
       continue;
     }
     const auto& eq = dofs_.freedoms().nodes[n].equation;
+    Index place = 0;  // in a node's next column one further
     for (int c = 0; c < 5; ++c)
-      if (eq[c] >= 0) add_entry(eq[c], eq[c], c < 3 ? c_x[n] : c_d[n], to);
+      if (const double v = c < 3 ? c_x[n] : c_d[n]; eq[c] >= 0 && v != 0)
+        K.value[slot_near(*K.pattern, eq[c], eq[c], place)] += v, ++place;
   }
 }
 
@@ -452,7 +463,9 @@ void Stiffness::Sink::on_positions_apart(Index a, Index b, const Mat3& k, const 
 
 void Stiffness::Sink::add_positions(Index a, Index b, const Mat3& k, const Target& to) {
   const auto& nodes = stiffness_.dofs_.freedoms().nodes;
-  const Mat3 turned = nodes[a].frame * k * nodes[b].frame.transpose();
+  Mat3 turned = k;
+  if (nodes[a].oblique) turned = nodes[a].frame * turned;
+  if (nodes[b].oblique) turned = turned * nodes[b].frame.transpose();
   if (through_ties(a, b)) {
     Eigen::Matrix<double, 5, 5> block = Eigen::Matrix<double, 5, 5>::Zero();
     block.topLeftCorner<3, 3>() = turned;
