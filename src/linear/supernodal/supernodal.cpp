@@ -29,13 +29,13 @@ FABRICSH_DECLARE_COPIES(DenseKernels dense_kernels_of_isa();)
 
 namespace {
 
-constexpr double kMeaningless = 1e-13;       // of its diagonal entry: a pivot that means nothing
-constexpr double kLeft = 1e-8;               // of the right-hand side, left of it
-constexpr double kSharedFrom = 4e6;          // multiplications, from which threads share them
-constexpr double kWideFrom = 1e6;            // multiplications of one node, likewise
+constexpr double kMeaningless = 1e-13;      // of its diagonal entry: a pivot that means nothing
+constexpr double kLeft = 1e-8;              // of the right-hand side, left of it
+constexpr double kSharedFrom = 4e6;         // multiplications, from which threads share them
+constexpr double kWideFrom = 1e6;           // multiplications of one node, likewise
 constexpr std::size_t kSolvedFrom = 80000;  // entries of L, from which threads share its solutions
-constexpr double kPart = 1.0 / 8;            // of all multiplications: those of a part at most
-constexpr std::size_t kBordered = 4;         // nodes of a part from which it sums its border
+constexpr double kPart = 1.0 / 8;           // of all multiplications: those of a part at most
+constexpr std::size_t kBordered = 4;        // nodes of a part from which it sums its border
 constexpr long kBlock = 96, kWide = 48;  // rows and columns of a node above the parts that are done at once
 constexpr long up_to(long n, long multiple) { return (n + multiple - 1) / multiple * multiple; }
 
