@@ -80,8 +80,10 @@ class RunState {
   const std::shared_ptr<model::Model>& shared_model() const { return model_; }
   const mechanics::Assembly& assembly() const { return *assembly_; }
   const std::vector<StepReport>& steps() const { return reports_; }
-  virtual const char* kind() const = 0;           // "static", "dynamic"
-  virtual bool moves() const { return false; }    // whether there are velocities
+  virtual const char* kind() const = 0;         // "static", "dynamic"
+  virtual bool moves() const { return false; }  // whether there are velocities
+  // Whether the forces of contact are those of a whole step, and not of its end.
+  virtual bool contact_acts_over_steps() const { return false; }
   virtual double tolerance() const { return 0; }  // of a step's residual; 0: not used
 
   // How far the run has exceeded the tested range of its card; empty: it has not, or the card does not state

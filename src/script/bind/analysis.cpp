@@ -437,8 +437,9 @@ std::vector<Entry> reading() {
        {set_or_body_row(),
         fields_("options?",
                 {number_("window?", "s", positive,
-                         "the mean over the last seconds, straight between the ends of the run's steps; to "
-                         "be asked for once before the first step"),
+                         "the mean over the last seconds, straight between the ends of the run's steps, of a "
+                         "body in implicit motion that of whole steps; to be asked for once before the "
+                         "first step"),
                  flag_("support", "of a body: the force on it of m:fix, in the directions that are held")},
                 "window = seconds for a mean, or support = true")},
        "Force that the supports, or a rigid body, exert on the cloth, summed over the set: three numbers x, "
