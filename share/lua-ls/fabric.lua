@@ -201,7 +201,7 @@ function analysis:on_body(body) end
 function analysis:reach(value, target, set, tolerance) end
 
 ---@class analysis_reaction_fields.options
----@field window? number s: the mean over the last seconds, straight between the ends of the run's steps; to be asked for once before the first step
+---@field window? number s: the mean over the last seconds, straight between the ends of the run's steps, of a body in implicit motion that of whole steps; to be asked for once before the first step
 ---@field support? boolean of a body: the force on it of m:fix, in the directions that are held (default false)
 
 ---Force that the supports, or a rigid body, exert on the cloth, summed over the set: three numbers x, y, z in N, global; zero before the first step.
@@ -376,8 +376,8 @@ function fabric.columns(rows) end
 ---@field scheme? "explicit"|"implicit" explicit (central differences) or implicit (Newmark with Newton) (default "explicit")
 ---@field gamma? number of Newmark; above 1/2 it damps; default 1/2
 ---@field beta? number of Newmark; default 0 explicit, (1/2 + gamma)^2/4 implicit
----@field hht? number alpha of Hilbert, Hughes and Taylor: damps high frequencies; default 0, and -0.2 from the step on in which implicit steps have made energy
----@field spectral_radius? number implicit: share of an amplitude that is left after a step much longer than its period; what is lost is in energy.damping. From 1/2 on by alpha, of second order; below by the generalised trapezoidal rule, which beside contact never makes energy
+---@field hht? number alpha of Hilbert, Hughes and Taylor: damps high frequencies; beside contact as spectral_radius = (1 + hht) / (1 - hht); default 0, and -0.2 from the step on in which implicit steps have made energy
+---@field spectral_radius? number implicit: share of an amplitude that is left after a step much longer than its period; what is lost is in energy.damping. By the generalised trapezoidal rule, which never makes energy of contact; without contact from 1/2 on by alpha, of second order; default 1, beside contact 0.9 unless another field chooses the scheme, or error= the steps
 ---@field slow? boolean implicit: motion that passes through near-equilibria, as spectral_radius=0 (Euler's backward rule): what is faster than the steps dies within them (default false)
 ---@field error? number implicit: steps are so short that none errs by more in the place of a node or body, over the size of the model; step= is then the largest, a twentieth of the duration unless given; default steps as step= says
 ---@field linear? "auto"|"symmetric"|"unsymmetric" implicit: direct solver: auto (symmetric where law and loads are), symmetric, unsymmetric (default "auto")
