@@ -286,6 +286,7 @@ class Supernodal final : public LinearSolver {
       for (std::size_t p = ends.size(); p-- > 0;)
         add(begin[ends[p] - 1], ends[p], nodes_[ends[p] - 1].columns);
     }
+    list_waves(node_of);
     border_.resize(static_cast<std::size_t>(values + kRows));
     edge_.resize(static_cast<std::size_t>(edges));
     order_.resize(parts_.size());
@@ -293,6 +294,20 @@ class Supernodal final : public LinearSolver {
     std::stable_sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) {
       return work[parts_[a].end - 1] > work[parts_[b].end - 1];
     });
+  }
+
+  // The nodes above all parts by their height: those of the same one do not need each other.
+  void list_waves(const std::vector<std::size_t>& node_of) {
+    std::vector<long> height(nodes_.size(), 0);
+    waves_.clear();
+    for (const std::size_t s : top_) {
+      waves_.emplace_back(height[s], s);
+      const Node& n = nodes_[s];
+      if (n.rows == n.columns) continue;
+      long& next = height[node_of[rows_[n.row + n.columns]]];
+      next = std::max(next, height[s] + 1);
+    }
+    std::stable_sort(waves_.begin(), waves_.end());
   }
 
   // For each node the entries of A in its columns, and where they go.
@@ -377,16 +392,17 @@ class Supernodal final : public LinearSolver {
         if (!factors_of(parts_[order_[p]], A, work)) possible = false;
       // All threads come to the end of each loop, where they wait for each other, also when a node has
       // failed: one that reads so late could already see the failure of a node that others still work on.
-      for (std::size_t t = 0; t < top_.size();) {
-        if (!wide(top_[t])) {
-          const std::size_t begin = t;
-          while (t < top_.size() && !wide(top_[t])) ++t;
-#pragma omp single
-          for (std::size_t s = begin; s < t; ++s)
-            if (possible && !factors_of(top_[s], A, work)) possible = false;
-        } else {
-          share(top_[t++], A, work, possible);
+      for (std::size_t t = 0; t < waves_.size();) {
+        if (wide(waves_[t].second)) {
+          share(waves_[t++].second, A, work, possible);
+          continue;
         }
+        const std::size_t begin = t;
+        for (++t; t < waves_.size() && waves_[t].first == waves_[begin].first && !wide(waves_[t].second);)
+          ++t;
+#pragma omp for schedule(dynamic, 1)
+        for (std::size_t w = begin; w < t; ++w)
+          if (possible && !factors_of(waves_[w].second, A, work)) possible = false;
       }
     }
     return possible;
@@ -537,9 +553,10 @@ class Supernodal final : public LinearSolver {
   const DenseKernels kernels_ = FABRICSH_COPY_FOR(best_isa(), dense_kernels_of_isa)();
   std::vector<Node> nodes_;
   std::vector<Part> parts_;
-  std::vector<std::size_t> top_, order_;  // nodes above all parts; parts, the longest first
-  std::vector<Index> part_of_;            // of a node; -1: above all
-  std::vector<double> taken_;             // multiplications that a node takes
+  std::vector<std::size_t> top_, order_;             // nodes above all parts; parts, the longest first
+  std::vector<std::pair<long, std::size_t>> waves_;  // heights and nodes above all parts
+  std::vector<Index> part_of_;                       // of a node; -1: above all
+  std::vector<double> taken_;                        // multiplications that a node takes
   bool shared_ = false;
   std::vector<Index> rows_, place_of_;  // rows of all nodes; of an unknown in the order of elimination
   std::vector<Index> diagonal_;         // entries of A
