@@ -482,16 +482,23 @@ void Contact::stiffness(std::span<const Vec3> x, const VisitStiffness& visit, co
   prepare(x);
   const std::vector<std::uint32_t> slots = touching(x);
   const bool rubs = !way.start.empty();
-  std::vector<Matrix12> k(std::min(at_a_time, slots.size()));
-  std::vector<FrictionTangent> friction(rubs ? k.size() : 0);
+  // Kept from call to call: a megabyte.
+  thread_local std::vector<Matrix12> kept_k;
+  thread_local std::vector<FrictionTangent> kept_friction;
+  auto& k = kept_k;
+  auto& friction = kept_friction;
+  if (k.size() < std::min(at_a_time, slots.size())) k.resize(at_a_time);
+  if (rubs && friction.empty()) friction.resize(at_a_time);
   const auto compute = [&](std::size_t slot, std::size_t place) {
     const Candidate& c = inner_[slot];
     const Interaction& it = scene_->interactions()[std::size_t(c.interaction)];
     const Corners corners = corners_of(c, x);
     const Blocks of = wanted_of(c, wanted);
-    k[place].setZero();
-    if (rubs) friction[place] = {};
-    if (c.pair.kind == PairKind::edges && !segments_crossing(corners)) return;
+    if (c.pair.kind == PairKind::edges && !segments_crossing(corners)) {
+      k[place].setZero();
+      if (rubs) friction[place] = {};
+      return;
+    }
     k[place] = pair_derivatives(it.law, c.pair, corners, of).hessian;
     if (!rubs || !it.rubs()) return;
     Slip slip;
@@ -506,7 +513,7 @@ void Contact::stiffness(std::span<const Vec3> x, const VisitStiffness& visit, co
     for (std::size_t i = 0; i < n; ++i) {
       const Candidate& c = inner_[slots[from + i]];
       const bool rubs_here = scene_->interactions()[std::size_t(c.interaction)].rubs();
-      visit_in_nodes(c, k[i], friction.empty() || !rubs_here ? nullptr : &friction[i], visit);
+      visit_in_nodes(c, k[i], !rubs || !rubs_here ? nullptr : &friction[i], visit);
     }
   }
 }

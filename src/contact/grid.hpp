@@ -45,7 +45,7 @@ class Boxes {
     const std::size_t n = things.size();
     for (auto* side : {&low_, &high_})
       for (auto& row : *side) row.assign(n + pack, 0);
-#pragma omp parallel for schedule(static) if (n > 4096)
+#pragma omp parallel for schedule(static) if (n > 512)
     for (std::size_t i = 0; i < n; ++i) {
       const Bounds bounds = outside(box_of(things[i]));
       for (std::size_t k = 0; k < 3; ++k) {
@@ -84,12 +84,11 @@ class Grid {
     for (int k = 0; k < 3; ++k) cells_[k] = std::int64_t(size[k] / cell) + 1;
     start_.assign(std::size_t(cells_[0] * cells_[1] * cells_[2]) + 1, 0);
     std::vector<std::int64_t> in(count, -1);
-    for (std::size_t i = 0; i < count; ++i) {
-      const Vec3 p = place(i);
-      if (!Box{p, p}.meets(room)) continue;
-      in[i] = number(at(p, 0), at(p, 1), at(p, 2));
-      ++start_[std::size_t(in[i]) + 1];
-    }
+#pragma omp parallel for schedule(static) if (count > 512)
+    for (std::size_t i = 0; i < count; ++i)
+      if (const Vec3 p = place(i); Box{p, p}.meets(room)) in[i] = number(at(p, 0), at(p, 1), at(p, 2));
+    for (const std::int64_t cell_of : in)
+      if (cell_of >= 0) ++start_[std::size_t(cell_of) + 1];
     for (std::size_t c = 1; c < start_.size(); ++c) start_[c] += start_[c - 1];
     points_.resize(start_.back());
     std::vector<std::size_t> next(start_.begin(), start_.end() - 1);

@@ -365,12 +365,19 @@ Index slot_near(const linear::Pattern& pattern, Index r, Index c, Index& place) 
   return pattern.column[c] + place;
 }
 
+// Where the rows of node a were in the columns of node b when such a block was last added: a guess, which is
+// checked.
+Index& last_place(Index a, Index b) {
+  thread_local std::array<Index, 4096> places{};
+  return places[static_cast<std::size_t>(97 * a + b) % places.size()];
+}
+
 // Adds a block of two nodes without ties, from their equation number `first` on. The rows of a node follow
 // each other in each column.
 template <int n>
 void add_free(const Dofs& dofs, bool upper, Index a, Index b, int first, const Eigen::Matrix<double, n, n>& k,
               const Stiffness::Target& to) {
-  Index place = 0;
+  Index& place = last_place(a, b);
   const auto &rows = dofs.freedoms().nodes[a].equation, &columns = dofs.freedoms().nodes[b].equation;
   for (int j = 0; j < n; ++j) {
     const Index c = columns[first + j];
