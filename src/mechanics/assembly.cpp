@@ -273,7 +273,7 @@ void Assembly::couple() {
   for (const auto& term : terms_) term->couple(trial(), wanted);
   for (auto& [a, b] : wanted)
     if (a > b) std::swap(a, b);
-  std::sort(wanted.begin(), wanted.end());
+  if (!std::is_sorted(wanted.begin(), wanted.end())) std::sort(wanted.begin(), wanted.end());
   wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
   if (!std::includes(coupled_.begin(), coupled_.end(), wanted.begin(), wanted.end()))
     couple(std::move(wanted));

@@ -200,11 +200,11 @@ Stability StabilityCheck::of(const linear::Matrix& K, std::span<const double> D)
 // the bounds add as they follow the pressure may still turn a direction; then the whole is asked, as any
 // matrix.
 Stability StabilityCheck::with_friction(const linear::Matrix& K, std::span<const double> D) {
-  linear::Matrix rest = K, friction = K;
-  rest.apart.clear();
-  friction.value.swap(friction.apart);
-  friction.apart.clear();
-  friction.ranks = {};
+  linear::Matrix rest, friction;
+  rest.pattern = friction.pattern = K.pattern;
+  rest.value = K.value;
+  rest.ranks = K.ranks;
+  friction.value = K.apart;
   const Stability part = by_symmetric_part(rest, D, *own_);
   const linear::Matrix& factorised = factorisations_ > 1 ? A_ : rest;
   const auto follow = [&](std::span<const double> v, std::span<double> w) {
