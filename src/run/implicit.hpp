@@ -36,7 +36,7 @@ class Implicit final : public Dynamic {
   void commit(StepReport& report) override;
   [[noreturn]] void give_up(const StepReport& report) override;
   const mechanics::Motion& motion() const override { return newmark_; }
-  bool contact_acts_over_steps() const override { return true; }
+  double place_of_contact() const override { return newmark_.weight_of_end(); }
   void memory(Archive& archive) override;
   std::vector<double> unknown_rates() const override {
     return assembly_->dofs().collect_rates(newmark_.velocities());

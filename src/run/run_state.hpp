@@ -82,8 +82,8 @@ class RunState {
   const std::vector<StepReport>& steps() const { return reports_; }
   virtual const char* kind() const = 0;         // "static", "dynamic"
   virtual bool moves() const { return false; }  // whether there are velocities
-  // Whether the forces of contact are those of a whole step, and not of its end.
-  virtual bool contact_acts_over_steps() const { return false; }
+  // Where in a step its force of contact is that of a load that changes: 1, at its end; 1/2, in its middle.
+  virtual double place_of_contact() const { return 1; }
   virtual double tolerance() const { return 0; }  // of a step's residual; 0: not used
 
   // How far the run has exceeded the tested range of its card; empty: it has not, or the card does not state

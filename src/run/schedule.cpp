@@ -201,7 +201,7 @@ void Window::sample(const Run& run) {
   const double now = run.time();
   while (!points_.empty() && points_.back().time >= now) points_.pop_back();  // along an arc, or again
   points_.push_back({now, value_(run)});
-  over_steps_ = !of_.empty() && of_.front().body >= 0 && run.contact_acts_over_steps();
+  place_ = !of_.empty() && of_.front().body >= 0 ? run.place_of_contact() : 1;
   const auto inside =
       std::find_if(points_.begin(), points_.end(), [&](const Point& p) { return p.time > now - width_; });
   if (inside - points_.begin() > 1) points_.erase(points_.begin(), inside - 1);
@@ -216,7 +216,8 @@ Sampled Window::mean() const {
     const Point &a = points_[i - 1], &b = points_[i];
     const double from = std::max(a.time, begin), part = (from - a.time) / (b.time - a.time);
     for (std::size_t c = 0; c < sum.size(); ++c) {
-      const double at_from = over_steps_ ? b.value[c] : a.value[c] + part * (b.value[c] - a.value[c]);
+      const double straight = a.value[c] + part * (b.value[c] - a.value[c]);
+      const double at_from = place_ == 1 ? straight : b.value[c] + (2 * place_ - 1) * (straight - b.value[c]);
       sum[c] += (b.time - from) * (at_from + b.value[c]) / 2;
     }
   }

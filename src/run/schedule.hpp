@@ -18,7 +18,7 @@ class Run;
 using Sampled = std::array<double, 3>;  // a vector, or a number and two zeros
 
 // The values of the last `width` seconds at the ends of the run's own steps, straight between them. The force
-// of a body in implicit motion is that of each whole step.
+// of a body in implicit motion is that of a place within each step.
 class Window {
  public:
   using Value = std::function<Sampled(const Run&)>;
@@ -44,7 +44,7 @@ class Window {
   double width_;
   Value value_;
   std::vector<Reaction> of_ = {};  // one, or none
-  bool over_steps_ = false;        // whether a value is that of the whole step that it ends
+  double place_ = 1;               // of the values in the steps that they end, see Run::place_of_contact()
   std::vector<Point> points_;      // ascending in time; one at most before the window
 };
 

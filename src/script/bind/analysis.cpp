@@ -435,13 +435,14 @@ std::vector<Entry> reading() {
   return {
       {"analysis:reaction()",
        {set_or_body_row(),
-        fields_("options?",
-                {number_("window?", "s", positive,
-                         "the mean over the last seconds, straight between the ends of the run's steps, of a "
-                         "body in implicit motion that of whole steps; to be asked for once before the "
-                         "first step"),
-                 flag_("support", "of a body: the force on it of m:fix, in the directions that are held")},
-                "window = seconds for a mean, or support = true")},
+        fields_(
+            "options?",
+            {number_("window?", "s", positive,
+                     "the mean over the last seconds, straight between the ends of the run's steps, for a "
+                     "body in implicit motion as the scheme takes its force; to be asked for once before "
+                     "the first step"),
+             flag_("support", "of a body: the force on it of m:fix, in the directions that are held")},
+            "window = seconds for a mean, or support = true")},
        "Force that the supports, or a rigid body, exert on the cloth, summed over the set: three numbers x, "
        "y, z in N, global; zero before the first step.",
        run + "local x, y = a:solve():reaction 'top'\nassert(y > 0)",
