@@ -51,10 +51,10 @@ for k in ipairs(turns) do
   a:advance(k)
   check(("static, at turn %d"):format(k), a:mean "S11", rows[k].S, 1e-7)
 end
--- The trapezoid's error, of second order in the step.
+-- Work within what the forces at both ends of the steps allow is what the cloth took up.
 local function gap(of) local e = of.energy return math.abs(e.external - e.internal) / math.abs(e.external) end
 local coarse, fine = gap(a), gap(run(card, 0.0125):solve())
-assert(coarse < 1e-2 and fine < 0.2 * coarse, ("%g %g"):format(coarse, fine))
+assert(coarse < 1e-9 and fine < 1e-9, ("%g %g"):format(coarse, fine))
 local volume = 0.01 * card.thickness
 check("dissipated in the warp, as at a point", a.energy.dissipated_warp, rows[#turns].dissipated_warp * volume, 1e-6)
 

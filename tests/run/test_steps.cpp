@@ -189,10 +189,10 @@ TEST_CASE("a static run speaks of relaxation only where the cloth may have falle
     const auto e = a.energy();
     INFO(said << e.error);
     CHECK(e.error < 1e-12);
-    CHECK((pulled && e.relaxed > 0.05 * e.external) == (pulled && step > 0.1));
+    CHECK((e.relaxed > 0.05 * e.external) == !pulled);
     return said;
   };
-  // A load that stiffens does more work by the trapezium than the cloth takes up, and the forces are right.
+  // A load that stiffens would do more work by the trapezium than the cloth takes up: that is its work.
   CHECK(said_of(0.5, true).find("relaxation") == std::string::npos);
   CHECK(said_of(0.02, true).find("relaxation") == std::string::npos);
   // A weight that is there from the first gives more than the cloth takes up: that is not the steps' fault.
