@@ -266,7 +266,7 @@ void ExternalWork::add(mechanics::Assembly& assembly, std::span<const double> de
 void ExternalWork::add_weighted(mechanics::Assembly& assembly, std::span<const double> dead, double theta) {
   double change = 0;
   const mechanics::StepWork step = of_step(assembly, dead, true, &change);
-  add(step.work + (2 * theta - 1) * change);
+  add(step.work + (2 * theta - 1) * (change + step.change));
 }
 
 void ExternalWork::add(double work) {

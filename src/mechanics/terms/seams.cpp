@@ -179,7 +179,8 @@ void Seams::pull(const law::Step& step, const Trial& trial, std::size_t i) {
     }
     const Vec3 stretch = (t.gap - t.gap_before) - (t.target - t.target_before);
     t.damping = moves ? Vec3(t.c / step.dt * stretch) : Vec3(Vec3::Zero());
-    double lost = (t.damping + t.damping_before).dot(stretch) / 2;
+    const double late = moves ? trial.motion->weight_of_end() : 0.5;
+    double lost = (late * t.damping + (1 - late) * t.damping_before).dot(stretch);
     // Where the stretch swings from one implicit step to the next, the mean of the forces would give energy
     // back: that is an error of the ledger.
     if (moves && trial.motion->damping_weight() > 0) lost = std::max(lost, 0.0);
@@ -302,11 +303,12 @@ StepWork Seams::step_work() const {
     if (!seam(i).over || (state(i) != State::drawn && state(i) != State::own)) continue;
     const Vec3 before = t.stiffness() * (t.gap_before - t.target_before) + t.damping_before;
     const Vec3 way = t.target - t.target_before;
-    sum += {-(t.force() + before).dot(way) / 2, std::abs((t.force() - before).dot(way)) / 2};
+    const double change = (before - t.force()).dot(way) / 2;
+    sum += {-(t.force() + before).dot(way) / 2, std::abs(change), change};
     for (const Thread::End& end : t.ends) {
       const Vec3 moved = end.x - end.x_before;
-      sum += {(end.aside + end.aside_before).dot(moved) / 2,
-              std::abs((end.aside - end.aside_before).dot(moved)) / 2};
+      const double more = (end.aside - end.aside_before).dot(moved) / 2;
+      sum += {(end.aside + end.aside_before).dot(moved) / 2, std::abs(more), more};
     }
   }
   return sum;
