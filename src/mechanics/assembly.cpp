@@ -101,6 +101,10 @@ double Assembly::limit(std::span<const double> delta, std::span<const double> ta
 
 bool Assembly::is_safe(std::span<const double> delta, double part, std::span<const double> targets) {
   apply_increment(delta, part, targets);
+  return all_safe();
+}
+
+bool Assembly::all_safe() {
   const auto& all = terms_.limiters();
   return std::all_of(all.begin(), all.end(), [this](auto* limiter) {
     return !limiter->limits() || limiter->safe_fraction(trial()) >= 1;
@@ -118,10 +122,14 @@ void Assembly::save_iterate() {
   for (auto* const mover : terms_.movers()) mover->save();
 }
 
+// What moves of itself stays where it has come since, if what it has passed leaves the cloth the way back.
 void Assembly::restore_iterate() {
+  for (auto* const limiter : terms_.limiters())
+    if (limiter->limits()) limiter->mark(trial());
   std::copy(saved_.begin(), saved_.end(), configuration_.kinematics().begin());
   configuration_.touch();
-  for (auto* const mover : terms_.movers()) mover->restore();
+  if (!all_safe())
+    for (auto* const mover : terms_.movers()) mover->restore();
 }
 
 namespace {

@@ -41,7 +41,7 @@ class Assembly {
   // --- configurations: see Dofs
   void begin_iterate();
   void save_iterate();     // the trial configuration
-  void restore_iterate();  // trial = the one saved last
+  void restore_iterate();  // trial = the one saved last; bodies stay if that is safe
   // share: of the ways of what terms move themselves, where that is not `scale`, as in a step that does not
   // iterate: there the unknowns move by their rates times the time.
   void apply_increment(std::span<const double> delta, double scale, std::span<const double> targets,
@@ -136,6 +136,7 @@ class Assembly {
   T& make(Arguments&&... arguments);
   Forces sums() { return {force_x_, force_d_}; }
   bool take(Outcome outcome);  // stores the outcome; returns whether it is ok
+  bool all_safe();             // whether the way since the limiters' marks is
   void add_ranks(const FewRankTerm& term, linear::Matrix& K, std::span<const double> lead,
                  std::span<double> product);
   void couple();
