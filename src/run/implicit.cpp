@@ -375,8 +375,11 @@ std::string Implicit::begin_to_damp(double error) {
     now_.forgiven = error;
     if (!text.empty()) return text;
   }
-  const bool first = now_.damping == Damping::none && !has_contact(*assembly_);
-  damp(first ? Damping::hht : now_.damping < Damping::strong ? Damping::strong : Damping::backward);
+  // The rule beside contact makes energy where tension pushes on what slides: forces of the end do not.
+  const bool contact = has_contact(*assembly_);
+  damp(now_.damping == Damping::none && !contact    ? Damping::hht
+       : now_.damping < Damping::strong && !contact ? Damping::strong
+                                                    : Damping::backward);
   return damping_text();
 }
 
