@@ -201,7 +201,7 @@ function analysis:on_body(body) end
 function analysis:reach(value, target, set, tolerance) end
 
 ---@class analysis_reaction_fields.options
----@field window? number s: the mean over the last seconds, straight between the ends of the run's steps, of a body in implicit motion that of whole steps; to be asked for once before the first step
+---@field window? number s: the mean over the last seconds, straight between the ends of the run's steps, for a body in implicit motion as the scheme takes its force; to be asked for once before the first step
 ---@field support? boolean of a body: the force on it of m:fix, in the directions that are held (default false)
 
 ---Force that the supports, or a rigid body, exert on the cloth, summed over the set: three numbers x, y, z in N, global; zero before the first step.

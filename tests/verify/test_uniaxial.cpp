@@ -141,22 +141,17 @@ TEST_CASE("a test turned in space gives the same result") {
   }
 }
 
-TEST_CASE(
-    "a taut free strip: stored plus dissipated equals the work done, to the error of the steps' trapezoids") {
+TEST_CASE("a taut free strip: stored plus dissipated equals the work done, at any step") {
   const Case c = all_cases()[0];
   Strip s{c.card, c.axis, Grips::clamped, c.stroke};
   s.unload_to = 15e-3;
-  double last = 1;
   for (const int steps : {20, 40, 80}) {
     run::Static a(make_strip(s), {.duration = 1, .step = 1.0 / steps}, no_notices());
     a.solve();
     const auto e = a.energy();
     CHECK(e.error < 1e-12);
-    const double gap = std::abs(e.external - e.internal()) / e.external;
-    CHECK(gap < last / 3.5);  // second order in the step
-    last = gap;
+    CHECK(std::abs(e.external - e.internal()) < 1e-9 * e.external);
   }
-  CHECK(last < 1e-3);
 }
 
 TEST_CASE("the same bits for any number of threads is a property of the colours") {

@@ -144,7 +144,9 @@ for _, e in ipairs { 1, 0.5 } do
     m:gravity { 0, 0, -g }:contact { between = { plane(), "all" }, restitution = e, stiffness = kappa }
     local came, T = math.sqrt(2 * g * fall), math.sqrt(2 * fall / g)
     if how[2] == 2e-6 then m = lies(2e-5, true):velocity("all", { z = -came }):contact { between = { plane(), "all" }, restitution = e, stiffness = kappa } end
-    local run = fabric.dynamic { model = m, duration = how[2] == 2e-6 and 4e-4 or T + 0.004, scheme = how[1], step = how[2] }
+    -- A bounce in some 25 steps loses 3 % of its speed by the scheme that damps beside contact.
+    local radius = how[2] == 2e-6 and 1 or nil
+    local run = fabric.dynamic { model = m, duration = how[2] == 2e-6 and 4e-4 or T + 0.004, scheme = how[1], step = how[2], spectral_radius = radius }
     local up = -1
     run:every("step", function(r) up = math.max(up, mean(r, "vz")) end)
     run:solve()
