@@ -25,6 +25,7 @@ class Scalar final : public solver::PathProblem {
   std::function<double(double u, double t)> force;        // r; not a number: not with this step
   std::function<bool(double u)> broken;                   // are the forces beyond repair there
   std::function<double(double from, double delta)> safe;  // the share of a step that is
+  std::function<bool(double part)> safe_part;             // whether a part of it is
   std::function<double(double u)> stiffness;
   std::function<std::pair<double, double>(double u)> on_branch;  // stiffness and r, if it has branches
   double committed = 0;
@@ -55,6 +56,7 @@ class Scalar final : public solver::PathProblem {
     trial_ = iterate_ + scale * delta[0];
   }
   double limit(std::span<const double> delta, double) override { return safe ? safe(iterate_, delta[0]) : 1; }
+  bool is_safe(std::span<const double>, double part) override { return !safe_part || safe_part(part); }
   void accept() override { iterate_ = trial_; }
   Answer residual(std::span<double> r) override {
     if (broken && broken(trial_)) return Answer::broken;

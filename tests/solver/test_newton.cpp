@@ -224,6 +224,23 @@ TEST_CASE("a limit of nothing is a step that cannot be done, not one that goes n
       NewtonStatus::law_failed);
 }
 
+TEST_CASE("a part of a way that leaves the way is taken where it is safe alone") {
+  // The force vanishes at 0.1; the first direction, by a tenth of the stiffness, goes to 1. What lies below
+  // 0.5 of that way is not safe, as where a body goes by shares of a way that changes.
+  Scalar problem;
+  problem.force = [](double u, double) { return u < 0.1 ? 1 : 10 * (0.1 - u); };
+  problem.stiffness = [](double u) { return u < 0.1 ? 1 : 10; };
+  std::vector<double> asked;
+  problem.safe_part = [&asked](double part) {
+    asked.push_back(part);
+    return part >= 0.5;
+  };
+  (void)Newton(fabricsh::linear::make_unsymmetric_solver()).correct(problem, {.max_iterations = 1});
+  REQUIRE(!asked.empty());
+  CHECK(problem.shares.front() == 1);
+  for (const double share : problem.shares) CHECK(share >= 0.5);
+}
+
 TEST_CASE("an overdamped motion leaves an unstable equilibrium that Newton's method finds") {
   // The energy u^4/4 - u^2/2 has a maximum at 0 and minima at 1 and -1.
   const auto make = [] {
