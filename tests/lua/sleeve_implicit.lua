@@ -1,12 +1,12 @@
 -- A sleeve on an arm that bends by 90 degrees in half a second, in implicit steps of some milliseconds, for its first tenth of a
 -- second, in which the elbow begins to fold: no edge through a facet, and no more iterations and error of the ledger than today.
--- The goals, 6 iterations a step and 1 %, are not reached (speed.md).
+-- The goal of 6 iterations a step is not reached (speed.md), that of 1 % in the ledger is.
 local fabric = require "fabric"
 local brute = dofile((arg[0]:gsub("[^/]*$", "../../scripts/contact/brute.lua")))
 local mm = fabric.units.mm
 local bend, stroke = 90, 0.5
 local size, flesh, duration = 20 * mm, 4 * mm, 2 * stroke
-local stop, many = 0.1, 16 -- s; iterations a step: 11.5 to 14.8 over dampings of 20 to 40 /s, with a ledger of 1.8 to 5 %
+local stop, many = 0.1, 16 -- s; iterations a step: 11.5 to 14.8 over dampings of 20 to 40 /s
 local card = fabric.card("blend", { bending = "estimated" })
 local upper, lower, radii = 0.26, 0.24, { 50 * mm, 43 * mm, 31 * mm }
 local arm, shapes = fabric.rigid.limb {
@@ -112,6 +112,6 @@ print(("%d elements: %d steps, %.2f iterations each, %d cuts, ledger %.2g, gap %
 fabric.expect {
   { "edges through facets", most, 0, absolute = 0 },
   { "a gap stays", a:gap() > 0 and 1 or 0, 1, absolute = 0 },
-  { "ledger, of so little work: the run's own limit", e.error, 0, absolute = 5e-2 },
+  { "ledger", e.error, 0, absolute = 1e-2 },
   { ("iterations a step, at most %d"):format(many), math.max(mean, many), many, absolute = 0 },
 }
