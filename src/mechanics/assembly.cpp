@@ -112,8 +112,8 @@ bool Assembly::all_safe() {
 }
 
 bool Assembly::parts_leave_way() const {
-  return limits() && std::any_of(terms_.movers().begin(), terms_.movers().end(),
-                                 [](const auto* mover) { return mover->parts_leave_way(); });
+  return std::any_of(terms_.movers().begin(), terms_.movers().end(),
+                     [](const auto* mover) { return mover->parts_leave_way(); });
 }
 
 void Assembly::save_iterate() {

@@ -284,7 +284,7 @@ bool Implicit::attempt(double size, StepReport& report) {
   return converged;
 }
 
-// Euler's rule, or what a deck has chosen to damp what no step resolves.
+// Whether the scheme is one of a spectral radius below 1, or Euler's rule.
 bool Implicit::damps_unresolved() const {
   const auto& scheme = newmark_.scheme();
   return now_.settling == 0 && (radius_ < 1 || (scheme.is_trapezoidal() && scheme.gamma == kBackward));
@@ -376,10 +376,8 @@ std::string Implicit::begin_to_damp(double error) {
     if (!text.empty()) return text;
   }
   // The rule beside contact makes energy where tension pushes on what slides: forces of the end do not.
-  const bool contact = has_contact(*assembly_);
-  damp(now_.damping == Damping::none && !contact    ? Damping::hht
-       : now_.damping < Damping::strong && !contact ? Damping::strong
-                                                    : Damping::backward);
+  const bool last = has_contact(*assembly_) || now_.damping == Damping::strong;
+  damp(last ? Damping::backward : now_.damping == Damping::none ? Damping::hht : Damping::strong);
   return damping_text();
 }
 

@@ -47,8 +47,10 @@ Searched ArcLength::move(PathProblem& problem, double from, double step, bool se
   for (std::size_t i = 0; i < delta_.size(); ++i) delta_[i] = delta_r_[i] + step * delta_t_[i];
   problem.set_time(from + step);  // the limit refers to the whole step
   const auto move_by = [&](double a) -> TriedFraction {
-    if (a != 1) problem.set_time(from + a * step);
-    if (a != 1 && !problem.is_safe(delta_, a)) return {Answer::cut};
+    if (a != 1) {
+      problem.set_time(from + a * step);
+      if (!problem.is_safe(delta_, a)) return {Answer::cut};
+    }
     problem.apply_increment(delta_, a);
     const Answer answer = checked(problem.residual(trial_r_), trial_r_);
     return {answer, answer == Answer::ok ? dot(delta_r_, trial_r_) : 0};

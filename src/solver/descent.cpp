@@ -61,9 +61,8 @@ Answer Creep::lower() {
   shortened_ = false;
   if (!(fraction > 0)) return Answer::cut;
   const double least = kShortest * fraction;
-  const double limit = fraction;
   for (;;) {
-    const bool safe = fraction == limit || problem_.is_safe(delta_, fraction);
+    const bool safe = !shortened_ || problem_.is_safe(delta_, fraction);
     problem_.apply_increment(delta_, fraction);
     const Answer answer = safe ? checked(problem_.residual(trial_r_), trial_r_) : Answer::cut;
     const double g = answer == Answer::ok ? linear::dot(delta_, trial_r_) : 0;
