@@ -541,7 +541,7 @@ void Dynamic::check() {
   if (is_lenient) now_.early = std::max(0.0, made);
   // What was made in steps in which that was allowed is judged at the end, when more work has been done.
   const double later = is_lenient || end ? made : made - now_.early;
-  const double unsaid = !is_young()   ? (is_lenient ? kShortWarning : kWarning)
+  const double unsaid = !is_young()   ? (is_lenient && !end ? kShortWarning : kWarning)
                         : is_implicit ? kYoungLimit * options_.ledger_limit
                         : is_short    ? kShortWarning
                                       : std::numeric_limits<double>::infinity();
@@ -551,7 +551,7 @@ void Dynamic::check() {
   }
   const std::string share = share_text(made, e, scale);
   // Alpha's loss is the work of its forces: what it does not know, is missing from the ledger.
-  const bool may_damp = std::isfinite(made) && (e.surplus() > 0 || now_.damping == Damping::hht);
+  const bool may_damp = std::isfinite(made) && !end && (e.surplus() > 0 || now_.damping == Damping::hht);
   const std::string damping = may_damp && later > kWarning * scale ? begin_to_damp(later / scale) : "";
   if (!now_.reported_error || !damping.empty()) {
     now_.reported_error = true;
