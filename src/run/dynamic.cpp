@@ -186,6 +186,7 @@ void Dynamic::watch_rest() {
       2 * e.kinetic > std::accumulate(masses.begin(), masses.end(), 0.0) * creep * creep)
     return from_here();
   now_.rested = true;
+  watch_loss(e);
   if (const std::vector<double> kinks = model().kinks(); !kinks.empty() && time() < kinks.back())
     notices().remark("dynamic: at rest at " + number(time()) + " s; loads or motions of the model go on to " +
                      number(kinks.back()) + " s, and are not waited for");
@@ -523,6 +524,7 @@ void Dynamic::check() {
   if (end) {
     watch_guard(e);
     watch_pressed(e);
+    watch_loss(e);
     watch_inertia();
     report_unrest(e);
   }
@@ -575,6 +577,18 @@ void Dynamic::check() {
                                      ".\nTry: " + remedy(e) + ".",
                                  time(), now_.began);
   fail(failure, std::string(failure.what()).substr(std::string("dynamic: ").size()) + accounts);
+}
+
+// Near equilibrium a scheme that damps takes little of what goes through a run; of a fall it takes much.
+// Where next to nothing moves, it gets what supports do more than the steps of their forces tell.
+void Dynamic::watch_loss(const EnergyAccount& e) {
+  constexpr double shows = 0.1, moves = 0.01;
+  const double scale = ledger_scale(e);
+  if (!(now_.loss > shows * scale && now_.kinetic > moves * now_.loss) || warned("damped")) return;
+  warn("damped", "dynamic: up to time " + number(time()) + " s the time scheme has taken " +
+                     share_text(now_.loss, e, scale) +
+                     " (energy.damping): falls, impacts and vibrations lose what the cloth would keep" +
+                     advice("shorter steps, or a larger spectral_radius=, take less"));
 }
 
 double Dynamic::scaled_kinetic() const {

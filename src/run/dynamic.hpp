@@ -171,6 +171,7 @@ class Dynamic : public Run {
   mesh::Index suspect() const;
   void watch_flat(const EnergyAccount& energies);
   void watch_inertia();
+  void watch_loss(const EnergyAccount& energies);  // reports once what the scheme took, at the end of a run
   void watch_rest();
   void report_unrest(const EnergyAccount& energies);
   bool is_calm(const EnergyAccount& energies) const;

@@ -35,6 +35,7 @@ constexpr WarningKind kinds[] = {
     {"seam",
      "edges that are sewn had not met when their time was over, or are drawn against a body faster than "
      "contact stops them"},
+    {"damped", "the time scheme has taken much of the energy that went through a run in motion"},
     {"rest", "a run that was to end at rest has not come to rest in its time"},
     {"held",
      "the cloth pulls on yarns beyond their strength where a support holds them, and none breaks there"},
