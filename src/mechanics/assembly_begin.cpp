@@ -26,6 +26,9 @@ void Assembly::begin_from(const Assembly& other, bool same_contact) {
     renumbered();
   }
   carry(there, *this, [](Assembly& a, Archive& archive) { a.configuration_.keep(archive); });
+  auto* const contacts = terms_.find<Contacts>();
+  if (const auto* const others = there.terms_.find<Contacts>(); contacts != nullptr && others != nullptr)
+    contacts->take_stiffness(*others);
   for (const auto& term : terms_)
     for (const auto& twin : there.terms_) {
       if (std::string_view(twin->name()) != term->name()) continue;
@@ -37,9 +40,7 @@ void Assembly::begin_from(const Assembly& other, bool same_contact) {
   rollback();
   const double now = configuration_.time();
   set_time(now);
-  if (auto* const contacts = terms_.find<Contacts>();
-      contacts != nullptr && (!same_contact || contacts->bodies().jumps()))
-    contacts->begin_here();
+  if (contacts != nullptr && (!same_contact || contacts->bodies().jumps())) contacts->begin_here();
   if (!forces({now, 0})) throw Error("the law fails in the state from which it begins");
   commit(now);
 }

@@ -59,11 +59,10 @@ void ExplicitContact::use() {
   state_.begin();
 }
 
-// At the start of a run there is none.
 contact::Way ExplicitContact::way(double dt) {
-  if (!(dt > 0)) return {};
   contact::Way way = state_.turn_bodies();
-  if (!way.start.empty()) way = {way.start, way.turn, dt, joints_.inverse_masses(), joints_.planes()};
+  if (dt > 0 && !way.start.empty())
+    way = {way.start, way.turn, dt, joints_.inverse_masses(), joints_.planes()};
   return way;
 }
 

@@ -280,7 +280,9 @@ ContactSurfaces::Meeting ContactSurfaces::meeting_of(const model::SurfacePair& m
 
 std::string ContactSurfaces::stiffness_words(const Meeting& m, const contact::ContactLaw& law) const {
   const bool measured = !m.data.curve.empty();
-  const std::string carried = m.softened ? ", no more than the mesh carries in motion" : "";
+  const std::string carried = m.taken      ? ", of the run from which this one begins"
+                              : m.softened ? ", no more than the mesh carries in motion"
+                                           : "";
   if (!measured)
     return "stiffness " + number(law.stiffest()) + " Pa/m" + (m.given ? "" : " (default" + carried + ")");
   return "pressed as its card's compression has it, to a stiffness of " + number(law.stiffest()) + " Pa/m" +
@@ -329,6 +331,21 @@ void ContactSurfaces::soften(bool measured) {
     if (scene_.interactions()[i].law.stiffest() <= m.carried) continue;
     m.softened = true;
     m.data.stiffness = m.carried;
+    scene_.interaction(i).law = contact::ContactLaw(m.data);
+  }
+}
+
+// The same contact goes on as it was: its force would jump with its stiffness.
+void ContactSurfaces::take_stiffness(const ContactSurfaces& other) {
+  for (std::size_t i = 0; i < meetings_.size(); ++i) {
+    Meeting& m = meetings_[i];
+    const auto twin = std::find_if(other.meetings_.begin(), other.meetings_.end(), [&m](const Meeting& o) {
+      return o.names == m.names && o.data.gap == m.data.gap && o.data.floor == m.data.floor &&
+             o.data.curve == m.data.curve && !o.given;
+    });
+    if (m.given || twin == other.meetings_.end() || twin->data.stiffness == m.data.stiffness) continue;
+    m.taken = true;
+    m.data.stiffness = twin->data.stiffness;
     scene_.interaction(i).law = contact::ContactLaw(m.data);
   }
 }

@@ -33,6 +33,7 @@ class ContactSurfaces {
     bool bodies = false;           // two rigid bodies meet
     bool given = false;            // the stiffness
     bool softened = false;         // to what is carried
+    bool taken = false;            // the stiffness, from another run
     bool follows = false;          // its gap follows the size of the elements
     std::optional<double> settle;  // s
     std::size_t near = 0;          // points that start too near
@@ -76,6 +77,8 @@ class ContactSurfaces {
   // Limits every stiffness that was not given to what an explicit step of the cloth carries. Contact then
   // does not shorten an explicit step, and in implicit motion it does not oscillate faster than the mesh.
   void soften(bool measured);
+  // Every stiffness that was not given becomes that of the same contact there.
+  void take_stiffness(const ContactSurfaces& other);
   double opened_at() const;  // s: when all overlaps at the start are opened; 0: there are none
 
  private:
