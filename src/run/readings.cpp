@@ -100,6 +100,12 @@ std::size_t Readings::body_number(const model::Rigid& body) const {
   return static_cast<std::size_t>(number);
 }
 
+Vec3 Readings::force_of_body(std::size_t i) const {
+  read_forces_ = true;
+  return shown_forces_ == nullptr ? Vec3(-contact().bodies().readings().force(i))
+                                  : Vec3(at(*shown_forces_, static_cast<std::ptrdiff_t>(i)));
+}
+
 NodeValues Readings::node(mesh::Index i) const {
   check_index(i, model_->mesh().nodes.size(), "node");
   const auto& state = std::as_const(*assembly_).state();

@@ -24,6 +24,21 @@ class Readings : public RunState {
   // The contacts of the model, and the number of a body in it. Error: there is no contact, or no such body.
   const mechanics::Contacts& contact() const;
   std::size_t body_number(const model::Rigid& body) const;
+  Vec3 force_of_body(std::size_t i) const;  // N, on the cloth
+  // While it lives, forces of bodies are read as these (N, 3 numbers a body), or with null as they are.
+  class ForcesOfBodies {
+   public:
+    ForcesOfBodies(const Readings& run, const std::vector<double>* shown) : run_(run) {
+      run.shown_forces_ = shown;
+      run.read_forces_ = false;
+    }
+    ForcesOfBodies(const ForcesOfBodies&) = delete;
+    ~ForcesOfBodies() { run_.shown_forces_ = nullptr; }
+    bool read() const { return run_.read_forces_; }  // whether any was
+
+   private:
+    const Readings& run_;
+  };
   NodeValues node(mesh::Index i) const;        // from 0; Error outside
   ElementValues element(mesh::Index i) const;  // from 0; Error outside
   double mean(const std::string& name, const std::string& set = "all") const;
@@ -70,6 +85,8 @@ class Readings : public RunState {
   mutable std::map<std::string, Averages> averages_;  // by ply
 
  private:
+  mutable const std::vector<double>* shown_forces_ = nullptr;
+  mutable bool read_forces_ = false;
   ElementValues average(mesh::Index element, int ply) const;
 };
 

@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
+#include "geometry/node_view.hpp"
 #include "mechanics/terms/contact.hpp"
 #include "run/run.hpp"
 
@@ -17,8 +18,7 @@ constexpr int kDue = 10;  // added to the side of an event, which is -1, 0 or 1,
 Window::Value value_of(const Window::Reaction& of) {
   return [of](const Run& run) -> Sampled {
     const Vec3 force =
-        of.body < 0 ? run.reaction(of.set)
-                    : Vec3(-run.contact().bodies().readings().force(static_cast<std::size_t>(of.body)));
+        of.body < 0 ? run.reaction(of.set) : run.force_of_body(static_cast<std::size_t>(of.body));
     return {force[0], force[1], force[2]};
   };
 }
@@ -66,7 +66,8 @@ void Schedule::event(std::function<double(Run&)> value, double tolerance, Hook h
 
 Window& Schedule::window(const std::string& name, Window made) {
   Window& window = windows_.add(name, std::move(made));
-  if (run_.started() && !window.begun()) window.sample(run_);
+  if (run_.started() && !window.begun()) window.sample(run_, {});
+  windows_.remember_bodies(run_);
   return window;
 }
 
@@ -197,11 +198,28 @@ void Schedule::take_up(Event& event, std::size_t i) {
 
 Window::Window(double width, const Reaction& of) : Window(width, value_of(of)) { of_ = {of}; }
 
-void Window::sample(const Run& run) {
+// A force of a body in the middle of each step is the same at its beginning as at its end, one at a place
+// between these two goes from the one to the other by a part of its change. What else the value may consist
+// of does so by all of it: this is the part that it has without the forces of the bodies.
+void Window::sample(const Run& run, const std::vector<double>& before) {
   const double now = run.time();
   while (!points_.empty() && points_.back().time >= now) points_.pop_back();  // along an arc, or again
-  points_.push_back({now, value_(run)});
-  place_ = !of_.empty() && of_.front().body >= 0 ? run.place_of_contact() : 1;
+  Point here{now};
+  bool of_bodies = false;
+  const auto sampled = [&](const std::vector<double>* forces) {
+    const Readings::ForcesOfBodies shown(run, forces);
+    const Sampled value = value_(run);
+    of_bodies = shown.read();
+    return value;
+  };
+  here.begin = here.value = sampled(nullptr);
+  if (!points_.empty()) here.begin = points_.back().value;
+  if (const double place = run.place_of_contact(); of_bodies && place != 1 && !before.empty()) {
+    const Sampled of_before = sampled(&before);
+    for (std::size_t c = 0; c < of_before.size(); ++c)
+      here.begin[c] += 2 * (1 - place) * (here.value[c] - of_before[c]);
+  }
+  points_.push_back(here);
   const auto inside =
       std::find_if(points_.begin(), points_.end(), [&](const Point& p) { return p.time > now - width_; });
   if (inside - points_.begin() > 1) points_.erase(points_.begin(), inside - 1);
@@ -216,8 +234,7 @@ Sampled Window::mean() const {
     const Point &a = points_[i - 1], &b = points_[i];
     const double from = std::max(a.time, begin), part = (from - a.time) / (b.time - a.time);
     for (std::size_t c = 0; c < sum.size(); ++c) {
-      const double straight = a.value[c] + part * (b.value[c] - a.value[c]);
-      const double at_from = place_ == 1 ? straight : b.value[c] + (2 * place_ - 1) * (straight - b.value[c]);
+      const double at_from = b.begin[c] + part * (b.value[c] - b.begin[c]);
       sum[c] += (b.time - from) * (at_from + b.value[c]) / 2;
     }
   }
@@ -240,7 +257,16 @@ Window* Windows::find(const std::string& name) {
 }
 
 void Windows::sample(const Run& run) {
-  for (auto& [name, window] : all_) window.sample(run);
+  for (auto& [name, window] : all_) window.sample(run, before_);
+  remember_bodies(run);
+}
+
+void Windows::remember_bodies(const Run& run) {
+  const auto* const contact = run.assembly().terms().find<mechanics::Contacts>();
+  if (empty() || contact == nullptr) return;
+  before_.resize(3 * contact->bodies().count());
+  for (std::size_t i = 0; 3 * i < before_.size(); ++i)
+    at(before_, static_cast<std::ptrdiff_t>(i)) = -contact->bodies().readings().force(i);
 }
 
 void Windows::keep(Archive& archive) {
@@ -255,7 +281,7 @@ void Windows::keep(Archive& archive) {
       of.push_back(window.of_);
       points.push_back(window.points_);
     }
-  archive(names, widths, of, points);
+  archive(names, widths, of, points, before_);
   if (!archive.reading()) return;
   kept_.clear();
   for (auto& [name, window] : all_) window.points_.clear();

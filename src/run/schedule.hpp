@@ -17,8 +17,8 @@ class Run;
 
 using Sampled = std::array<double, 3>;  // a vector, or a number and two zeros
 
-// The values of the last `width` seconds at the ends of the run's own steps, straight between them. The force
-// of a body in implicit motion is that of a place within each step.
+// The values of the last `width` seconds at the ends of the run's own steps, straight between them; but what
+// the force of a body has in them, which in implicit motion is that of a place within each step.
 class Window {
  public:
   using Value = std::function<Sampled(const Run&)>;
@@ -30,7 +30,8 @@ class Window {
     void keep(Archive& archive) { archive(set, body); }
   };
   Window(double width, const Reaction& of);
-  void sample(const Run& run);
+  // before: N, the forces of all bodies on the cloth at the sample before, 3 numbers each; empty: none.
+  void sample(const Run& run, const std::vector<double>& before);
   bool begun() const { return !points_.empty(); }
   Sampled mean() const;  // over the window, or as much of it as there is
 
@@ -38,13 +39,12 @@ class Window {
   friend class Windows;
   struct Point {
     double time = 0;
-    Sampled value = {};
-    void keep(Archive& archive) { archive(time, value[0], value[1], value[2]); }
+    Sampled value = {}, begin = {};  // begin: where the step began that the time ends
+    void keep(Archive& archive) { archive(time, value[0], value[1], value[2], begin[0], begin[1], begin[2]); }
   };
   double width_;
   Value value_;
   std::vector<Reaction> of_ = {};  // one, or none
-  double place_ = 1;               // of the values in the steps that they end, see Run::place_of_contact()
   std::vector<Point> points_;      // ascending in time; one at most before the window
 };
 
@@ -55,11 +55,13 @@ class Windows {
   Window* find(const std::string& name);
   bool empty() const { return all_.empty(); }
   void sample(const Run& run);  // after a step
+  void remember_bodies(const Run& run);
   void keep(Archive& archive);
 
  private:
   std::map<std::string, Window> all_;
   std::map<std::string, std::vector<Window::Point>> kept_;
+  std::vector<double> before_;  // N, of the bodies on the cloth at the last sample
 };
 
 inline constexpr double same_time = 1e-12;  // relative to the duration: times closer than this are equal

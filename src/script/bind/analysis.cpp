@@ -178,7 +178,7 @@ int reaction(Call& call) {
     return 3;
   }
   if (call.has("options") && call.fields("options").has("window")) return mean_reaction(call, body.get());
-  const Vec3 r = body ? run::body_state(run, *body).force : run.reaction(call.text("set"));
+  const Vec3 r = body ? run.force_of_body(run.body_number(*body)) : run.reaction(call.text("set"));
   for (int i = 0; i < 3; ++i) lua_pushnumber(call.L(), r[i]);
   return 3;
 }

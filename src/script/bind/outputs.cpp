@@ -295,19 +295,22 @@ std::vector<Entry> outputs_entries() {
   return {
       {"analysis:record()",
        {value_("path", text, "of the CSV file"),
-        fields_("options",
-                {every_row(),
-                 value_("columns", table,
-                        "name = function(a) that returns a number; or a field's name, for its mean over all "
-                        "elements or nodes, or {field, set}; {function or field, set, window=seconds} is the "
-                        "mean over the last seconds of the run's own steps"),
-                 number_("window?", "s", positive, "the same for all columns that have none of their own"),
-                 value_("order?", table, "names in the order of the columns"),
-                 value_("units?", table,
-                        "name = unit of what the function returns, '' for none; put behind the name in the "
-                        "heading. Default: that of the field; N for a column called force (or force_x, "
-                        "force_y, force_z), m for displacement")},
-                "columns, and how often")},
+        fields_(
+            "options",
+            {every_row(),
+             value_(
+                 "columns", table,
+                 "name = function(a) that returns a number; or a field's name, for its mean over all "
+                 "elements or nodes, or {field, set}; {function or field, set, window=seconds} is the "
+                 "mean over the last seconds of the run's own steps, in which a:reaction(body) counts as in "
+                 "its own window (the function is then called twice a step)"),
+             number_("window?", "s", positive, "the same for all columns that have none of their own"),
+             value_("order?", table, "names in the order of the columns"),
+             value_("units?", table,
+                    "name = unit of what the function returns, '' for none; put behind the name in the "
+                    "heading. Default: that of the field; N for a column called force (or force_x, "
+                    "force_y, force_z), m for displacement")},
+            "columns, and how often")},
        "Writes a table as the run goes: time, then the columns, with their units in the heading, so that "
        "fabric.lab.tensile reads it.",
        sample + "a:record(name..'/curve.csv', { columns={ force=function(run) return select(2, run:reaction "
