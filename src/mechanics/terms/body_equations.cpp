@@ -1,6 +1,7 @@
 #include "mechanics/terms/body_equations.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <tuple>
 
 namespace fabricsh::mechanics {
@@ -23,14 +24,25 @@ Eigen::VectorXd BodyEquations::residual() const {
   return out;
 }
 
+// What rounding alone can make of the forces on a body, and of the places from which its springs have theirs,
+// is none: beside cloth without forces there is nothing else to compare it with.
 double BodyEquations::largest_residual() const {
+  constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
   double most = 0;
   if (!state_.implicit || !state_.loaded || state_.to == state_.from) return most;
   const Eigen::VectorXd all = residual();
   for (std::size_t f = 0; f < state_.free.size(); ++f) {
+    const BodyState::Free& free = state_.free[f];
+    double forces = free.largest;
+    for (const BodyLoads::Spring& spring : loads_.springs())
+      for (const int body : {static_cast<int>(spring.body), spring.to})
+        if (body >= 0 && state_.bodies[static_cast<std::size_t>(body)].free == static_cast<int>(f))
+          forces += spring.stiffness.cwiseProduct(free.predicted.centre()).lpNorm<Eigen::Infinity>() /
+                    (spring.damper ? state_.to - state_.from : 1);
     const auto row = static_cast<Eigen::Index>(6 * f);
-    most = std::max({most, all.segment<3>(row).lpNorm<Eigen::Infinity>(),
-                     all.segment<3>(row + 3).lpNorm<Eigen::Infinity>() / state_.free[f].size});
+    const double own = std::max(all.segment<3>(row).lpNorm<Eigen::Infinity>(),
+                                all.segment<3>(row + 3).lpNorm<Eigen::Infinity>() / free.size);
+    if (own > rounding * forces) most = std::max(most, own);
   }
   return most;
 }
