@@ -591,7 +591,7 @@ end
 -- --- a list of them
 
 local first, count = tonumber(arg[1]), tonumber(arg[2] or 1)
-local numbers = { 5, 6, 17, 25, 82, 95, 106 } -- a few seconds each
+local numbers = { 5, 6, 17, 25, 82, 95, 106, 445 } -- a few seconds each
 if first then
   numbers = {}
   for k = first, first + count - 1 do numbers[#numbers + 1] = k end

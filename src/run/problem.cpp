@@ -379,8 +379,11 @@ bool EquilibriumProblem::tangent_with(mechanics::Cloth::Branches branches, const
 }
 
 Answer EquilibriumProblem::tangent_on_branches(linear::Matrix& K, std::span<double> r) {
-  if (!tangent_with(mechanics::Cloth::Branches::kept, step(), K, {}, {})) return made(false);
+  // Bodies that have gone a part of their way lead the cloth on the rest of it.
+  const std::span<double> led = at_target() ? std::span<double>() : product_;
+  if (!tangent_with(mechanics::Cloth::Branches::kept, step(), K, {}, led)) return made(false);
   weigh(r);
+  for (std::size_t i = 0; i < led.size(); ++i) r[i] -= weight() * led[i];
   close(K);
   return Answer::ok;
 }
