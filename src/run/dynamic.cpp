@@ -485,10 +485,12 @@ double Dynamic::ledger_scale(const EnergyAccount& e) const {
                    energy_of_rounding(*assembly_, now_.step) / kWarning});
 }
 
+// A body that nothing has touched does no work.
 bool Dynamic::is_driven() const {
   const mechanics::Contacts* contact = assembly_->terms().find<mechanics::Contacts>();
   return !assembly_->dofs().freedoms().motions.empty() ||
-         (contact != nullptr && contact->bodies().any_driven());
+         (contact != nullptr && contact->bodies().any_driven() &&
+          (now_.touched >= 0 || contact->readings().touching() > 0));
 }
 
 // If supports begin to move with a jump in velocity, the trapezoidal rule gives their work badly at first; so
