@@ -62,10 +62,14 @@ void Newton::resize(Index size) {
 }
 
 bool Newton::direction(Problem& problem) {
+  return (K_.size() == 0 || linear_->factorise(K_)) && solve_with_factors(problem, r_);
+}
+
+bool Newton::solve_with_factors(Problem& problem, std::span<const double> r) {
   const auto solve = [this](std::span<const double> b, std::span<double> x) {
     return linear_->solve(K_, b, x) && all_finite(x);
   };
-  if (K_.size() > 0 && !(linear_->factorise(K_) && solve(r_, delta_))) return false;
+  if (K_.size() > 0 && !solve(r, delta_)) return false;
   return problem.finish_direction(solve, delta_) && all_finite(delta_);
 }
 
@@ -165,6 +169,22 @@ std::optional<NewtonStatus> Newton::judge(Problem& problem, std::span<const doub
   return std::nullopt;
 }
 
+// Close to a solution the tangent hardly changes any more: a direction by the factors of the last one leaves
+// about the share of the residual that the last direction left. Negative pivots are to be those of the end.
+std::optional<NewtonStatus> Newton::finish(Problem& problem, std::span<double> r, double tolerance,
+                                           NewtonResult& result) {
+  const auto& done = result.residuals;
+  if (done.size() < 2 || result.negative_pivots > 0 || !problem.has_branches() || !problem.at_target() ||
+      !(done.back() / done[done.size() - 2] * done.back() <= tolerance))
+    return std::nullopt;
+  problem.accept();
+  if (!solve_with_factors(problem, r)) return NewtonStatus::singular;
+  ++result.iterations;
+  problem.apply_increment(delta_, problem.limit(delta_));
+  if (const Answer answer = checked(problem.residual(r), r); answer != Answer::ok) return status_of(answer);
+  return judge(problem, r, tolerance, result);
+}
+
 // Where parts buckle within the step a direction turns too far. The matrix then gets more inertia, as that of
 // a shorter step has.
 bool Newton::bring_within(double furthest, Problem& problem, NewtonResult& result) {
@@ -205,7 +225,8 @@ NewtonResult Newton::follow_branches(Problem& problem, const NewtonOptions& opti
     double share = 0;
     if (go(problem, delta_, r_, fraction, arrived, trial_r_, share) != Answer::ok) return failed();
     swings = !arrived || i < kSettles || std::abs(share) <= kContracts ? 0 : swings + 1;
-    const std::optional<NewtonStatus> judged = judge(problem, trial_r_, options.tolerance, result);
+    std::optional<NewtonStatus> judged = judge(problem, trial_r_, options.tolerance, result);
+    if (!judged) judged = finish(problem, trial_r_, options.tolerance, result);
     if (judged && judged != NewtonStatus::converged) return failed();
     if (judged) result.status = *judged;
     if (judged || swings == kSwings || ends_near(result.residuals)) break;
@@ -241,6 +262,10 @@ NewtonResult Newton::iterate(Problem& problem, const NewtonOptions& options, boo
       return stop(*failed);
     problem.accept();
     if (const auto judged = judge(problem, r_, options.tolerance, result)) return stop(*judged);
+    const int before = result.iterations;
+    const auto judged = finish(problem, r_, options.tolerance, result);
+    if (result.iterations > before) problem.accept();
+    if (judged) return stop(*judged);
     if (const Answer answer = problem.tangent(K_); answer != Answer::ok) return stop(status_of(answer));
   }
   return stop(NewtonStatus::too_many_iterations);

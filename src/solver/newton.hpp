@@ -128,6 +128,10 @@ class Newton {
   std::optional<NewtonStatus> judge(Problem& problem, std::span<const double> r, double tolerance,
                                     NewtonResult& result) const;
   bool direction(Problem& problem);  // delta_ = K^-1 r_, and what the problem adds
+  bool solve_with_factors(Problem& problem, std::span<const double> r);  // likewise, by the factors at hand
+  // A last direction by the factors at hand, if that can do; r: the residual at the trial configuration.
+  std::optional<NewtonStatus> finish(Problem& problem, std::span<double> r, double tolerance,
+                                     NewtonResult& result);
   // Empty: done.
   std::optional<NewtonStatus> search(Problem& problem, bool line_search);
   void resize(Index size);

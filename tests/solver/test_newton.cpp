@@ -330,3 +330,20 @@ TEST_CASE(
   CHECK(neither.iterations > searched.iterations);
   CHECK(std::abs(problem.trial() - root) < 1e-12);
 }
+
+TEST_CASE("close to a solution with branches the last direction takes the factors of the one before") {
+  Scalar problem;
+  int tangents = 0;
+  problem.force = [](double u, double) { return 0.5 - u - 0.1 * u * u * u; };
+  problem.stiffness = [](double u) { return 1 + 0.3 * u * u; };
+  problem.on_branch = [&](double u) {
+    ++tangents;
+    return std::pair{problem.stiffness(u), problem.force(u, 0)};
+  };
+  const NewtonResult result =
+      Newton(fabricsh::linear::make_unsymmetric_solver()).solve(problem, {.tolerance = 1e-12});
+  CHECK(result.status == NewtonStatus::converged);
+  CHECK(result.iterations == 4);
+  CHECK(tangents == 2);  // and that of the beginning
+  CHECK(std::abs(problem.force(problem.trial(), 0)) < 1e-12);
+}
