@@ -5,7 +5,9 @@
 #include "linear/near_symmetric.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 #include "linear/supernodal/factors.hpp"
 #include "linear/vector.hpp"
@@ -19,6 +21,7 @@ constexpr double kRounded = 1e-12;       // of two opposite entries: they differ
 constexpr Index kMost = 40;              // iterations, beyond which the whole matrix is factorised
 constexpr double kHalfWay = 0.05;        // left after half of them, with which they do not lead there
 constexpr std::size_t kTogether = 8192;  // entries that one thread takes together
+constexpr std::size_t kAtOnce = 32;      // entries that are looked at together: most have nothing to find
 
 class NearSymmetric final : public LinearSolver {
  public:
@@ -27,14 +30,19 @@ class NearSymmetric final : public LinearSolver {
     if (A.pattern->upper) return half_->prepare(A);
     const Pattern& pattern = *A.pattern;
     std::vector<Index> starts{0}, rows;
+    std::vector<Index> next;  // of a column: its entry below the diagonal whose turn it is
     above_.clear();
     below_.clear();
     for (Index c = 0; c < pattern.size; ++c) {
-      for (Index k = pattern.column[c]; k < pattern.column[c + 1] && pattern.row[k] <= c; ++k) {
+      Index k = pattern.column[c];
+      for (; k < pattern.column[c + 1] && pattern.row[k] <= c; ++k) {
+        const Index r = pattern.row[k], opposite = r == c ? k : next[r]++;
+        const bool there = opposite < pattern.column[r + 1] && pattern.row[opposite] == c;
         above_.push_back(k);
-        below_.push_back(pattern.slot(c, pattern.row[k]));
-        rows.push_back(pattern.row[k]);
+        below_.push_back(there ? opposite : pattern.slot(c, r));
+        rows.push_back(r);
       }
+      next.push_back(k);
       starts.push_back(static_cast<Index>(rows.size()));
     }
     Pattern upper(std::move(starts), std::move(rows));
@@ -55,10 +63,7 @@ class NearSymmetric final : public LinearSolver {
       take_mean(A, p * kTogether, std::min((p + 1) * kTogether, above_.size()), rests_[p]);
     }
     for (const auto& part : rests_) rest_.insert(rest_.end(), part.begin(), part.end());
-    for (Index c = 0; c < A.size() && !A.apart.empty(); ++c)
-      for (Index k = A.pattern->column[c]; k < A.pattern->column[c + 1]; ++k)
-        if (const double v = A.apart[static_cast<std::size_t>(k)]; v != 0)
-          rest_.push_back({A.pattern->row[k], c, v});
+    take_apart(A);
     return half_->factorise(S_) || by_whole(A);
   }
 
@@ -85,15 +90,40 @@ class NearSymmetric final : public LinearSolver {
   void take_mean(const Matrix& A, std::size_t from, std::size_t to, std::vector<Entry>& rest) {
     const double* const value = A.value.data();
     double* const mean = S_.value.data();
-    for (std::size_t i = from; i < to; ++i) {
+    const auto differ = [&](std::size_t i) {
       const double a = value[above_[i]], b = value[below_[i]];
-      mean[i] = (a + b) / 2;
-      if (std::abs(a - b) > kRounded * std::abs(a + b)) {
+      return std::abs(a - b) > kRounded * std::abs(a + b);
+    };
+    for (std::size_t end = from; from < to; from = end) {
+      end = std::min(from + kAtOnce, to);
+      bool any = false;
+      for (std::size_t i = from; i < end; ++i) {
+        mean[i] = (value[above_[i]] + value[below_[i]]) / 2;
+        any |= differ(i);
+      }
+      for (std::size_t i = from; any && i < end; ++i) {
+        if (!differ(i)) continue;
+        const double a = value[above_[i]], b = value[below_[i]];
         const auto& starts = S_.pattern->column;
         const auto next = std::upper_bound(starts.begin(), starts.end(), static_cast<Index>(i));
         const Index row = S_.pattern->row[i], column = next - starts.begin() - 1;
         rest.push_back({row, column, (a - b) / 2});
         rest.push_back({column, row, (b - a) / 2});
+      }
+    }
+  }
+
+  // Few of them are not zero.
+  void take_apart(const Matrix& A) {
+    Index c = 0;
+    for (std::size_t from = 0, end = 0; from < A.apart.size(); from = end) {
+      end = std::min(from + kAtOnce, A.apart.size());
+      std::uint64_t any = 0;
+      for (std::size_t k = from; k < end; ++k) any |= std::bit_cast<std::uint64_t>(A.apart[k]) << 1;
+      for (std::size_t k = from; any != 0 && k < end; ++k) {
+        if (A.apart[k] == 0) continue;
+        while (A.pattern->column[c + 1] <= static_cast<Index>(k)) ++c;
+        rest_.push_back({A.pattern->row[k], c, A.apart[k]});
       }
     }
   }
