@@ -119,7 +119,8 @@ int Scene::add_rigid(Surface surface, std::span<const Vec3> vertices) {
   return int(surfaces_.size()) - 1;
 }
 
-int Scene::add_solid(std::span<const Vec3> vertices, std::span<const Triangle> triangles, double radius) {
+int Scene::add_solid(std::span<const Vec3> vertices, std::span<const Triangle> triangles, double radius,
+                     bool flat) {
   if (!(radius >= 0) || !std::isfinite(radius))
     refuse("solid: radius: expected 0 or a positive length in m, got " + number(radius));
   const auto first = std::int32_t(reference_.size()), count = std::int32_t(vertices.size());
@@ -138,6 +139,7 @@ int Scene::add_solid(std::span<const Vec3> vertices, std::span<const Triangle> t
       id += first;
     }
   Surface surface;
+  surface.flat = flat;
   surface.shape = Shape::solid;
   surface.radius = radius;
   surface.first_vertex = first;
@@ -338,6 +340,7 @@ Scene Scene::with_corners(const std::function<Triangle(const TriangleRow&)>& cor
     Surface surface;
     surface.shape = from.shape;
     surface.radius = from.radius;
+    surface.flat = from.flat;
     const auto vertices =
         std::span(reference_).subspan(std::size_t(from.first_vertex), std::size_t(from.vertices));
     const auto followers =
@@ -477,7 +480,7 @@ int add_disc(Scene& scene, const Vec3& centre, const Vec3& normal, double radius
     vertices.push_back(centre + (radius - edge) * (std::cos(angle) * u + std::sin(angle) * v));
     triangles.push_back({0, i + 1, (i + 1) % sides + 1});
   }
-  return scene.add_solid(vertices, triangles, edge);
+  return scene.add_solid(vertices, triangles, edge, true);
 }
 
 Vec3 warp_at(const Scene& scene, const Interaction& it, const std::array<std::int32_t, 4>& points,

@@ -82,6 +82,7 @@ struct Surface {
   std::int32_t first_triangle = 0, triangles = 0;  // rows of Scene::triangles
   std::vector<std::int32_t> points;                // ascending
   double mean_area = 0;                            // m2 per point
+  bool flat = false;  // a rigid solid in one plane: the edges inside it press nothing
 };
 
 struct EdgeRow {
@@ -179,7 +180,8 @@ class Scene {
   // Each returns the number of the surface. Errors: an unknown node, a triangle without area, a radius that
   // is not positive and finite (that of a solid may be 0), a wall with a zero normal, a rod without length.
   int add_cloth(std::span<const std::array<mesh::Index, 4>> elements, const std::optional<Vec3>& centre = {});
-  int add_solid(std::span<const Vec3> vertices, std::span<const Triangle> triangles, double radius);
+  int add_solid(std::span<const Vec3> vertices, std::span<const Triangle> triangles, double radius,
+                bool flat = false);
   int add_ball(const Vec3& centre, double radius);
   int add_rod(const Vec3& from, const Vec3& to, double radius);
   int add_wall(const Vec3& point, const Vec3& normal);

@@ -7,6 +7,7 @@
 
 #include "base/hash.hpp"
 #include "catch.hpp"
+#include "contact/rigid.hpp"
 #include "contact/sheets.hpp"
 
 using namespace fabricsh;
@@ -129,6 +130,50 @@ TEST_CASE("contact: a node over a flat surface of many facets counts once wherev
     CHECK(energy == Approx(scene.area(0) * law(x[0].z()).contact).epsilon(1e-10));
     CHECK(force == Approx(scene.area(0) * law(x[0].z()).pressure).epsilon(1e-10));
   }
+}
+
+TEST_CASE("contact: cloth over a disc is pressed as the law says, and kept out by its facets and its rim",
+          "[contact]") {
+  const ContactLaw law = blend_law();
+  const double edge = 0.002;
+  Sheets inside;
+  inside.add(0.02, 4, Vec3(0.004, 0.003, edge + 0.3e-3));
+  Scene level = inside.scene();
+  level.meet(0, add_disc(level, Vec3::Zero(), Vec3::UnitZ(), 0.05, edge), law, 0);
+  std::vector<Vec3> force = none(level.reference().size());
+  const Totals totals = Contact(level).add_forces(level.reference(), force);
+  CHECK(totals.contact == Approx(0.02 * 0.02 * law(0.3e-3).contact).epsilon(1e-9));
+
+  Sheets sheets;
+  sheets.add(0.08, 4, Vec3(-0.04, -0.04, 0.03));
+  Scene scene = sheets.scene(), all_edges = sheets.scene();
+  const int disc = add_disc(scene, Vec3::Zero(), Vec3::UnitZ(), 0.03, edge);
+  scene.meet(0, disc, law, 0);
+  const auto vertices = std::span(scene.reference()).subspan(scene.nodes());
+  std::vector<Triangle> triangles;
+  for (const TriangleRow& t : scene.triangles())
+    if (t.surface == disc) {
+      const auto first = std::int32_t(scene.nodes());
+      triangles.push_back({t.nodes[0] - first, t.nodes[1] - first, t.nodes[2] - first});
+    }
+  all_edges.meet(0, all_edges.add_solid(vertices, triangles, edge), law, 0);
+  const Contact contact(scene), looks_at_all(all_edges);
+  Random random(3);
+  int stopped = 0;
+  for (int k = 0; k < 60; ++k) {
+    std::vector<Vec3> x = scene.reference(), by = none(x.size());
+    const Mat3 turn = Pose::about(random.vector(1), random(0, 3));
+    for (std::size_t i = 0; i < scene.nodes(); ++i) {
+      x[i] = turn * (x[i] - Vec3(0, 0, 0.03)) + Vec3(0, 0, 0.05) + random.vector(0.004);
+      by[i] = Vec3(0, 0, -0.12) + random.vector(0.02);
+    }
+    if (!contact.overlaps(x).empty()) continue;
+    const double share = contact.safe_fraction(x, by);
+    stopped += share < 1;
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] += share * by[i];
+    CHECK(looks_at_all.overlaps(x).empty());
+  }
+  CHECK(stopped > 30);
 }
 
 TEST_CASE("contact: a sheet at rest on a wall has the pressure of its weight", "[contact]") {
