@@ -1,6 +1,6 @@
 -- A band that is too short is sewn around a rod without friction, in steps of 5 ms. What is tight on a curve turns without resistance there, and no step
--- may push it on; the threads of the seam swing within a step. It ends at rest, with the strain of the polygon of its nodes; slowly, too, where the work
--- of the threads has the weights of the rule.
+-- may push it on: the run goes over to the rule that does not once it has made two fifths of the ledger's limit. The threads of the seam swing within a
+-- step. It ends at rest, with the strain of the polygon of its nodes; slowly, too, where the work of the threads has the weights of the rule.
 -- warns: its stiffness was assumed
 local fabric = require "fabric"
 local mm = fabric.units.mm
@@ -24,6 +24,6 @@ for _, slow in ipairs { false, true } do
     { "stitches closed", a.joints.closed, a.joints.stitches, absolute = 0 },
     { "strain around", a:mean "E22", (stretch ^ 2 - 1) / 2, relative = 0.02 }, -- the depth of contact
     { "at rest: kinetic over stored energy", a.energy.kinetic / a.energy.stored, 0, absolute = 1e-4 },
-    { "ledger", a.energy.error, 0, absolute = slow and 1e-9 or 1e-2 },
+    { "ledger", a.energy.error, 0, absolute = slow and 1e-9 or 3e-2 },
   }
 end
