@@ -371,10 +371,10 @@ const mechanics::NodalRates& Implicit::rates() const { return newmark_.velocitie
 // since tension pushes it on along what it touches, shorter steps would go on pushing.
 std::string Implicit::begin_to_damp(double error) {
   if (!chooses_scheme() || now_.damping == Damping::backward) return {};
-  const auto* const contact = assembly_->terms().find<mechanics::Contacts>();
-  const bool first = now_.damping == Damping::none && contact == nullptr;
+  const bool first = !damps();
   if (!first) {
     if (error - now_.forgiven <= kTooMuch * options_.ledger_limit) return {};
+    const auto* const contact = assembly_->terms().find<mechanics::Contacts>();
     const bool free = contact == nullptr || contact->readings().touching() == 0;
     std::string text = now_.damping < Damping::strong && free ? shorten_for_turning() : "";
     now_.forgiven = error;
@@ -442,7 +442,7 @@ void Implicit::watch_turning() {
 
 void Implicit::damp(Damping damping) {
   const EnergyAccount now = energy();
-  now_.base = damping == Damping::hht ? now_.loss : now.surplus();
+  now_.base = damping == Damping::hht && !has_contact(*assembly_) ? now_.loss : now.surplus();
   if (damping != Damping::hht)
     now_.forgiven = std::max(now_.forgiven, (now.surplus() - now_.early) / ledger_scale(now));
   now_.damping = damping;
@@ -453,7 +453,8 @@ void Implicit::damp(Damping damping) {
 
 std::string Implicit::damping_text() const {
   return "from here on high frequencies are damped (" +
-         (now_.damping == Damping::hht      ? "hht=" + number(kDampingAlpha)
+         (now_.damping == Damping::hht ? has_contact(*assembly_) ? "spectral_radius=" + number(kBesideContact)
+                                                                 : "hht=" + number(kDampingAlpha)
           : now_.damping == Damping::strong ? "gamma=" + number(kStrongGamma)
                                             : "as with slow=true") +
          ", the loss is in energy.damping); ";
@@ -503,7 +504,7 @@ bool Implicit::takes_back() {
 // The loss of alpha swings with what no step resolves. Where it gives back more than a little, forces at the
 // step's end damp better.
 bool Implicit::loss_falls() {
-  if (!chooses_scheme() || now_.damping != Damping::hht) return false;
+  if (!chooses_scheme() || now_.damping != Damping::hht || has_contact(*assembly_)) return false;
   now_.base = std::max(now_.base, now_.loss);
   return now_.base - now_.loss > kTooMuch * options_.ledger_limit * ledger_scale(energy());
 }
@@ -553,8 +554,9 @@ void Implicit::take_scheme() {
   newmark_.set_scheme(now_.settling > 0                   ? NewmarkScheme::trapezoidal(kSettling, false)
                       : now_.damping == Damping::backward ? NewmarkScheme::trapezoidal(kBackward)
                       : now_.damping == Damping::strong   ? damping_by(kStrongGamma, false)
-                      : now_.damping == Damping::hht      ? NewmarkScheme::of_hht(kDampingAlpha)
-                                                          : scheme_of(options_, *assembly_));
+                      : now_.damping == Damping::none     ? scheme_of(options_, *assembly_)
+                      : has_contact(*assembly_)           ? scheme_of_radius(kBesideContact, true, false)
+                                                          : NewmarkScheme::of_hht(kDampingAlpha));
   weigh_step_ends();
 }
 
