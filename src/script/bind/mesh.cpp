@@ -337,8 +337,10 @@ std::vector<Entry> mesh_entries() {
            "mesh:hole(function(x, y) return y > 0.02 and y < 0.025 and x > 0.01 and x < 0.015 end, 'rim')\n"
            "assert(#mesh.elements == 26 and #mesh:set 'rim' == 4)",
        hole},
-      without_arguments("mesh.nodes", "Reference positions {x, y, z}, m, by node number.",
-                        with_mesh + "assert(mesh.nodes[4][1] == 0.0254)", nodes),
+      without_arguments(
+          "mesh.nodes",
+          "Reference positions {x, y, z}, m, by node number; each is a copy: mesh:map() moves nodes.",
+          with_mesh + "assert(mesh.nodes[4][1] == 0.0254)", nodes),
       without_arguments("mesh.elements", "Node numbers of each element, counter-clockwise.",
                         with_mesh + "assert(mesh.elements[1][3] == 6)", elements),
       without_arguments("mesh.sets",
