@@ -86,7 +86,9 @@ void Contacts::couple(const Trial& trial, std::vector<NodePair>& pairs) {
 
 StepWork Contacts::step_work() const {
   StepWork sum = bodies().readings().step_work();
-  if (state_.evaluated) sum += settling_.work();
+  if (!state_.evaluated) return sum;
+  sum += settling_.work();
+  if (implicit_.used()) sum.work += state_.ties.work_of_pressure(state_.start, state_.x, state_.force);
   return sum;
 }
 

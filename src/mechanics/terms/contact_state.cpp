@@ -9,10 +9,24 @@
 namespace fabricsh::mechanics {
 
 BodyTies::BodyTies(const ContactSurfaces& surfaces, const Cloth& cloth) {
-  for (const Bodies::TiedNode& tied : surfaces.bodies().tied())
-    ties_.push_back(
-        {static_cast<std::size_t>(tied.node), surfaces.nodes() + tied.point,
-         cloth.mass()[static_cast<std::size_t>(tied.node)] / (surfaces.step() * surfaces.step())});
+  const BodyState& state = surfaces.bodies().state();
+  for (const Bodies::TiedNode& tied : surfaces.bodies().tied()) {
+    const auto body = std::find_if(state.bodies.begin(), state.bodies.end(),
+                                   [&](const auto& b) { return tied.point < b.first + b.count; });
+    Tie tie{static_cast<std::size_t>(tied.node), surfaces.nodes() + tied.point,
+            cloth.mass()[static_cast<std::size_t>(tied.node)] / (surfaces.step() * surfaces.step())};
+    const auto* rod = std::get_if<model::Cylinder>(&body->given->shape());
+    if (body->free < 0 && (rod != nullptr || std::holds_alternative<model::Sphere>(body->given->shape()))) {
+      tie.body = &*body;
+      tie.from = tie.to = surfaces.nodes() + body->first;
+      if (rod != nullptr) {
+        const Vec3 axis = rod->to - rod->from, arm = state.reference[tied.point] - rod->from;
+        tie.share = std::clamp(arm.dot(axis) / axis.squaredNorm(), 0.0, 1.0);
+        ++tie.to;
+      }
+    }
+    ties_.push_back(tie);
+  }
 }
 
 double BodyTies::add_forces(std::span<const Vec3> x, std::span<Vec3> force) const {
@@ -24,6 +38,20 @@ double BodyTies::add_forces(std::span<const Vec3> x, std::span<Vec3> force) cons
     energy += pull.dot(apart) / 2;
   }
   return energy;
+}
+
+double BodyTies::work_of_pressure(std::span<const Vec3> start, std::span<const Vec3> x,
+                                  std::span<const Vec3> force) const {
+  const auto way = [&](std::size_t point) -> Vec3 { return x[point] - start[point]; };
+  double work = 0;
+  for (const Tie& tie : ties_) {
+    if (tie.body == nullptr || tie.body->turned.isZero(0)) continue;
+    const Vec3 pressure = force[tie.node] - stiffness(tie) * (x[tie.point] - x[tie.node]),
+               axis = (1 - tie.share) * way(tie.from) + tie.share * way(tie.to), arc = way(tie.point) - axis;
+    const double angle = tie.body->turned.norm();
+    work += pressure.dot(arc - Eigen::AngleAxisd(angle, tie.body->turned / angle) * arc) / 2;
+  }
+  return work;
 }
 
 ContactState::ContactState(ContactSurfaces& surfaces, const Configuration& configuration, const Cloth& cloth)

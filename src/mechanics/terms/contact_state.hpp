@@ -20,6 +20,11 @@ class BodyTies {
   struct Tie {
     std::size_t node, point;
     double carried;  // N/m, by an explicit step
+    // Of a ball or rod that does not move freely: the ends of its axis, and the share of the second in the
+    // point on it that is nearest to the place of the node.
+    const BodyState::Body* body = nullptr;  // null: of another body
+    std::size_t from = 0, to = 0;
+    double share = 0;
   };
   const std::vector<Tie>& all() const { return ties_; }
   bool any() const { return !ties_.empty(); }
@@ -27,6 +32,11 @@ class BodyTies {
   void go_explicit() { stiffness_ = kMovingTie; }
   // Adds the forces of the springs, N; returns their energy, J.
   double add_forces(std::span<const Vec3> x, std::span<Vec3> force) const;
+  // J, in an implicit step from `start` to `x`: what the body's pressure works on nodes that turn with it. It
+  // acts at the step's end, across an arc, while balls and rods feel it at their axis. The forces of the
+  // springs, which answer it, work as much less. force: on all points, at the end.
+  double work_of_pressure(std::span<const Vec3> start, std::span<const Vec3> x,
+                          std::span<const Vec3> force) const;
 
  private:
   // Of what an explicit step would carry beside the cloth; explicit steps are half as long then.

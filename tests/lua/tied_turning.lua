@@ -1,0 +1,45 @@
+-- Cloth tied to a rod that turns, in implicit steps: the work of the rod is that of its moment, and none of it that of its pressure on what turns with it. A
+-- strip is drawn onto a rod by a quarter of a turn against a constant force; a longer one is wound up over itself.
+-- warns: the ledger's error is
+-- warns: the time scheme has taken
+local fabric = require "fabric"
+local long = os.getenv "FABRICSH_TEST_LONG"
+local mm = fabric.units.mm
+local card = fabric.card("blend"):with { bending = { warp = 5e-6, weft = 5e-6, twist = 2e-6 } }
+local r, force = 10 * mm, 0.2
+local function smooth(q)
+  q = math.max(0, math.min(1, q))
+  return q * q * (3 - 2 * q)
+end
+
+local function wind(o)
+  local mesh = fabric.mesh.rectangle { width = o.length, height = 8 * mm, nx = o.nx, ny = 1, triangles = o.triangles }
+  mesh:map(function(x, y) return x, y, r + card.thickness / 2 end)
+  local m = fabric.model { mesh = mesh, card = card, warp = { 1, 0, 0 } }
+  local rod = fabric.rigid.cylinder { radius = r, from = { 0, -0.03, 0 }, to = { 0, 0.04, 0 }, name = "rod" }
+  m:fix("all", "y"):move(rod, { turn = { axis = { 0, 1, 0 }, angle = function(t) return -o.angle * smooth(t / o.time) end } }):tie("rigid", "left", rod)
+  m:force("right", { x = fabric.history { { 0, 0 }, { 0.02, force }, { 1, force } } }):fix("right", "z")
+  m:contact { between = { rod, "all" }, friction = o.friction or 0 }
+  if o.angle > 180 then m:contact { self = "all", friction = o.friction } end
+  local a = fabric.dynamic { model = m, duration = o.time + 0.02, scheme = "implicit", step = o.step, damping = { mass = 10 },
+    slow = o.slow, spectral_radius = o.radius, ledger_limit = o.limit }
+  a:solve()
+  local e, passed = a.energy, force * (o.length - a:node(mesh:set "right"[1]).x)
+  local made = (e.kinetic + e.stored + e.dissipated + e.damping - e.external) / passed
+  local text = ("%g degrees, %s, step %g s%s%s: "):format(o.angle, o.triangles and "triangles" or "quads", o.step, o.slow and ", slow" or "", o.radius and ", radius " .. o.radius or "")
+  print(text, made, a.energy.error)
+  fabric.expect { { text .. "made of what passed", made, 0, absolute = o.made } }
+  return a, text
+end
+
+for _, triangles in ipairs { false, true } do
+  for _, step in ipairs { 0.01, 0.005 } do
+    if long or step == 0.01 or not triangles then
+      wind { length = 0.1, nx = 20, angle = 90, time = 0.2, step = step, slow = true, limit = 50, made = 40 * step ^ 2, triangles = triangles }
+      -- Rules with a mean make energy where tension pushes on what turns: (1 - theta) times the angle of a step.
+      wind { length = 0.1, nx = 20, angle = 90, time = 0.2, step = step, radius = 0.9, limit = 50, made = 4 * step, triangles = triangles }
+    end
+  end
+end
+local a, text = wind { length = 0.2, nx = 80, angle = 270, time = 0.3, step = 0.01, friction = 0.2, made = 1e-3 }
+fabric.expect { { text .. "ledger", a.energy.error, 0, absolute = 1e-2 } }
