@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <cstring>
 #include <functional>
 #include <sstream>
 
@@ -126,6 +127,7 @@ std::vector<std::string> render(const Picture& picture, const std::string& progr
   if (!result.good && result.said.starts_with("render: ")) throw Error(result.said);
   if (!result.good)
     throw Error("render: the program that draws ended before the picture was whole: '" + program + "'" +
+                (result.signal != 0 ? std::string(", by the signal ") + strsignal(result.signal) : "") +
                 (result.said.empty() ? "" : ", saying: " + result.said.substr(0, result.said.find('\n'))));
   if (picture.dpi > 0) say_resolution(file, picture.dpi);
   file.commit(system::Sync::no);

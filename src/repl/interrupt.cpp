@@ -6,6 +6,7 @@
 #include <ctime>
 
 #include "script/session/at_work.hpp"
+#include "system/child.hpp"
 
 namespace fabricsh::repl {
 
@@ -73,7 +74,7 @@ extern "C" void on_no_answer(int) {
   if (running == 0 && between != 0) end_by(SIGINT);
   if (running == 0 || !interruptible->interrupted()) return;
   waited = waited + 1;
-  if (script::run_is_at_work() || waited < answers_within)
+  if (script::run_is_at_work() || system::child_has_grace() || waited < answers_within)
     alarm(1);
   else if (attended_now == Attended::no || last != SIGINT)
     end_by(last);

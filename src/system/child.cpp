@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
@@ -51,19 +52,40 @@ std::string words(std::FILE* file) {
   return text;
 }
 
-constexpr std::chrono::seconds kGrace{5};
+constexpr double kGrace = 5;  // s of its computing time, for a child after a signal to this program
+constexpr std::chrono::seconds kIdle{5};  // in which it computes next to nothing
+constexpr double kNothing = 0.05;         // s
+std::atomic<int> graces{0};               // children that have grace
 
-// Waits for the child's end; returns 0 or the system's reason. After a signal to this program the child has
-// kGrace to end by itself: it may draw for a hook whose run answers the signal after its step.
+// Waits for the child's end; returns 0 or the system's reason. After a signal to this program the child may
+// end by itself: it may draw for a hook whose run answers the signal after its step. A second signal ends
+// this program, and the child with it.
 int wait_for(pid_t child, int& status) {
   using Clock = std::chrono::steady_clock;
-  std::optional<Clock::time_point> signalled;
+  std::optional<Clock::time_point> busy;  // when it last computed, since the signal
+  double before = 0, seen = 0;            // s, computed at the signal, and at `busy`
+  bool over = false;
   while (true) {
-    const pid_t ended = waitpid(child, &status, signalled ? WNOHANG : 0);
-    if (ended == child) return 0;
-    if (ended < 0 && errno != EINTR) return errno;
-    if (!signalled) signalled = Clock::now();
-    if (Clock::now() - *signalled > kGrace) kill(-child, SIGTERM);
+    const pid_t ended = waitpid(child, &status, busy ? WNOHANG : 0);
+    const int reason = ended < 0 ? errno : 0;
+    if (ended == child || (reason != 0 && reason != EINTR)) {
+      if (busy && !over) --graces;
+      return reason;
+    }
+    const double used = computing_time_of(child);
+    if (!busy) {
+      ++graces;
+      before = used;
+    }
+    if (!busy || used - seen > kNothing) {
+      busy = Clock::now();
+      seen = used;
+    }
+    if (!over && (used - before > kGrace || Clock::now() - *busy > kIdle)) {
+      over = true;
+      --graces;
+    }
+    if (over) kill(-child, SIGTERM);
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
 }
@@ -106,6 +128,8 @@ struct Prepared {
 }
 
 }  // namespace
+
+bool child_has_grace() { return graces > 0; }
 
 // vfork() as posix_spawn() has it inside, which offers no signal at the parent's end.
 int spawn_bound(const Spawn& what, int& child) {

@@ -16,10 +16,13 @@ struct ChildResult {
 // Runs arguments[0] (looked up in PATH unless it contains a slash) with `input` as its
 // standard input. A missing program is reported by found = false. Error, beginning with
 // `who`: no memory for input and output, or the program cannot be started for another reason.
-// A signal to this program ends the child if it has not ended within five seconds, and the end of the thread
-// that waits for it at once, however it comes.
+// A signal to this program ends the child after five seconds of the child's computing time, or as many in
+// which it computes nothing; the end of the thread that waits for it ends it at once, however it comes.
 ChildResult run_child(const std::vector<std::string>& arguments, const std::string& input,
                       const std::string& who);
+
+// Whether run_child() leaves a child these seconds now. Signal-safe.
+bool child_has_grace();
 
 // The program that spawn_bound() starts, with its streams, each -1 to keep that of this program.
 struct Spawn {

@@ -27,14 +27,6 @@ double seconds_of(const rusage& used) {
          1e-6 * static_cast<double>(used.ru_utime.tv_usec + used.ru_stime.tv_usec);
 }
 
-// 0 if the child has been waited for: its time is then included in that of the ended children.
-double seconds_of(pid_t child) {
-  clockid_t clock{};
-  timespec time{};
-  if (clock_getcpuclockid(child, &clock) != 0 || clock_gettime(clock, &time) != 0) return 0;
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
 // Signals are blocked in this thread, so that Ctrl-C interrupts the thread that waits for input.
 void start_watch() {
   sigset_t all, before;
@@ -49,6 +41,14 @@ void start_watch() {
 
 }  // namespace
 
+// The time of a child that has been waited for is included in that of the ended children.
+double computing_time_of(pid_t child) {
+  clockid_t clock{};
+  timespec time{};
+  if (clock_getcpuclockid(child, &clock) != 0 || clock_gettime(clock, &time) != 0) return 0;
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
 double computing_time() {
   double seconds = 0;
   for (const auto who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
@@ -57,7 +57,7 @@ double computing_time() {
     seconds += seconds_of(used);
   }
   for (const auto& child : children)
-    if (const pid_t number = child; number != 0) seconds += seconds_of(number);
+    if (const pid_t number = child; number != 0) seconds += computing_time_of(number);
   return seconds;
 }
 

@@ -8,6 +8,7 @@ namespace fabricsh {
 
 // s: all threads of this process, the children that have ended, and the running children counted now.
 double computing_time();
+double computing_time_of(pid_t child);  // s; 0 if it has been waited for
 
 // A running child whose time counts as time of this process. At most
 // 4096 at once; further ones are counted only after they have ended.
