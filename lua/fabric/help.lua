@@ -117,7 +117,7 @@ local function overview()
     "help(fabric.static)     what a function takes, with an example",
     "help(mesh)              what an object is, holds and can do",
     "help \"mesh:set\"         a method by its name",
-    "help \"shear\"            all entries that contain the word shear",
+    "help \"shear\"            all entries with a word that begins so",
     "The tutorial is share/doc/tutorial.md, all functions are in share/doc/reference.md.",
   } do lines[#lines + 1] = line end
   return lines
@@ -174,14 +174,20 @@ local function below(rows, word)
   return found
 end
 
-local function speaks_of(row, word)
-  local function holds(text) return text:lower():find(word, 1, true) end
+-- Whether a text contains the word where one of its words begins, or anywhere.
+local function holds(text, word, anywhere)
+  local place = text:lower():find(word, 1, true)
+  while place and place > 1 and not anywhere and word:find "^%w" and text:find("^%w", place - 1) do place = text:lower():find(word, place + 1, true) end
+  return place ~= nil
+end
+
+local function speaks_of(row, word, anywhere)
   local function any(arguments)
     for _, argument in ipairs(arguments) do
-      if holds(argument.name) or holds(argument.sentence) or any(argument.rows) then return true end
+      if holds(argument.name, word, anywhere) or holds(argument.sentence, word, anywhere) or any(argument.rows) then return true end
     end
   end
-  return holds(row.name) or holds(row.sentence) or any(row.arguments)
+  return holds(row.name, word, anywhere) or holds(row.sentence, word, anywhere) or any(row.arguments)
 end
 
 local function nothing(rows, word)
@@ -196,7 +202,7 @@ local function nothing(rows, word)
 end
 
 -- The pages of the manual whose name or description in the list of pages holds each of the words.
-local function pages(words)
+local function pages(words, anywhere)
   local home = debug and debug.getinfo(1, "S").source:match "^@(.*)lua/fabric/help%.lua$"
   local readable, file = pcall(io.open, (home or "") .. "share/doc/README.md")
   local lines = {}
@@ -204,7 +210,7 @@ local function pages(words)
   for line in file:lines() do
     local name, about = line:match "^| %[[^%]]*%]%(([^)]+)%) | (.-) |$"
     local all = name ~= nil
-    for word in words:gmatch "%S+" do all = all and (name .. " " .. about):lower():find(word, 1, true) ~= nil end
+    for word in words:gmatch "%S+" do all = all and holds(name .. " " .. about, word, anywhere) end
     if all then lines[#lines + 1] = ("  %-38s %s"):format("share/doc/" .. name, about) end
   end
   file:close()
@@ -240,12 +246,12 @@ local function units(word)
 end
 
 -- Rows that contain the words as a phrase, or otherwise each of the words.
-local function speaking(rows, words)
-  local found = lists.collect(rows, function(row) if speaks_of(row, words) then return row end end)
+local function speaking(rows, words, anywhere)
+  local found = lists.collect(rows, function(row) if speaks_of(row, words, anywhere) then return row end end)
   if #found > 0 or not words:find "%s" then return found end
   for _, row in ipairs(rows) do
     local all = true
-    for word in words:gmatch "%S+" do all = all and speaks_of(row, word) end
+    for word in words:gmatch "%S+" do all = all and speaks_of(row, word, anywhere) end
     if all then found[#found + 1] = row end
   end
   return found
@@ -275,6 +281,7 @@ local function search(word)
   local lines, found = {}, below(rows, word)
   if #found == 0 then found = speaking(rows, word:lower()) end
   local fields, manual = result_fields(word), pages(word:lower())
+  if #found + #manual == 0 then found, manual = speaking(rows, word:lower(), true), pages(word:lower(), true) end
   for _, more in ipairs { pointed(word:lower()), units(word), fields } do table.move(more, 1, #more, #lines + 1, lines) end
   if #found == 0 and #lines == 0 and #manual == 0 then return nothing(rows, word) end
   grouped(found, lines)

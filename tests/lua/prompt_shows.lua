@@ -219,6 +219,11 @@ for _, row in ipairs(registry.rows()) do
   local short = row.name:match "^fabric%.([%w_.]+)$"
   assert(not short or overview:find(short, 1, true), "the overview has no " .. row.name)
 end
+-- Words that begin so, not those that only contain it, unless there are no others.
+fabric.help "kes"
+assert(said[#said]:find("fabric.lab.kes_card", 1, true) and not said[#said]:find("model:force", 1, true), said[#said])
+fabric.help "akes"
+assert(said[#said]:find("model:force", 1, true), said[#said])
 fabric.help(fabric.card "blend")
 assert(said[#said]:find("thickness", 1, true) and said[#said]:find("= 0.00038", 1, true))
 print = plain
