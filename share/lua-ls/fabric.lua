@@ -32,7 +32,7 @@ local card = {}
 ---Nodes, elements and named sets of nodes.
 ---@class mesh
 ---@field elements integer[][] Node numbers of each element, counter-clockwise.
----@field nodes number[][] Reference positions {x, y, z}, m, by node number; each is a copy: mesh:map() moves nodes.
+---@field nodes number[][] Reference positions {x, y, z}, m, by node number. Each is a copy: mesh:map() moves nodes.
 ---@field sets string[] Names of the node sets. In the mesh of a model of several bodies also those of each, as body.left.
 local mesh = {}
 

@@ -339,7 +339,7 @@ std::vector<Entry> mesh_entries() {
        hole},
       without_arguments(
           "mesh.nodes",
-          "Reference positions {x, y, z}, m, by node number; each is a copy: mesh:map() moves nodes.",
+          "Reference positions {x, y, z}, m, by node number. Each is a copy: mesh:map() moves nodes.",
           with_mesh + "assert(mesh.nodes[4][1] == 0.0254)", nodes),
       without_arguments("mesh.elements", "Node numbers of each element, counter-clockwise.",
                         with_mesh + "assert(mesh.elements[1][3] == 6)", elements),
