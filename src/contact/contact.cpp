@@ -567,6 +567,16 @@ void Contact::couples(std::span<const Vec3> x,
   for (const Candidate& c : inner_) visit(scene_->spots().with_nodes(c.point));
 }
 
+void Contact::mark_pressed(std::int32_t first, std::int32_t end, std::span<char> marked) const {
+  for (std::size_t i = 0; i < inner_.size(); ++i) {
+    const auto points = scene_->spots().with_nodes(inner_[i].point);
+    const bool own = std::any_of(points.begin(), points.end(), [&](auto p) { return p >= first && p < end; });
+    if ((active_[i] & pressing) == 0 || own) continue;
+    for (const auto p : points)
+      if (p >= 0) marked[std::size_t(p)] = 1;
+  }
+}
+
 double Contact::safe_fraction(std::span<const Vec3> x, std::span<const Vec3> by,
                               std::span<const char> among) const {
   std::vector<Vec3> end(x.begin(), x.end());

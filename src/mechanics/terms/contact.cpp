@@ -88,7 +88,8 @@ StepWork Contacts::step_work() const {
   StepWork sum = bodies().readings().step_work();
   if (!state_.evaluated) return sum;
   sum += settling_.work();
-  if (implicit_.used()) sum.work += state_.ties.work_of_pressure(state_.start, state_.x, state_.force);
+  if (implicit_.used())
+    sum.work += state_.ties.work_of_pressure(state_.start, state_.x, state_.force, state_.pairs);
   return sum;
 }
 

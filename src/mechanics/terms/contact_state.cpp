@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "geometry/node_view.hpp"
 
@@ -41,11 +42,18 @@ double BodyTies::add_forces(std::span<const Vec3> x, std::span<Vec3> force) cons
 }
 
 double BodyTies::work_of_pressure(std::span<const Vec3> start, std::span<const Vec3> x,
-                                  std::span<const Vec3> force) const {
+                                  std::span<const Vec3> force, const contact::Contact& pairs) const {
+  const BodyState::Body* marked_for = nullptr;
+  std::vector<char> pressed;
   const auto way = [&](std::size_t point) -> Vec3 { return x[point] - start[point]; };
   double work = 0;
   for (const Tie& tie : ties_) {
     if (tie.body == nullptr || tie.body->turned.isZero(0)) continue;
+    if (std::exchange(marked_for, tie.body) != tie.body) {
+      pressed.assign(x.size(), 0);
+      pairs.mark_pressed(static_cast<std::int32_t>(tie.from), static_cast<std::int32_t>(tie.to) + 1, pressed);
+    }
+    if (pressed[tie.node] != 0) continue;
     const Vec3 pressure = force[tie.node] - stiffness(tie) * (x[tie.point] - x[tie.node]),
                axis = (1 - tie.share) * way(tie.from) + tie.share * way(tie.to), arc = way(tie.point) - axis;
     const double angle = tie.body->turned.norm();

@@ -32,11 +32,12 @@ class BodyTies {
   void go_explicit() { stiffness_ = kMovingTie; }
   // Adds the forces of the springs, N; returns their energy, J.
   double add_forces(std::span<const Vec3> x, std::span<Vec3> force) const;
-  // J, in an implicit step from `start` to `x`: what the body's pressure works on nodes that turn with it. It
-  // acts at the step's end, across an arc, while balls and rods feel it at their axis. The forces of the
-  // springs, which answer it, work as much less. force: on all points, at the end.
-  double work_of_pressure(std::span<const Vec3> start, std::span<const Vec3> x,
-                          std::span<const Vec3> force) const;
+  // J, in an implicit step from `start` to `x`: what the body's pressure works on nodes that turn with it,
+  // where nothing else presses them. It acts at the step's end, across an arc, while balls and rods feel it
+  // at their axis. The forces of the springs, which answer it, work as much less. force: on all points, at
+  // the end, of the pairs.
+  double work_of_pressure(std::span<const Vec3> start, std::span<const Vec3> x, std::span<const Vec3> force,
+                          const contact::Contact& pairs) const;
 
  private:
   // Of what an explicit step would carry beside the cloth; explicit steps are half as long then.
