@@ -381,6 +381,7 @@ std::string Implicit::begin_to_damp(double error) {
     if (!text.empty()) return text;
   }
   damp(first ? Damping::hht : now_.damping < Damping::strong ? Damping::strong : Damping::backward);
+  if (has_contact(*assembly_)) now_.forgiven = std::max(now_.forgiven, error);
   return damping_text();
 }
 
@@ -447,8 +448,9 @@ void Implicit::damp(Damping damping) {
     now_.forgiven = std::max(now_.forgiven, (now.surplus() - now_.early) / ledger_scale(now));
   now_.damping = damping;
   take_scheme();
-  // With average acceleration those of frequencies that no step resolves grow from step to step.
-  if (damping == Damping::strong) newmark_.take_off(newmark_.committed().a);
+  // With average acceleration those of frequencies that no step resolves grow from step to step. Beside
+  // contact they are damped, and what is pressed has those of its other forces.
+  if (damping == Damping::strong && !has_contact(*assembly_)) newmark_.take_off(newmark_.committed().a);
 }
 
 std::string Implicit::damping_text() const {
