@@ -372,16 +372,12 @@ const mechanics::NodalRates& Implicit::rates() const { return newmark_.velocitie
 std::string Implicit::begin_to_damp(double error) {
   if (!chooses_scheme() || now_.damping == Damping::backward) return {};
   const bool first = !damps();
-  if (!first) {
-    if (error - now_.forgiven <= kTooMuch * options_.ledger_limit) return {};
-    const auto* const contact = assembly_->terms().find<mechanics::Contacts>();
-    const bool free = contact == nullptr || contact->readings().touching() == 0;
-    std::string text = now_.damping < Damping::strong && free ? shorten_for_turning() : "";
-    now_.forgiven = error;
-    if (!text.empty()) return text;
-  }
+  if (!first && error - now_.forgiven <= kTooMuch * options_.ledger_limit) return {};
+  const auto* const contact = assembly_->terms().find<mechanics::Contacts>();
+  if (!first || contact != nullptr) now_.forgiven = std::max(now_.forgiven, error);
+  if (!first && now_.damping < Damping::strong && (contact == nullptr || contact->readings().touching() == 0))
+    if (std::string text = shorten_for_turning(); !text.empty()) return text;
   damp(first ? Damping::hht : now_.damping < Damping::strong ? Damping::strong : Damping::backward);
-  if (has_contact(*assembly_)) now_.forgiven = std::max(now_.forgiven, error);
   return damping_text();
 }
 
