@@ -58,7 +58,7 @@ constexpr double kNothing = 0.05;         // s
 std::atomic<int> graces{0};               // children that have grace
 
 // Waits for the child's end; returns 0 or the system's reason. After a signal to this program the child may
-// end by itself: it may draw for a hook whose run answers the signal after its step. A second signal ends
+// end by itself: it may draw for a hook whose run answers the signal after its step. A second Ctrl-C ends
 // this program, and the child with it.
 int wait_for(pid_t child, int& status) {
   using Clock = std::chrono::steady_clock;
