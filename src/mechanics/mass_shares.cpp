@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "mechanics/mesh_tools.hpp"
@@ -18,6 +19,13 @@ constexpr double kGoal = 0.95;    // of the lowest bound so far: elements above 
 constexpr double kSmall = 2e-3;   // an element that asks for less, or a share that changed by less, waits
 constexpr double kWorth = 0.99;   // of the bound with equal shares: others that gain less are not worth it
 
+constexpr double kOfUsual = 0.95;      // of the step of usual nodes: what mass is moved for
+constexpr double kWorthMoving = 0.85;  // of the bound: mass that gains less stays
+constexpr double kLess = 0.05;         // of the bound: what the next attempt wants less
+constexpr double kMostTimes = 3;       // its own mass at most has a node then
+constexpr double kMostGiven = 0.1;     // of its mass a node gives at most
+constexpr int kRings = 3;              // of neighbours that give
+
 // How strongly an element asks for more: the 32nd power, which is the same on all processors.
 double strength(double ratio) {
   double power = std::min(ratio, 1.0);
@@ -31,6 +39,7 @@ class Sharing {
           const std::function<PlaneMatrix(mesh::Index)>& stiffness)
       : mesh_(mesh),
         equal_(equal),
+        given_(rates),
         shares_(equal_),
         solved_(equal_),
         part_(equal_.size(), CornerMasses{}),
@@ -53,7 +62,7 @@ class Sharing {
     }
     solve([this](std::size_t e) { return shares_[e] != solved_[e]; });
     const double last = highest();
-    return last < kWorth * first ? SharedMasses{shares_, last} : SharedMasses{equal_, first};
+    return last < kWorth * first ? SharedMasses{shares_, rates_, last} : SharedMasses{equal_, given_, first};
   }
 
  private:
@@ -127,12 +136,93 @@ class Sharing {
 
   const mesh::Mesh& mesh_;
   const std::vector<CornerMasses>& equal_;
+  const std::vector<double>& given_;  // rates, with these
   std::vector<CornerMasses> shares_, solved_,
       part_;                                  // solved: those of the rates; part: of the fastest motion
   std::vector<double> rates_, asks_, times_;  // times: its stiffness has the rate with equal shares
   std::vector<char> known_;                   // whether part_ is
   const std::function<PlaneMatrix(mesh::Index)>& stiffness_;
   const std::vector<double> mass_;
+};
+
+}  // namespace
+
+namespace {
+
+// Half of the mass is at nodes with a mean of no more.
+double usual_of(const std::vector<double>& means, const std::vector<double>& mass) {
+  const double whole = std::accumulate(mass.begin(), mass.end(), 0.0);
+  std::vector<std::size_t> order(means.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return means[a] > means[b]; });
+  double sum = 0;
+  for (const std::size_t n : order)
+    if ((sum += mass[n]) >= whole / 2) return means[n];
+  return means[order.back()];
+}
+
+class Moving {
+ public:
+  Moving(const mesh::Mesh& mesh, const std::vector<double>& means, const std::vector<double>& mass)
+      : mesh_(mesh), means_(means), mass_(mass), first_(mass.size() + 1, 0) {
+    for (const auto& e : mesh.elements)
+      for (const mesh::Index n : e)
+        if (n >= 0) ++first_[static_cast<std::size_t>(n) + 1];
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    of_.resize(first_.back());
+    std::vector<std::size_t> at(first_.begin(), first_.end() - 1);
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e)
+      for (const mesh::Index n : mesh.elements[e])
+        if (n >= 0) of_[at[static_cast<std::size_t>(n)]++] = e;
+  }
+  // The nearest nodes give, each ring in equal parts of what it has. Empty: there is not enough.
+  std::vector<double> to(double highest) const {
+    std::vector<double> given(mass_.size(), 0);  // kg, less what is taken
+    for (std::size_t n = 0; n < mass_.size(); ++n) {
+      double wanted = mass_[n] * (means_[n] / highest - 1);
+      if (!(wanted > 0)) continue;
+      std::vector<std::size_t> ring{n}, seen{n};
+      for (int r = 0; r < kRings && wanted > 0; ++r) {
+        ring = next(ring, seen);
+        double spare = 0;
+        for (const std::size_t b : ring) spare += std::max(0.0, left(b, highest, given));
+        if (!(spare > 0)) continue;
+        const double part = std::min(1.0, wanted / spare);
+        for (const std::size_t b : ring)
+          if (const double has = left(b, highest, given); has > 0) given[b] += part * has;
+        given[n] -= part * spare;
+        wanted -= part * spare;
+      }
+      if (wanted > kRounding * mass_[n]) return {};
+    }
+    std::vector<double> times(mass_.size(), 1);
+    for (std::size_t n = 0; n < times.size(); ++n)
+      if (given[n] != 0) times[n] = 1 - given[n] / mass_[n];
+    return times;
+  }
+
+ private:
+  static constexpr double kRounding = 1e-12;
+  // kg, of those that want none.
+  double left(std::size_t n, double highest, const std::vector<double>& given) const {
+    return mass_[n] * std::min(1 - means_[n] / highest, kMostGiven) - given[n];
+  }
+  std::vector<std::size_t> next(const std::vector<std::size_t>& ring, std::vector<std::size_t>& seen) const {
+    std::vector<std::size_t> out;
+    for (const std::size_t a : ring)
+      for (std::size_t i = first_[a]; i < first_[a + 1]; ++i)
+        for (const mesh::Index n : mesh_.elements[of_[i]])
+          if (const auto b = static_cast<std::size_t>(n);
+              n >= 0 && std::find(seen.begin(), seen.end(), b) == seen.end()) {
+            seen.push_back(b);
+            out.push_back(b);
+          }
+    return out;
+  }
+
+  const mesh::Mesh& mesh_;
+  const std::vector<double>&means_, &mass_;
+  std::vector<std::size_t> first_, of_;  // the elements of each node
 };
 
 }  // namespace
@@ -147,8 +237,19 @@ SharedMasses share_masses(const mesh::Mesh& mesh, const std::vector<CornerMasses
   const std::vector<double> means =
       means_at_nodes(mesh, rates, [&](std::size_t e, std::size_t c) { return equal[e][c]; });
   const auto [least, most] = std::minmax_element(means.begin(), means.end());
-  if (*least > kWorth * *most) return {equal, *most};  // squares
+  if (*least > kWorth * *most) return {equal, rates, *most};  // squares
   return Sharing(mesh, equal, rates, stiffness).result();
+}
+
+MovedMass move_mass(const mesh::Mesh& mesh, const std::vector<double>& means,
+                    const std::vector<double>& mass) {
+  const double most = *std::max_element(means.begin(), means.end()), usual = usual_of(means, mass);
+  const double goal = std::max(usual / (kOfUsual * kOfUsual), most / kMostTimes);
+  if (!(goal < kWorthMoving * most)) return {{}, most};
+  const Moving moving(mesh, means, mass);
+  for (double highest = goal; highest < kWorthMoving * most; highest *= 1 + kLess)
+    if (std::vector<double> times = moving.to(highest); !times.empty()) return {std::move(times), highest};
+  return {{}, most};
 }
 
 }  // namespace fabricsh::mechanics

@@ -34,9 +34,11 @@ std::vector<double> means_at_nodes(const mesh::Mesh& mesh, std::span<const doubl
 
 double largest_eigenvalue(const PlaneMatrix& symmetric);
 
-// Of the corners of each element, kg; and the largest mean of the rates about a node with them, 1/s^2.
+// Of the corners of each element, kg; the rates of the elements with them, and their largest mean about a
+// node, 1/s^2.
 struct SharedMasses {
   std::vector<CornerMasses> shares;
+  std::vector<double> rates;
   double highest;
 };
 // equal: with which all corners of an element have the same; rates: of the elements with these; stiffness: of
@@ -44,5 +46,16 @@ struct SharedMasses {
 SharedMasses share_masses(const mesh::Mesh& mesh, const std::vector<CornerMasses>& equal,
                           const std::vector<double>& rates,
                           const std::function<PlaneMatrix(mesh::Index)>& stiffness);
+
+// Lumping for a longer step: nodes where the mean of the rates is far above the rest, such as those of small
+// elements at a rim, take mass from nodes about them that have to spare. The mass of the cloth, and of each
+// neighbourhood, stays.
+struct MovedMass {
+  std::vector<double> times;  // per node, of its mass; empty: little would be gained
+  double highest;             // 1/s^2, the largest mean then
+};
+// means: per node, 1/s^2; mass: kg.
+MovedMass move_mass(const mesh::Mesh& mesh, const std::vector<double>& means,
+                    const std::vector<double>& mass);
 
 }  // namespace fabricsh::mechanics

@@ -129,6 +129,10 @@ Dynamic::Dynamic(std::shared_ptr<model::Model> model, const DynamicOptions& opti
                 ", which has no mass: expected mass= where it is made (fabric.static needs none)");
   scaled_ = options_.scaled.value_or(options_.scheme == Scheme::explicit_steps);
   using namespace mechanics;
+  if (scaled_) {
+    assembly_->terms().elements().scale_mass();
+    if (auto* const contacts = assembly_->terms().find<Contacts>()) contacts->masses_changed();
+  }
   inertia_ = &assembly_->terms().add(
       std::make_unique<Inertia>(assembly_->cloth().mass(), assembly_->cloth().rotary_inertia(scaled_)));
   if (options_.mass_damping > 0)

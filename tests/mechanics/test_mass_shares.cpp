@@ -14,19 +14,21 @@ namespace {
 
 constexpr double kShear = 0.05;  // over the stiffness along the axes
 
-// A skewed and uneven grid of unit density, with triangles.
+// A skewed and uneven grid of unit density, with triangles; a side of the element in the middle is `narrow`.
 struct Sheet {
   mesh::Mesh mesh;
   std::vector<PlaneMatrix> stiffness;
   std::vector<CornerMasses> equal;
   std::vector<double> rates;
 
-  explicit Sheet(int across, double uneven) {
+  explicit Sheet(int across, double uneven, double narrow = 1) {
     const int row = across + 1;
     for (int j = 0; j < row; ++j)
       for (int i = 0; i < row; ++i)
         mesh.nodes.emplace_back(i + uneven * std::sin(7.1 * i + 3.3 * j),
                                 j + uneven * std::cos(2.9 * i - 5.7 * j), 0);
+    const auto middle = std::size_t(across / 2 + row * (across / 2));
+    mesh.nodes[middle + 1] = mesh.nodes[middle] + narrow * (mesh.nodes[middle + 1] - mesh.nodes[middle]);
     for (int j = 0; j < across; ++j)
       for (int i = 0; i < across; ++i) {
         const mesh::Index a = i + row * j;
@@ -55,8 +57,9 @@ struct Sheet {
     return sum;
   }
   // 1/s^2, of the whole sheet.
-  double highest() const {
-    const std::vector<double> mass = sums(equal);
+  double highest(const std::vector<double>& times = {}) const {
+    std::vector<double> mass = sums(equal);
+    for (std::size_t n = 0; n < times.size(); ++n) mass[n] *= times[n];
     const auto size = Eigen::Index(2 * mesh.nodes.size());
     Eigen::MatrixXd K = Eigen::MatrixXd::Zero(size, size);
     for (std::size_t e = 0; e < stiffness.size(); ++e)
@@ -81,7 +84,7 @@ TEST_CASE("shares of the masses keep those of the nodes, and the bound stays abo
   for (const double uneven : {0.1, 0.2, 0.3}) {
     CAPTURE(uneven);
     const Sheet sheet(8, uneven);
-    const auto [shares, highest] = sheet.shared();
+    const auto [shares, rates, highest] = sheet.shared();
     const auto mass = sheet.sums(sheet.equal), kept = sheet.sums(shares);
     for (std::size_t n = 0; n < mass.size(); ++n) CHECK(std::abs(kept[n] - mass[n]) <= 1e-12 * mass[n]);
     const auto means = mechanics::means_at_nodes(
@@ -100,4 +103,50 @@ TEST_CASE("squares keep equal shares") {
   sheet.rates = {4};
   CHECK(sheet.shared().shares == sheet.equal);
   CHECK(sheet.shared().highest == 4);
+}
+
+TEST_CASE("nodes whose rates are far above the rest take mass from those about them") {
+  // A strip of squares, two nodes across.
+  mesh::Mesh mesh;
+  for (int i = 0; i < 100; ++i)
+    for (int j = 0; j < 2; ++j) mesh.nodes.emplace_back(i, j, 0);
+  for (mesh::Index i = 0; i < 99; ++i) mesh.elements.push_back({2 * i, 2 * i + 2, 2 * i + 3, 2 * i + 1});
+  const std::vector<double> mass(200, 2);
+  std::vector<double> means(200, 1);
+  means[50] = 1.3;
+  const auto moved = mechanics::move_mass(mesh, means, mass);
+  CHECK(moved.highest == Approx(1 / 0.9025));
+  CHECK(moved.times[50] == Approx(1.3 * 0.9025));
+  CHECK(moved.times[0] == 1);
+  CHECK(moved.times[51] < 1);
+  double sum = 0;
+  for (std::size_t n = 0; n < 200; ++n) {
+    sum += 2 * moved.times[n];
+    CHECK(moved.times[n] >= 0.9 - 1e-12);
+    CHECK(means[n] <= moved.highest * moved.times[n] * (1 + 1e-12));
+  }
+  CHECK(sum == Approx(400));
+  // There is not enough about it for all that it wants: a part.
+  means[50] = 4;
+  const auto part = mechanics::move_mass(mesh, means, mass);
+  CHECK(part.highest > 1.5);
+  CHECK(part.highest < 4 * 0.85);
+  CHECK(part.times[50] == Approx(4 / part.highest));
+  // Where it would gain little, all stays.
+  CHECK(mechanics::move_mass(mesh, std::vector<double>(200, 1), mass).times.empty());
+  std::fill(means.begin(), means.begin() + 120, 4);
+  CHECK(mechanics::move_mass(mesh, means, mass).times.empty());
+  CHECK(mechanics::move_mass(mesh, means, mass).highest == 4);
+}
+
+TEST_CASE("with moved mass no frequency is above the bound") {
+  const Sheet sheet(16, 0.02, 0.4);
+  const auto found = sheet.shared();
+  const auto means = mechanics::means_at_nodes(
+      sheet.mesh, found.rates, [&](std::size_t e, std::size_t c) { return found.shares[e][c]; });
+  const auto moved = mechanics::move_mass(sheet.mesh, means, sheet.sums(sheet.equal));
+  REQUIRE_FALSE(moved.times.empty());
+  CHECK(moved.highest < 0.9 * found.highest);
+  CHECK(sheet.highest(moved.times) <= moved.highest);
+  CHECK(sheet.highest() > moved.highest);
 }

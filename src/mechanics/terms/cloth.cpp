@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 
@@ -197,6 +198,11 @@ void Cloth::put_geometry(const Batch& batch, double* geometry) const {
                   std::to_string(e + 1) + " " + refusal.what());
     }
   }
+}
+
+void Cloth::scale_mass() {
+  if (const std::vector<double>& times = rates_->mass_times(); !times.empty())
+    std::transform(mass_.begin(), mass_.end(), times.begin(), mass_.begin(), std::multiplies<>());
 }
 
 void Cloth::add_mass(const Batch& batch, int lane) {

@@ -46,8 +46,16 @@ Speeds speeds(const section::Section& section) {
 
 ClothRates::ClothRates(const model::Model& model, const RestShape& rest, const std::vector<Batch>& batches,
                        const std::vector<BatchLane>& place)
-    : model_(model), rest_(rest), batches_(batches), place_(place), membrane_step_(membrane_step()) {
-  for (Index e = 0; e < elements(); ++e) smallest_size_ = std::min(smallest_size_, rest_.size(e));
+    : model_(model), rest_(rest), batches_(batches), place_(place) {
+  find_membrane_steps();
+  for (Index e = 0; e < elements(); ++e) {
+    const auto& corner = model_.mesh().elements[static_cast<std::size_t>(e)];
+    const bool gets = std::any_of(corner.begin(), corner.end(), [this](Index n) {
+      return n >= 0 && !mass_times_.empty() && mass_times_[static_cast<std::size_t>(n)] > 1;
+    });
+    smallest_size_ = std::min(smallest_size_, rest_.size(e));
+    if (!gets) smallest_scaled_ = std::min(smallest_scaled_, rest_.size(e));
+  }
 }
 
 // The stiffness in its plane over the mass of a corner, 1/s^2.
@@ -71,7 +79,7 @@ double ClothRates::plane_rate_of(Index e, const Stiffest& stiffest, double speed
   return std::min(of_height, largest_eigenvalue(plane_matrix_of(e, stiffest)));
 }
 
-double ClothRates::step_across_heights() const {
+double ClothRates::least_across_heights() const {
   std::vector<double> speed;  // m/s, per region
   for (const auto& section : model_.sections()) speed.push_back(std::sqrt(speeds(section).membrane));
   double shortest = std::numeric_limits<double>::infinity();
@@ -80,14 +88,16 @@ double ClothRates::step_across_heights() const {
   return shortest;
 }
 
-// s: the stable step for waves in the plane of the cloth. No frequency squared is above the largest mean of
+// The stable steps for waves in the plane of the cloth. No frequency squared is above the largest mean of
 // those of the elements around a node, weighted by their shares of its mass: K_e <= r_e M_e, of which the sum
 // is diagonal. Where cloth may tear, elements part from those that they share nodes with.
-double ClothRates::membrane_step() {
+void ClothRates::find_membrane_steps() {
   shares_.resize(static_cast<std::size_t>(elements()));
   for (Index e = 0; e < elements(); ++e) shares_[static_cast<std::size_t>(e)].fill(corner_mass(e));
-  const double shortest = step_across_heights();
-  if (!model_.all<model::Zone>().empty()) return shortest;
+  const double shortest = least_across_heights();
+  membrane_step_.fill(shortest);
+  across_heights_ = shortest;
+  if (!model_.all<model::Zone>().empty()) return;
   std::vector<double> speed;  // m/s, per region
   std::vector<Stiffest> stiffest;
   for (const auto& section : model_.sections()) {
@@ -105,16 +115,40 @@ double ClothRates::membrane_step() {
     return plane_matrix_of(e, stiffest[static_cast<std::size_t>(model_.region_of(e))]);
   });
   shares_ = std::move(found.shares);
-  const double longer = 2 / std::sqrt(found.highest);
-  constexpr double rounding = 1e-6;
-  return longer > shortest * (1 + rounding) ? longer : shortest;
+  const auto step_of = [shortest](double rate) {
+    constexpr double rounding = 1e-6;
+    const double longer = 2 / std::sqrt(rate);
+    return longer > shortest * (1 + rounding) ? longer : shortest;
+  };
+  const auto weight = [this](std::size_t e, std::size_t c) { return shares_[e][c]; };
+  std::vector<double> mass(model_.mesh().nodes.size(), 0);
+  for (std::size_t e = 0; e < shares_.size(); ++e)
+    for (std::size_t c = 0; c < 4; ++c)
+      if (const Index n = model_.mesh().elements[e][c]; n >= 0)
+        mass[static_cast<std::size_t>(n)] += weight(e, c);
+  MovedMass moved = move_mass(model_.mesh(), means_at_nodes(model_.mesh(), found.rates, weight), mass);
+  membrane_step_ = {step_of(found.highest), step_of(moved.highest)};
+  across_heights_ *= membrane_step_[1] / membrane_step_[0];
+  mass_times_ = std::move(moved.times);
+}
+
+// kg
+CornerMasses ClothRates::shares(Index e, bool scaled) const {
+  CornerMasses out = shares_[static_cast<std::size_t>(e)];
+  if (!scaled || mass_times_.empty()) return out;
+  const auto& corner = model_.mesh().elements[static_cast<std::size_t>(e)];
+  for (int c = 0; c < corners(corner); ++c)
+    out[static_cast<std::size_t>(c)] *= mass_times_[static_cast<std::size_t>(corner[c])];
+  return out;
 }
 
 std::vector<double> ClothRates::rates_at_nodes(std::span<const double> rates, bool scaled) const {
   const FrequencyBounds& of = bounds(scaled);
   const mesh::Mesh& mesh = model_.mesh();
-  std::vector<double> means =
-      means_at_nodes(mesh, rates, [&](std::size_t e, std::size_t c) { return shares_[e][c]; });
+  std::vector<double> means = means_at_nodes(mesh, rates, [&](std::size_t e, std::size_t c) {
+    return shares_[e][c] *
+           (scaled && !mass_times_.empty() ? mass_times_[static_cast<std::size_t>(mesh.elements[e][c])] : 1);
+  });
   if (of.inertias.empty()) return means;
   const std::vector<double> turning =
       means_at_nodes(mesh, rates, [&](std::size_t e, std::size_t) { return of.inertias[e]; });
@@ -130,7 +164,7 @@ std::vector<double> ClothRates::rates_at_nodes(std::span<const double> rates, bo
 double ClothRates::inertia_per_mass(const section::Section& section, bool scaled) const {
   const double own = gyration(section);
   if (!scaled) return own;
-  return std::max(own, speeds(section).shear * membrane_step_ * membrane_step_ / 4);
+  return std::max(own, speeds(section).shear * membrane_step_[1] * membrane_step_[1] / 4);
 }
 
 double ClothRates::corner_mass(Index i) const {
@@ -149,7 +183,7 @@ ClothRates::ElementBound ClothRates::bound_of(const ElementMatrix& stiffness, In
   const auto& e = model_.mesh().elements[i];
   const auto region = static_cast<std::size_t>(model_.region_of(i));
   const double equal = corner_mass(i), own = inertia_per_mass(model_.sections()[region], scaled);
-  const CornerMasses& mass = shares_[static_cast<std::size_t>(i)];
+  const CornerMasses mass = shares(i, scaled);
   const int n = corners(e);
   const ElementBound bound{highest_rate(stiffness, n, mass, equal * own), own};
   double wanted = 4 / (permitted * permitted);
@@ -190,9 +224,9 @@ std::array<ClothRates::ElementBound, lanes> ClothRates::bounds_of(const Batch& b
 const ClothRates::FrequencyBounds& ClothRates::bounds(bool scaled) const {
   FrequencyBounds& of = bounds_[scaled];
   if (of.made) return of;
-  const auto even = [this](const Batch& batch) {
-    return std::all_of(batch.element.begin(), batch.element.begin() + batch.used, [this](Index e) {
-      const CornerMasses& mass = shares_[static_cast<std::size_t>(e)];
+  const auto even = [this, scaled](const Batch& batch) {
+    return std::all_of(batch.element.begin(), batch.element.begin() + batch.used, [&](Index e) {
+      const CornerMasses mass = shares(e, scaled);
       return std::equal(mass.begin() + 1, mass.end(), mass.begin());
     });
   };
@@ -234,15 +268,15 @@ const ClothRates::FrequencyBounds& ClothRates::bounds(bool scaled) const {
 }
 
 double ClothRates::stable_step(bool scaled) const {
-  double shortest = membrane_step_;
+  double shortest = membrane_step_[scaled];
+  const double size = scaled ? smallest_scaled_ : smallest_size_;
   for (const auto& section : model_.sections()) {
     const double inertia = inertia_per_mass(section, scaled);
     double bending = 0;  // N m per metre of width
     if (section.bends_apart)
       for (const auto& spring : section.bending) bending = std::max(bending, law::stiffest(spring));
     if (bending > 0)
-      shortest =
-          std::min(shortest, smallest_size() * std::sqrt(inertia * section.areal_mass / (2 * bending)));
+      shortest = std::min(shortest, size * std::sqrt(inertia * section.areal_mass / (2 * bending)));
     // With scaled inertia both steps are equal up to rounding.
     if (!scaled) shortest = std::min(shortest, 2 * std::sqrt(inertia / speeds(section).shear));
   }

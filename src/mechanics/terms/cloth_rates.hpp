@@ -52,10 +52,13 @@ class ClothRates {
              const std::vector<BatchLane>& place);
 
   double stable_step(bool scaled) const;  // s
-  // s: the time in which waves in the plane cross the smallest height of an element. The default stiffness of
-  // contact follows it also where the stable step is longer, so that a rim of small elements is pressed no
-  // deeper.
-  double step_across_heights() const;
+  // s: the time in which waves in the plane cross the smallest height of an element, longer by what scaled
+  // mass makes of the stable step. The default stiffness of contact follows it also where the stable step is
+  // longer, so that a rim of small elements is pressed no deeper.
+  double step_across_heights() const { return across_heights_; }
+  // Per node, what its mass is times its true one with scaled inertia (mechanics/mass_shares.hpp); empty:
+  // that.
+  const std::vector<double>& mass_times() const { return mass_times_; }
   // kg m^2 per node. The rotary inertia per mass of an element is t^2/12 + t^2 zeta_bar^2/4; if scaled, it is
   // at least so large that it permits the stable step of the waves in the plane of the cloth, after the idea
   // of [hughes1978].
@@ -73,7 +76,9 @@ class ClothRates {
   Index elements() const { return static_cast<Index>(place_.size()); }
   double plane_rate_of(Index element, const Stiffest& stiffest, double speed) const;
   PlaneMatrix plane_matrix_of(Index element, const Stiffest& stiffest) const;
-  double membrane_step();
+  double least_across_heights() const;
+  void find_membrane_steps();
+  CornerMasses shares(Index element, bool scaled) const;
   double inertia_per_mass(const section::Section& section, bool scaled) const;
   double corner_mass(Index element) const;  // kg
   // The rotary inertia of the nodes and the bounds of the elements' frequencies, computed when first used.
@@ -96,8 +101,11 @@ class ClothRates {
   const std::vector<BatchLane>& place_;
   mutable FrequencyBounds bounds_[2];  // with true and with scaled rotary inertia
   std::vector<CornerMasses> shares_;   // kg, per element; with zones and in squares all corners have the same
-  double membrane_step_;               // s
-  double smallest_size_ = std::numeric_limits<double>::infinity();
+  std::vector<double> mass_times_;
+  std::array<double, 2> membrane_step_;  // s, with true and with scaled inertia
+  double across_heights_;
+  // m; scaled: of the elements that get no mass. Those that do get the rotary inertia that their bound asks.
+  double smallest_size_ = std::numeric_limits<double>::infinity(), smallest_scaled_ = smallest_size_;
 };
 
 }  // namespace fabricsh::mechanics

@@ -41,6 +41,7 @@ class Contacts final : public Term {
   // both are looked for there, when the bodies have gone where they are at its time.
   void check_start() const;
   void begin_here();
+  void masses_changed() { joints_.find_masses(); }  // of the cloth's nodes
   void take_stiffness(const Contacts& other) { surfaces_.take_stiffness(other.surfaces_); }
   // The scheme of the steps from here on; without either call they are static, and bodies do not move freely.
   // Implicit ones call set_weight() of the facet AtStepEnd.

@@ -25,8 +25,9 @@ class ContactJoints {
   bool follow_faces();              // at a commit; returns whether any face is farther apart than before
   void keep(Archive& archive);
 
- private:
   void find_masses();
+
+ private:
   contact::Triangle corners_of(const contact::TriangleRow& row) const;
   std::vector<double> crack_faces() const;
   std::vector<double> parted_faces() const;
