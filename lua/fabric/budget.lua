@@ -190,19 +190,28 @@ local function limit_of(kind, sizes, values)
   return convergence.of(h, values)
 end
 
--- Indices of first and total order of one input from rows {A, B, AB_1, AB_2, ...}: [saltelli2010], (b) and (f) of table 2, of which both are
+-- Mean and variance of rows {A, B, AB_1, AB_2, ...}, over A and B.
+local function moments(rows)
+  local n, sum, variance = 2 * #rows, 0, 0
+  for _, row in ipairs(rows) do sum = sum + row[1] + row[2] end
+  local m = sum / n
+  for _, row in ipairs(rows) do variance = variance + (row[1] - m) ^ 2 / (n - 1) + (row[2] - m) ^ 2 / (n - 1) end
+  return { rows = rows, mean = m, variance = variance }
+end
+
+-- Indices of first and total order of one input from rows with their moments: [saltelli2010], (b) and (f) of table 2, of which both are
 -- zero for an input without effect. With few samples a first order above the total is scatter.
-local function indices(rows, k)
-  local all = {}
-  for _, row in ipairs(rows) do all[#all + 1], all[#all + 2] = row[1], row[2] end
-  local m, variance, first, total = lists.mean(all), 0, 0, 0
-  for _, v in ipairs(all) do variance = variance + (v - m) ^ 2 / (#all - 1) end
-  for _, row in ipairs(rows) do
-    first = first + (row[2] - m) * (row[2 + k] - row[1]) / #rows
-    total = total + (row[1] - row[2 + k]) ^ 2 / (2 * #rows)
+local function indices(of, k)
+  local rows, m, variance, first, total = of.rows, of.mean, of.variance, 0, 0
+  if variance == 0 then return 0, 0 end
+  local n, place = #rows, 2 + k
+  for i = 1, n do
+    local row = rows[i]
+    local a, ab = row[1], row[place]
+    first = first + (row[2] - m) * (ab - a) / n
+    total = total + (a - ab) ^ 2 / (2 * n)
   end
-  if variance == 0 then return 0, 0, 0 end
-  return math.min(first, total) / variance, total / variance, variance
+  return math.min(first, total) / variance, total / variance
 end
 
 local function variance_of(list)
@@ -214,10 +223,11 @@ end
 -- The same with 95 % bands by the bootstrap over rows; and whether inputs act together, which the sums of both orders, 1 without, must show beyond their bands.
 local function indices_with_bands(rows, inputs, seed)
   local draw, out, alone, all = random(seed), {}, {}, {}
-  local resampled = {}
+  local whole, resampled = moments(rows), {}
   for b = 1, boots do
-    local list = lists.of(#rows, function() return rows[math.min(#rows, 1 + math.floor(#rows * draw.uniform()))] end)
-    resampled[b], alone[b], all[b] = list, 0, 0
+    local list, n, uniform = {}, #rows, draw.uniform
+    for i = 1, n do list[i] = rows[math.min(n, 1 + math.floor(n * uniform()))] end
+    resampled[b], alone[b], all[b] = moments(list), 0, 0
   end
   for k = 1, #inputs do
     local first, total = {}, {}
@@ -225,8 +235,8 @@ local function indices_with_bands(rows, inputs, seed)
       first[b], total[b] = indices(resampled[b], k)
       alone[b], all[b] = alone[b] + first[b], all[b] + total[b]
     end
-    local s, st, variance = indices(rows, k)
-    out[k] = { first = s, total = st, variance = variance,
+    local s, st = indices(whole, k)
+    out[k] = { first = s, total = st, variance = whole.variance,
       first_band = { quantile(first, 0.025), quantile(first, 0.975) }, total_band = { quantile(total, 0.025), quantile(total, 0.975) } }
   end
   return out, quantile(alone, 0.975) < 1 and quantile(all, 0.025) > 1
