@@ -325,7 +325,7 @@ TEST_CASE("contact: touching pairs are told by the names of the bodies") {
   says(told, "plane on front: from a gap of");
 }
 
-TEST_CASE("contact: a spinning ball comes to roll as friction asks, explicit and implicit", "[many]") {
+TEST_CASE("contact: a spinning ball comes to roll as friction asks, explicit and implicit", "[long]") {
   const double t = test::svk().thickness, r = 0.01, spin = 20, mu = 0.3;
   for (const bool implicit : {false, true}) {
     INFO("implicit " << implicit);
