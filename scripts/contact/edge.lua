@@ -1,10 +1,10 @@
 -- A sheet is let down over a cylinder and hangs to both sides of it.
 --
---   fabricsh scripts/contact/edge.lua            10 x 10 elements
+--   fabricsh scripts/contact/edge.lua            8 x 8 elements
 --   fabricsh scripts/contact/edge.lua 30 out     30 x 30, with a series for ParaView in out
 -- warns: nine measured cloths in ten have 1 to 70 uN.m
 local fabric = require "fabric"
-local cells, out = tonumber(arg[1] or 10), arg[2]
+local cells, out = tonumber(arg[1] or 8), arg[2]
 local side, radius, card = 0.2, 0.02, fabric.card "blend"
 local mesh = fabric.mesh.rectangle { width = side, height = side, nx = cells, ny = cells, origin = { -side / 2, -side / 2, 0 } }
 local m = fabric.model { mesh = mesh, card = card }

@@ -1,6 +1,6 @@
 -- Forming against what is known of it: the pin-jointed net on a hemisphere, for squares along the yarns and at 45 degrees to them, and for triangles,
--- coarse and fine; and the rise of a blank with and without a holder. The short form leaves out the finer squares, those at 45 degrees, folds
--- within elements, and triangles over the edge of the die.
+-- coarse and fine; and the rise of a blank with and without a holder. The short form leaves out the finer squares, those at 45 degrees, triangles,
+-- and folds within elements.
 local fabric = require "fabric"
 local mm = fabric.units.mm
 
@@ -79,11 +79,11 @@ if os.getenv "FABRICSH_TEST_LONG" then
   local finer = compare("squares of 5 mm", 1, { quarter = true, cells = 12 })
   assert(math.abs(finer.external / squares.external - 1) < 0.1)
   compare("squares of 8 mm at 45 degrees", 1.5, { stack = { 45 }, cells = 15 })
+  local triangles = compare("triangles of 6 mm", 1, { quarter = true, triangles = true })
+  assert(math.abs(triangles.external / squares.external - 1) < 0.05)
+  -- The squares differ by 6 % among themselves; on elements of 2.5 mm triangles and squares are within 0.3 %.
+  assert(math.abs(triangles.force / squares.force - 1) < 0.1 and math.abs(triangles.angle - squares.angle) < 1)
 end
-local triangles = compare("triangles of 6 mm", 1, { quarter = true, triangles = true })
-assert(math.abs(triangles.external / squares.external - 1) < 0.05)
--- The squares differ by 6 % among themselves; on elements of 2.5 mm triangles and squares are within 0.3 %.
-assert(math.abs(triangles.force / squares.force - 1) < 0.1 and math.abs(triangles.angle - squares.angle) < 1)
 
 -- With folds within elements coarse meshes have the angles of finer ones.
 if os.getenv "FABRICSH_TEST_LONG" then

@@ -1,5 +1,5 @@
 -- Runs that begin from the state of other runs: pulled, then moved; pressed, then released; energies and times; supports, loads and
--- contacts that come and go; and a chain that is killed and restarted.
+-- contacts that come and go; and a chain that is killed and restarted. The short form has explicit swings on quadrilaterals alone.
 local fabric = require "fabric"
 local checks = {}
 local function check(what, got, want, relative) checks[#checks + 1] = { what, got, want, relative = relative } end
@@ -37,7 +37,7 @@ for _, tri in ipairs { false, true } do
 
   local period = 1 / fabric.modes { from = slow, count = 1 }[1].frequency
   local ends = {}
-  for _, scheme in ipairs { "implicit", "explicit" } do
+  for _, scheme in ipairs((not tri or os.getenv "FABRICSH_TEST_LONG") and { "implicit", "explicit" } or { "implicit" }) do
     local swing = fabric.dynamic { from = bent, model = free, duration = 1.2 * period, scheme = scheme,
       step = scheme == "implicit" and period / 400 or "auto" }
     local least = 1
@@ -49,7 +49,7 @@ for _, tri in ipairs { false, true } do
     check("other side, " .. scheme .. of, least, -0.012, 0.15)
     ends[scheme] = swing:node(tip).z
   end
-  check("explicit as implicit" .. of, ends.explicit / 0.012, ends.implicit / 0.012, 0.1)
+  if ends.explicit then check("explicit as implicit" .. of, ends.explicit / 0.012, ends.implicit / 0.012, 0.1) end
 end
 
 -- The same loads go on: a run in two parts is the run in one, also where yarns have dissipated.

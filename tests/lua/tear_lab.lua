@@ -33,7 +33,7 @@ local function trouser(more)
   for key, value in pairs(more) do t[key] = value end
   return fabric.lab.tear(t)
 end
-local force, long = {}, os.getenv "FABRICSH_TEST_LONG"
+local force, first, long = {}, nil, os.getenv "FABRICSH_TEST_LONG"
 for _, case in ipairs(long and { { "trouser", 4, 24 }, { "trouser", 2, 24 }, { "tongue", 4, 32 }, { "tongue", 2, 32 } } or { { "trouser", 4, 24 }, { "tongue", 4, 32 } }) do
   local method, h, width = table.unpack(case)
   local test = trouser { method = method, h = h * mm, width = width * mm }
@@ -48,7 +48,7 @@ for _, case in ipairs(long and { { "trouser", 4, 24 }, { "trouser", 2, 24 }, { "
   local e = rows[#rows]
   near("the ledger over the whole tear", e.kinetic + e.stored + e.dissipated + e.damping, e.external, 1e-3)
   assert(#test.peaks > 3 and test.mean_of_peaks > test.mean and test.peak >= test.mean_of_peaks and test.kinetic < 0.02)
-  force[#force + 1] = test.mean
+  force[#force + 1], first = test.mean, first or test
 end
 if long then near("tongue on h and h / 2", force[3], force[4], 0.05) end
 -- Sizes of elements that divide neither the legs nor the tear: a line of nodes lies at the tip.
@@ -145,7 +145,7 @@ end
 
 -- A measured tear beside a test: means and peaks, not points. The record is the test's own with forces a tenth higher.
 do
-  local test = trouser { h = 4 * mm }
+  local test = first
   local record = { displacement = {}, force = {} }
   for i, row in ipairs(test.curve) do record.displacement[i], record.force[i] = row.displacement, 1.1 * row.force end
   local c = fabric.lab.compare(record, test)
