@@ -10,10 +10,10 @@
 namespace fabricsh::format {
 
 std::string_view trimmed(std::string_view words) {
-  constexpr const char* blanks = " \t\r\n\f\v";
-  const auto first = words.find_first_not_of(blanks);
-  if (first == words.npos) return {};
-  return words.substr(first, words.find_last_not_of(blanks) - first + 1);
+  const auto blank = [](char c) { return c == ' ' || (c >= '\t' && c <= '\r'); };
+  while (!words.empty() && blank(words.front())) words.remove_prefix(1);
+  while (!words.empty() && blank(words.back())) words.remove_suffix(1);
+  return words;
 }
 
 // A cell "%" or "#" alone at the beginning is a unit or the name of a counter.

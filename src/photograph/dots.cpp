@@ -185,32 +185,47 @@ std::vector<double> gaussian(double deviation) {
 
 using Inverse = std::array<double, 4>;
 
-// Distance of a point from the rim of the nearest dot, positive outside, in pixels of the undeformed grid.
-double outside_rim(const DotGrid& s, const Inverse& inverse, double column, double row) {
+struct Point {
+  double X, Y;
+};
+
+// Where a place of the picture lies in the undeformed grid.
+Point undeformed(const DotGrid& s, const Inverse& inverse, double column, double row) {
   const double x = column - (s.width - 1) / 2.0, y = row - (s.height - 1) / 2.0;
-  const double X = inverse[0] * x + inverse[1] * y, Y = inverse[2] * x + inverse[3] * y;
+  return {inverse[0] * x + inverse[1] * y, inverse[2] * x + inverse[3] * y};
+}
+
+std::array<double, 2> nearest_middle(const DotGrid& s, const Point& at) {
   const auto nearest = [&](double along, std::size_t count) {
     const double last = static_cast<double>(count - 1);
-    return std::clamp(std::floor(along / s.pitch + last / 2 + 0.5), 0.0, last);
+    return static_cast<std::size_t>(std::clamp(std::floor(along / s.pitch + last / 2 + 0.5), 0.0, last));
   };
-  const auto r = static_cast<std::size_t>(nearest(Y, s.rows)),
-             c = static_cast<std::size_t>(nearest(X, s.columns));
-  const auto centre = reference(s, r * s.columns + c);
-  const double dx = X - centre[0], dy = Y - centre[1];
+  return reference(s, nearest(at.Y, s.rows) * s.columns + nearest(at.X, s.columns));
+}
+
+// Distance of a point from the rim of a dot, positive outside, in pixels of the undeformed grid.
+double outside_rim(const DotGrid& s, const Point& at, const std::array<double, 2>& middle) {
+  const double dx = at.X - middle[0], dy = at.Y - middle[1];
   return std::sqrt(dx * dx + dy * dy) - s.radius;
 }
 
 // The part of a pixel covered by a dot, from side x side samples if the rim passes near.
 double covered(const DotGrid& s, const Inverse& inverse, int column, int row) {
-  const double away = outside_rim(s, inverse, column, row);
+  const Point here = undeformed(s, inverse, column, row);
+  const auto middle = nearest_middle(s, here);
+  const double away = outside_rim(s, here, middle);
   const double reach = std::sqrt(inverse[0] * inverse[0] + inverse[1] * inverse[1] + inverse[2] * inverse[2] +
                                  inverse[3] * inverse[3]);
   if (std::abs(away) > reach) return away < 0 ? 1 : 0;
   constexpr int side = 24;
   const auto at = [](int i) { return (i + 0.5) / side - 0.5; };
+  const bool alone = s.radius + 2 * reach < s.pitch / 2;  // no other dot is nearer to a sample
   int hits = 0;
-  for (int i = 0; i < side * side; ++i)
-    hits += outside_rim(s, inverse, column + at(i % side), row + at(i / side)) < 0 ? 1 : 0;
+  for (int i = 0; i < side; ++i)
+    for (int j = 0; j < side; ++j) {
+      const Point sample = undeformed(s, inverse, column + at(j), row + at(i));
+      hits += outside_rim(s, sample, alone ? middle : nearest_middle(s, sample)) < 0 ? 1 : 0;
+    }
   return hits / static_cast<double>(side * side);
 }
 

@@ -151,8 +151,13 @@ TEST_CASE("killed two hundred times, all files open and the results are the same
 
 namespace {
 
+// So many as files_of() reads, without reading them.
 std::size_t files_in(const fs::path& folder) {
-  return fs::exists(folder) ? files_of(folder.string()).size() : 0;
+  if (!fs::exists(folder)) return 0;
+  return static_cast<std::size_t>(std::count_if(
+      fs::directory_iterator(folder), fs::directory_iterator(), [](const fs::directory_entry& entry) {
+        return entry.path().filename() != "run.json" && entry.path().filename() != "run.ckpt";
+      }));
 }
 
 }  // namespace

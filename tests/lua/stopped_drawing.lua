@@ -15,7 +15,7 @@ a:checkpoint(out .. "/run.ckpt", { minutes = 10, keep = state })
 a:every(0.005, function()
   if a.time == 0 or state.drawn then return end
   if os.getenv "SIGNAL" then os.execute "(sleep 0.1; kill -TERM $PPID) &" end
-  fabric.render { file = out .. "/bent.png", run = a, field = "shear_angle", view = { 20, 10 }, width = 2400, height = 2400, smooth = true }
+  fabric.render { file = out .. "/bent.png", run = a, field = "shear_angle", view = { 20, 10 }, width = 1400, height = 1400, smooth = true }
   state.drawn = true
 end)
 a:solve()

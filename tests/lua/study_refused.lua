@@ -32,13 +32,13 @@ assert(got:find "true\t0\t1\t9", got)
 -- --- no memory ---
 write("refused/memory.lua", [[
 local fabric = require "fabric"
-local study = fabric.study{ parameters={ size={ 10, 300000000 } }, workers=1, folder="refused/memory", run=function(p)
+local study = fabric.study{ parameters={ size={ 10, 150000000 } }, workers=1, folder="refused/memory", run=function(p)
   if p.size > 10 and arg[1] == "full" then local all = {} for i = 1, 9 do all[i] = ("x"):rep(p.size) .. i end return { n=#all } end
   return { n=p.size }
 end }
 print(study.complete, study.missing, study.failed)
 ]])
-got = said("bash -c 'ulimit -v 1500000; exec " .. program:gsub("'", '"') .. " refused/memory.lua full'")
+got = said("bash -c 'ulimit -v 900000; exec " .. program:gsub("'", '"') .. " refused/memory.lua full'")
 assert(got:find "false\t1\t0", got)
 
 -- --- two programs in one folder ---

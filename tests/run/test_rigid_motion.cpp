@@ -20,7 +20,8 @@ namespace {
 constexpr double kFreeWidth = 0.13, kFreeHeight = 0.07;
 
 // A sheet about the origin, whose nodes in the set move as one.
-std::shared_ptr<model::Model> body(const std::string& set, const Vec3& spin, const Vec3& linear, int across = 3) {
+std::shared_ptr<model::Model> body(const std::string& set, const Vec3& spin, const Vec3& linear,
+                                   int across = 3) {
   auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(kFreeWidth, kFreeHeight, 5, across));
   mesh->map([](const Vec3& X) { return Vec3(X.x() - 0.4 * kFreeWidth, X.y() - 0.5 * kFreeHeight, 0); });
   mesh->define("part", nodes_where(*mesh, [](const Vec3& X) { return X.x() < 1e-6; }));
@@ -100,7 +101,8 @@ void check_kept(double turns, std::initializer_list<int> steps_per_turn, int acr
       for (const int per_turn : steps_per_turn) {
         CAPTURE(hht, spin.transpose(), per_turn);
         const double turn = 2 * std::numbers::pi / spin.norm();
-        const auto a = implicit(body("all", spin, Vec3(0.4, -0.1, 0.2), across), turns * turn, turn / per_turn, hht);
+        const auto a =
+            implicit(body("all", spin, Vec3(0.4, -0.1, 0.2), across), turns * turn, turn / per_turn, hht);
         Kept first;
         double worst = 0;
         a->every_step([&](Run& r) {
