@@ -3,7 +3,7 @@
 -- other scene from a hook, which ends the block of steps that a run goes back to when it was pressed too hard; in the others from outside, so
 -- that blocks have their 64 steps.
 --
---   fabricsh scripts/contact/random.lua                  12 scenes
+--   fabricsh scripts/contact/random.lua                  30 scenes
 --   fabricsh scripts/contact/random.lua 1000 501         1000, from seed 501 on (scripts/long/contact/random.lua: 10,000)
 --   fabricsh scripts/contact/random.lua 1 77             one of them again
 --   fabricsh scripts/contact/random.lua 100 1 implicit   100 with implicit steps, 50 for the way of each scene
@@ -13,7 +13,7 @@
 -- warns: the guard of the directors has
 local fabric = require "fabric"
 local brute = dofile((arg[0]:gsub("[^/]*$", "brute.lua")))
-local count, first = tonumber(arg[1] or 12), tonumber(arg[2] or 1)
+local count, first = tonumber(arg[1] or 30), tonumber(arg[2] or 1)
 local tears = arg[3] == "tears"
 local scheme = not tears and arg[3] or "explicit"
 if fabric.checking() then count = 1 end

@@ -19,7 +19,7 @@ local function budget(t)
 end
 
 -- --- shares of inputs: a uniform on 0 to 2, b on 0 to 1. Variance of a + b: 1/3 + 1/12. Of a b: 4/9 - 1/4, of which each alone has 1/12.
-local b = budget { assumed = { a = { 0, 2 }, b = { 0, 1 } }, samples = 256, run = function(p) return { sum = p.assumed.a + p.assumed.b, product = p.assumed.a * p.assumed.b } end }
+local b = budget { assumed = { a = { 0, 2 }, b = { 0, 1 } }, samples = 512, run = function(p) return { sum = p.assumed.a + p.assumed.b, product = p.assumed.a * p.assumed.b } end }
 local sum, product = by_source(b.contributions.sum), by_source(b.contributions.product)
 near(b.value.sum, 1.5, 1e-12, "sum")
 near(sum["assumed.a"].share, 0.8, 0.02, "share of a in the sum")
