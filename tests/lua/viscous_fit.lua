@@ -149,7 +149,7 @@ local function made(speed, M, tau, scatter, hold)
   return t
 end
 local inside, of, seen = 0, 0, 0
-local sets = os.getenv "FABRICSH_TEST_LONG" and 12 or 4
+local sets = os.getenv "FABRICSH_TEST_LONG" and 12 or 6
 for _ = 1, sets do
   local v = lab.viscous { tests = { made(0.001, 1e6, 30, 0.03), made(0.05, 1e6, 30, 0.03, 3) }, scatter = 0.03 }
   if v.viscous then
