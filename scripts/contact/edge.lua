@@ -10,7 +10,7 @@ local mesh = fabric.mesh.rectangle { width = side, height = side, nx = cells, ny
 local m = fabric.model { mesh = mesh, card = card }
 local rod = fabric.rigid.cylinder { radius = radius, from = { 0, -side, -radius - card.thickness / 2 }, to = { 0, side, -radius - card.thickness / 2 } }
 m:contact { between = { rod, "all" }, friction = 0.4 }:contact { self = "all", friction = 0.4 }:gravity { 0, 0, -9.81 }
-local a = fabric.dynamic { model = m, duration = 0.05, damping = { mass = 10 } }
+local a = fabric.dynamic { model = m, duration = 0.03, damping = { mass = 10 } }
 if out then a:vtk(out .. "/edge", { every = 2e-3 }) end
 local gap = math.huge
 a:every(1e-3, function(run) gap = math.min(gap, (run:gap())) end)
