@@ -14,7 +14,7 @@ local function by_source(list)
   return out
 end
 local function budget(t)
-  t.print, t.processes = false, t.processes or 1
+  t.print = false
   return fabric.budget(t)
 end
 
