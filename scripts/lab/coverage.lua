@@ -1,6 +1,6 @@
 -- How often the bands of fitted loading curves hold the true values, and how wide they are.
 --
---   fabricsh scripts/lab/coverage.lua [sets] [law] [specimens]      default: 8 sets of each law (quadratic, exponential, toe) with 1, 2, 3 and 5 specimens
+--   fabricsh scripts/lab/coverage.lua [sets] [law] [specimens]      default: 16 sets of each law (quadratic, exponential, toe) with 1, 2, 3 and 5 specimens
 --
 -- Made pulls of cloth whose law is known: specimens differ by 5 %, each has its own slack of 0 to 1 mm, force and displacement are noisy, and machine and jaws
 -- give way by amounts that the evaluation knows. fabric.lab.fit{ find_slack="either" } gets the records; its band of the mean is compared with the law of the cloth at 10, 25, 50, 75 and 95 % of
@@ -13,7 +13,7 @@ local fabric = require "fabric"
 local lab = fabric.lab
 local random = require "fabric.lab.random"
 
-local sets, only, count = math.tointeger(arg[1]) or tonumber(arg[1]) and math.floor(tonumber(arg[1])) or 8, arg[2], tonumber(arg[3])
+local sets, only, count = math.tointeger(arg[1]) or tonumber(arg[1]) and math.floor(tonumber(arg[1])) or 16, arg[2], tonumber(arg[3])
 local reach, length, width, thickness = 0.10, 0.15, 0.04, 0.5e-3
 local area, rows, noise = width * thickness, 80, 0.12 -- m^2; rows of the loading; N
 local compliance, slip = 3e-7, 1e-6                   -- m/N
