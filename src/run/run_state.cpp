@@ -57,7 +57,10 @@ TurningWork work_of_turning(const mechanics::Assembly& assembly, const std::vect
     const double moment = (before[i].moment + now[i].moment) / 2;
     sum.arcs += moment * turn + (first + last).dot(arc) / 2;
     sum.chords += moment * std::sin(turn) + (before[i].force + now[i].force).dot(chord) / 2;
-    sum.change += (now[i].moment - before[i].moment) / 2 * turn + (last - first).dot(arc) / 2;
+    // What turns with the support changes by the first, what keeps its direction by the second.
+    const double turns = (last - first).dot(arc) / 2, stays = (now[i].force - before[i].force).dot(chord) / 2;
+    sum.change +=
+        (now[i].moment - before[i].moment) / 2 * turn + (std::abs(turns) < std::abs(stays) ? turns : stays);
   }
   return sum;
 }
