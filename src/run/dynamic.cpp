@@ -536,7 +536,7 @@ void Dynamic::check() {
   }
   const double scale = ledger_scale(e);
   const bool swings = options_.hht.value_or(0) != 0 || options_.beta || options_.spectral_radius ||
-                      now_.damping == Damping::hht;
+                      now_.damping != Damping::none;  // what alpha has given back stays so
   watch_accounts(e, scale, swings ? options_.ledger_limit : 0);
   const double made = imbalance(e, scale) + e.created;
   const mechanics::Contacts* contact = assembly_->terms().find<mechanics::Contacts>();

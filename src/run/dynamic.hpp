@@ -19,7 +19,8 @@ enum class Scheme { explicit_steps, implicit_steps };
 inline constexpr double kDampingAlpha = -0.2;
 
 // How an implicit run whose deck chose no scheme has begun to damp, because it made energy: by kDampingAlpha,
-// or beside contact by the rule there, with gamma = 1, or by Euler's backward rule.
+// or beside contact by the rule there, with gamma = 1, or by Euler's backward rule. With a scheme of the
+// deck's own `hht` is the generalised trapezoidal rule in its place.
 enum class Damping { none, hht, strong, backward };
 
 // The run ends when all seams that are drawn have closed, and for as long as the window, and as a third of

@@ -363,6 +363,8 @@ void Implicit::settle() {
 
 bool Implicit::chooses_scheme() const { return chooses_none(options_); }
 
+bool Implicit::takes_alpha() const { return chooses_scheme() && !has_contact(*assembly_); }
+
 const mechanics::NodalRates& Implicit::rates() const { return newmark_.velocities(); }
 
 // Average acceleration keeps the energy of linear systems alone: the kinks of a fabric's law feed frequencies
@@ -439,7 +441,7 @@ void Implicit::watch_turning() {
 
 void Implicit::damp(Damping damping) {
   const EnergyAccount now = energy();
-  now_.base = damping == Damping::hht && !has_contact(*assembly_) ? now_.loss : now.surplus();
+  now_.base = damping == Damping::hht && takes_alpha() ? now_.loss : now.surplus();
   if (damping != Damping::hht)
     now_.forgiven = std::max(now_.forgiven, (now.surplus() - now_.early) / ledger_scale(now));
   now_.damping = damping;
@@ -447,12 +449,18 @@ void Implicit::damp(Damping damping) {
   // With average acceleration those of frequencies that no step resolves grow from step to step. Beside
   // contact they are damped, and what is pressed has those of its other forces.
   if (damping == Damping::strong && !has_contact(*assembly_)) newmark_.take_off(newmark_.committed().a);
+  if (chooses_scheme()) return;
+  // Alpha has those between two states.
+  problem_.set_time(committed_time());
+  problem_.begin_step();
+  problem_.start(newmark_.velocities());
 }
 
 std::string Implicit::damping_text() const {
   return "from here on high frequencies are damped (" +
-         (now_.damping == Damping::hht ? has_contact(*assembly_) ? "spectral_radius=" + number(kBesideContact)
-                                                                 : "hht=" + number(kDampingAlpha)
+         (!chooses_scheme() ? "gamma=" + number(scheme_of(options_, *assembly_).gamma)
+          : now_.damping == Damping::hht
+              ? takes_alpha() ? "hht=" + number(kDampingAlpha) : "spectral_radius=" + number(kBesideContact)
           : now_.damping == Damping::strong ? "gamma=" + number(kStrongGamma)
                                             : "as with slow=true") +
          ", the loss is in energy.damping); ";
@@ -499,10 +507,11 @@ bool Implicit::takes_back() {
   return false;
 }
 
-// The loss of alpha swings with what no step resolves. Where it gives back more than a little, forces at the
-// step's end damp better.
+// The loss of Newmark's method and alpha swings with what no step resolves. Where it gives back more than a
+// little, the generalised trapezoidal rule takes over: of a deck's own choice that in which modes decay
+// alike.
 bool Implicit::loss_falls() {
-  if (!chooses_scheme() || now_.damping != Damping::hht || has_contact(*assembly_)) return false;
+  if (newmark_.scheme().is_trapezoidal()) return false;
   now_.base = std::max(now_.base, now_.loss);
   return now_.base - now_.loss > kTooMuch * options_.ledger_limit * ledger_scale(energy());
 }
@@ -512,7 +521,7 @@ bool Implicit::leave_hht(bool repeat) {
   if (repeat) return_to_start(Repeatable::Try::first);
   std::string text = shorten_for_turning();
   if (text.empty()) {
-    damp(Damping::strong);
+    damp(chooses_scheme() ? Damping::strong : Damping::hht);
     text = damping_text();
   } else {
     now_.base = now_.loss;
@@ -553,8 +562,9 @@ void Implicit::take_scheme() {
                       : now_.damping == Damping::backward ? NewmarkScheme::trapezoidal(kBackward)
                       : now_.damping == Damping::strong   ? damping_by(kStrongGamma, false)
                       : now_.damping == Damping::none     ? scheme_of(options_, *assembly_)
-                      : has_contact(*assembly_)           ? scheme_of_radius(kBesideContact, true, false)
-                                                          : NewmarkScheme::of_hht(kDampingAlpha));
+                      : takes_alpha()                     ? NewmarkScheme::of_hht(kDampingAlpha)
+                      : chooses_scheme()                  ? scheme_of_radius(kBesideContact, true, false)
+                                         : damping_by(scheme_of(options_, *assembly_).gamma));
   weigh_step_ends();
 }
 

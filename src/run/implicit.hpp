@@ -47,6 +47,7 @@ class Implicit final : public Dynamic {
   bool leave_hht(bool repeat);
   void begin_free();
   bool chooses_scheme() const;
+  bool takes_alpha() const;  // as the first stage of damping
   std::string begin_to_damp(double error) override;
   void damp(Damping damping);
   double turn_per_step() const;       // rad, of a motion that is a turning for the most part, else 0
