@@ -2267,7 +2267,7 @@ function fabric.rigid.sphere(fields) end
 ---@field mass? number kg: with it the body moves freely under contact and gravity
 ---@field name? string for messages and files; default the shape's
 
----A rigid surface of triangles; quadrilaterals are cut along their shorter diagonal.
+---A rigid surface of triangles, each counted once; quadrilaterals are cut along their shorter diagonal, vertices of free edges at one place are one.
 ---@param fields fabric_rigid_surface_fields
 ---@return body
 function fabric.rigid.surface(fields) end

@@ -78,11 +78,10 @@ class Rigid {
 };
 using RigidPointer = std::shared_ptr<const Rigid>;
 
-// The quadrilaterals of a mesh cut into triangles. closed: the surface encloses a solid.
-Facets facets_of(const mesh::Mesh& mesh, bool closed);
-// The same of a shape that a body takes later: cut as its first shape is, whichever diagonal is the shorter
-// now.
-Facets facets_of(const mesh::Mesh& mesh, const Facets& first);
+// The quadrilaterals of each shape cut into triangles, as in the first one, whichever diagonal is the shorter
+// in the others; they have as many nodes. closed: the surface encloses a solid.
+using Shapes = std::vector<std::shared_ptr<const mesh::Mesh>>;
+std::vector<Facets> facets_of(const Shapes& shapes, bool closed);
 
 // Adds the body to the scene; returns the number of its surface.
 int add_to(contact::Scene& scene, const Rigid& body);

@@ -50,9 +50,9 @@ int disc(Call& call) {
 
 int surface(Call& call) {
   call.want_one_of("mesh", "file", "expected either a mesh or file=");
-  const bool closed = call.flag("closed");
-  return make(call, call.has("mesh") ? model::facets_of(*call.object<mesh::Mesh>("mesh"), closed)
-                                     : model::facets_of(read_mesh_file(call, call.text("file")), closed));
+  const auto mesh = call.has("mesh") ? call.object<mesh::Mesh>("mesh")
+                                     : std::make_shared<mesh::Mesh>(read_mesh_file(call, call.text("file")));
+  return make(call, model::facets_of({mesh}, call.flag("closed")).front());
 }
 
 // Reads the shapes of a moving surface from files or meshes.
@@ -60,27 +60,27 @@ std::vector<model::Facets> read_shapes(const Call& call) {
   call.want_one_of("files", "meshes", "expected either files or meshes={...}");
   const char* const field = call.has("files") ? "files" : "meshes";
   lua_State* L = call.L();
-  const bool closed = call.flag("closed");
-  std::vector<model::Facets> shapes;
+  model::Shapes meshes;
   call.each(field, [&](lua_Integer i) {
-    const auto mesh = call.has("files") && lua_type(L, -1) == LUA_TSTRING
-                          ? std::make_shared<mesh::Mesh>(read_mesh_file(call, lua_tostring(L, -1)))
-                          : to_object<mesh::Mesh>(L, -1);
-    if (mesh != nullptr)
-      shapes.push_back(shapes.empty() ? model::facets_of(*mesh, closed)
-                                      : model::facets_of(*mesh, shapes.front()));
-    else
+    auto mesh = call.has("files") && lua_type(L, -1) == LUA_TSTRING
+                    ? std::make_shared<mesh::Mesh>(read_mesh_file(call, lua_tostring(L, -1)))
+                    : to_object<mesh::Mesh>(L, -1);
+    if (mesh == nullptr)
       call.refuse(field, "expected a list of " + std::string(call.has("files") ? "file names" : "meshes") +
                              ", got " + describe(L, -1) + " at place " + std::to_string(i));
+    meshes.push_back(std::move(mesh));
   });
-  if (shapes.empty()) call.refuse(field, "expected at least one shape, got an empty table");
-  for (std::size_t i = 1; i < shapes.size(); ++i) {
-    const std::string wanted = "expected the same facets in every shape, got ", which = std::to_string(i + 1);
-    if (shapes[i].vertices.size() != shapes[0].vertices.size())
-      call.refuse(field, wanted + std::to_string(shapes[i].vertices.size()) + " vertices in shape " + which +
-                             " and " + std::to_string(shapes[0].vertices.size()) + " in the first");
-    if (shapes[i].triangles != shapes[0].triangles) call.refuse(field, wanted + "others in shape " + which);
-  }
+  if (meshes.empty()) call.refuse(field, "expected at least one shape, got an empty table");
+  const std::string wanted = "expected the same facets in every shape, got ";
+  for (std::size_t i = 1; i < meshes.size(); ++i)
+    if (meshes[i]->nodes.size() != meshes[0]->nodes.size())
+      call.refuse(field, wanted + std::to_string(meshes[i]->nodes.size()) + " vertices in shape " +
+                             std::to_string(i + 1) + " and " + std::to_string(meshes[0]->nodes.size()) +
+                             " in the first");
+  auto shapes = model::facets_of(meshes, call.flag("closed"));
+  for (std::size_t i = 1; i < shapes.size(); ++i)
+    if (shapes[i].triangles != shapes[0].triangles)
+      call.refuse(field, wanted + "others in shape " + std::to_string(i + 1));
   return shapes;
 }
 
@@ -139,7 +139,7 @@ Argument friction_row() {
       "direction");
   row.kinds |= number;
   row.range = not_negative;
-  return row.or_else(0.0);
+  return row.usually(1e-3, 5, "friction is a number, not per cent").or_else(0.0);
 }
 
 int contact(Call& call) {
@@ -210,6 +210,9 @@ Argument place_row(const char* name, const char* sentence) {
 Argument direction_row(const char* sentence) {
   return value_("normal", numbers, std::string("{x, y, z}: ") + sentence);
 }
+Argument radius_row(const char* sentence) {
+  return number_("radius", "m", positive, sentence).usually(1e-5, 10, "is it in m? (write 30*mm)");
+}
 Argument mass_row() {
   return number_("mass?", "kg", positive, "with it the body moves freely under contact and gravity");
 }
@@ -218,8 +221,7 @@ Argument name_row() { return value_("name?", text, "for messages and files; defa
 std::vector<Entry> body_rows() {
   return {
       {"fabric.rigid.sphere{}",
-       {number_("radius", "m", positive, "of the ball"), place_row("centre", "at time 0"), mass_row(),
-        name_row()},
+       {radius_row("of the ball"), place_row("centre", "at time 0"), mass_row(), name_row()},
        "A rigid ball that cloth may touch: fixed, moved (m:move), or free, with a mass.",
        "local ball = fabric.rigid.sphere{ radius=0.03, centre={0.1, 0.1, 0.031}, mass=0.1 }",
        sphere},
@@ -229,14 +231,13 @@ std::vector<Entry> body_rows() {
        "local floor = fabric.rigid.plane{ point={0, 0, -0.1}, normal={0, 0, 1} }",
        plane},
       {"fabric.rigid.cylinder{}",
-       {number_("radius", "m", positive, "of the rod"), place_row("from", "one end of its axis"),
-        place_row("to", "the other end"), mass_row(), name_row()},
+       {radius_row("of the rod"), place_row("from", "one end of its axis"), place_row("to", "the other end"),
+        mass_row(), name_row()},
        "A rigid rod, whose ends are round.",
        "local rod = fabric.rigid.cylinder{ radius=0.01, from={-0.1, 0, 0}, to={0.1, 0, 0} }",
        cylinder},
       {"fabric.rigid.disc{}",
-       {number_("radius", "m", positive, "over all"), place_row("centre", "of the disc"),
-        direction_row("of its faces"),
+       {radius_row("over all"), place_row("centre", "of the disc"), direction_row("of its faces"),
         number_("edge", "m", positive, "radius of its rounded edge: half of its thickness"), mass_row(),
         name_row()},
        "A rigid flat disc with a rounded edge, such as the pedestal of a drape tester.",
@@ -247,7 +248,8 @@ std::vector<Entry> body_rows() {
        {object_("mesh?", "mesh", "its facets, counter-clockwise from outside"),
         value_("file?", text, "a mesh file in its place"),
         flag_("closed", "the surface bounds a solid; a hole in it is an error"), mass_row(), name_row()},
-       "A rigid surface of triangles; quadrilaterals are cut along their shorter diagonal.",
+       "A rigid surface of triangles, each counted once; quadrilaterals are cut along their shorter "
+       "diagonal, vertices of free edges at one place are one.",
        "local ridge = fabric.rigid.surface{ mesh=fabric.mesh.rectangle{ width=0.1, height=0.1, nx=2, "
        "ny=2 } }",
        surface},
