@@ -50,6 +50,7 @@ Explicit::Explicit(std::shared_ptr<model::Model> model, const DynamicOptions& op
   check_stable_step(undamped);
   choose_step();
   report_step_bound();
+  if (contact_ != nullptr && seams_ != nullptr) seams_->feel(contact_->nodal_forces());
   lead_drawn_seams();
   farthest_ = {smallest_, std::numbers::pi / 2};
   list_unknowns();
@@ -116,12 +117,16 @@ void Explicit::report_step_bound() {
 }
 
 // Each edge has half of the speed at which the gap closes. Time shortens it in proportion.
-void Explicit::lead_drawn_seams() {
-  if (contact_ == nullptr || seams_ == nullptr) return;
+bool Explicit::lead_drawn_seams() {
+  bool led = false;
+  if (contact_ == nullptr || seams_ == nullptr) return led;
   for (const auto& through : contact_->drawn_through()) {
+    if (seams_->is_led(through.stitch)) continue;
     const double speed = seams_->closing_speed(through.stitch) / 2;
-    seams_->lead_around(through.stitch, contact_->nodal_forces(), 2 * std::min(speed, through.stopped));
-    if (speed <= through.stopped) continue;
+    seams_->lead_around(through.stitch, 2 * std::min(speed, through.stopped));
+    const bool is_led = seams_->is_led(through.stitch);  // not a seam with a stiffness of its own
+    led = led || is_led;
+    if (speed <= through.stopped || (!is_led && block_.halved > 0)) continue;
     const model::Seam& seam = assembly_->dofs().seams()[assembly_->dofs().stitches()[through.stitch].seam];
     warn("seam", "warning: dynamic: the straight way of the seam " + seam.name() + " passes through the " +
                      through.body + ": its edges are drawn against it with up to " + number(speed, 3) +
@@ -131,6 +136,7 @@ void Explicit::lead_drawn_seams() {
                      " s, or more 'thickness' of m:contact, got " + number(*seam.over) +
                      " s; it is drawn no faster than that, and closes when its edges meet");
   }
+  return led;
 }
 
 void Explicit::check_stable_step(double undamped) const {
@@ -276,6 +282,10 @@ void Explicit::redo(const StepReport& report) {
   block_.barrier_free_blocks = 0;
   block_.steps = 0;
   block_.guarded = true;
+  // A seam whose way passed the body by at first may be drawn against it by now.
+  if (!lead_drawn_seams()) return;
+  block_.start.clear();
+  block_.start = save_state();
 }
 
 void Explicit::report_guard() {

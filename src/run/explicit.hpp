@@ -55,7 +55,7 @@ class Explicit final : public Dynamic {
   double damped(double step) const;
   double bound_of(double rate) const { return damped(2 / std::sqrt(rate)); }  // s, of a rate_bound()
   void report_step_bound();
-  void lead_drawn_seams();   // around what their straight way passes through
+  bool lead_drawn_seams();   // around what their straight way passes through; whether there is any more
   bool is_of_waves() const;  // whether the usual step is that of waves in the cloth, not that of the bound
   void split();              // reduces the step where stretch or loads have made the stable step smaller
   // With contact, steps are made in blocks of equal size. If contact needs a smaller step, the run returns to

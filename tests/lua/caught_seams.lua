@@ -24,12 +24,16 @@ local function vest(t)
   return fabric.dynamic { model = m, duration = t.duration or 1.5, damping = { mass = 30 }, until_rest = { calm = 0.05, window = 0.03, still = 20 * mm } }
 end
 
+-- Its straight way passes by the trunk, but cloth is drawn on it so fast that contact shortens the steps.
+local late = { scale = 0.7, size = 55 * mm, over = 0.03, around = 20, top = 0.575, duration = 0.06 }
+
 -- As a child: places while the shoulders are led over the trunk, whole or taken up from a checkpoint on the way.
 if arg[1] then
-  local a = vest { scale = 0.7, size = 55 * mm, over = 0.06, around = 20 }
-  a:checkpoint("caught.ckpt", { every = 0.03 })
-  if arg[1] == "half" then return a:advance(0.045) end
-  a:advance(0.07)
+  local a = vest(arg[2] == "late" and late or { scale = 0.7, size = 55 * mm, over = 0.06, around = 20 })
+  local part = arg[2] == "late" and 0.4 or 1
+  a:checkpoint("caught.ckpt", { every = 0.03 * part })
+  if arg[1] == "half" then return a:advance(0.045 * part) end
+  a:advance(0.07 * part)
   local rows = {}
   for i, u in ipairs(a:field "displacement") do rows[i] = ("%a %a %a"):format(u[1], u[2], u[3]) end
   return print(table.concat(rows, "\n"))
@@ -67,9 +71,16 @@ end
 assert((#stuck == 1 or #stuck == 2 and stuck[1] ~= stuck[2]) and unrest == 1 and not short.stopped)
 assert(short.joints.closed < short.joints.stitches and #short.steps < 1.5 * short.time / short.step_size)
 
-local one = check.child("--threads 1", "whole")
-check.child("--threads 1", "half")
-assert(#one > 1000 and one == check.child("--threads 2 --restart caught.ckpt", "whole"), "bits after a restart while the seams are led")
+local caught = vest(late)
+caught:solve()
+assert(caught.joints.closed == caught.joints.stitches and #caught.steps < 1.2 * caught.time / caught.step_size)
+assert(caught.warnings[1].code == "seam" and caught.warnings[1].time > 0)
+
+for _, case in ipairs { "", " late" } do
+  local one = check.child("--threads 1", "whole" .. case)
+  check.child("--threads 1", "half" .. case)
+  assert(#one > 1000 and one == check.child("--threads 2 --restart caught.ckpt", "whole" .. case), "bits after a restart while the seams are led")
+end
 
 if long then
   for _, scale in ipairs { 0.8, 1, 1.2 } do

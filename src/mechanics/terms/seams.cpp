@@ -456,8 +456,7 @@ double Seams::widest(std::size_t s) const {
   return most;
 }
 
-void Seams::lead_around(std::size_t stitch, std::span<const Vec3> pressing, double speed) {
-  pressing_ = pressing;
+void Seams::lead_around(std::size_t stitch, double speed) {
   for (std::size_t i = 0; i < threads_.size(); ++i) {
     const model::Stitch& at_stitch = dofs_.stitches()[i];
     if (at_stitch.seam != dofs_.stitches()[stitch].seam || seam(i).stiffness) continue;

@@ -92,10 +92,12 @@ class Seams final : public Term {
   // m/s, at which the gap of a stitch closes where its thread draws fastest; 0: it is not drawn.
   double closing_speed(std::size_t stitch) const;
   // From now on the threads of the seam of this stitch shorten by no more than `speed`, m/s, and pull with no
-  // more than a hand does and along what presses on the nodes (N, which stays in its place), so that it
-  // leads them around what lies between them. The seam closes when they meet, at the end of its time or
-  // later.
-  void lead_around(std::size_t stitch, std::span<const Vec3> pressing, double speed);
+  // more than a hand does and along what presses on the nodes, so that it leads them around what lies between
+  // them. The seam closes when they meet, at the end of its time or later.
+  void lead_around(std::size_t stitch, double speed);
+  bool is_led(std::size_t stitch) const { return threads_[stitch].is_led(); }
+  // What presses on the nodes, N, which stays in its place; to be given before steps are made.
+  void feel(std::span<const Vec3> pressing) { pressing_ = pressing; }
   bool draws() const;  // threads draw edges together
   // Of the stitches that are drawn, of all seams or of one: that whose gap is most above what is wanted by
   // now.
