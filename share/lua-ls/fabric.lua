@@ -383,7 +383,7 @@ function fabric.columns(rows) end
 ---@field linear? "auto"|"symmetric"|"unsymmetric" implicit: direct solver: auto (symmetric where law and loads are), symmetric, unsymmetric (default "auto")
 ---@field damping? fabric_dynamic_fields.damping Rayleigh's damping {mass=a, stiffness=b}; none unless given
 ---@field until_rest? fabric_dynamic_fields.until_rest end where all rests: every seam that is drawn has closed, and for window= and for a third of the time since seams, loads or motions changed, the kinetic energy has been at most calm= of that stored and no node has moved by more than still=; a.stopped is then 'at rest', and solve() goes on to the duration, which it may take at most
----@field inertia? "scaled"|"true" rotary inertia of the cloth: true, or scaled up where it would limit the explicit step
+---@field inertia? "scaled"|"true" inertia of the cloth: true; or scaled for the explicit step, with more against rotations and mass that thin elements take from those about them
 ---@field force? boolean take the step even above the stable one (default false)
 ---@field ledger_limit? number the run stops when the error of the energy ledger exceeds this part of the external work (default 0.05)
 ---@field tolerance? number implicit: residual over the largest nodal force (default 1e-08)

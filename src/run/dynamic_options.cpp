@@ -10,9 +10,10 @@ using O = DynamicOptions;
 
 // The two words of rotary inertia; without one of them the scheme chooses.
 field::FieldOf<O> inertia_row() {
-  auto row =
-      field::row<O>("inertia", field::FieldType::text, "", {},
-                    "rotary inertia of the cloth: true, or scaled up where it would limit the explicit step");
+  auto row = field::row<O>(
+      "inertia", field::FieldType::text, "", {},
+      "inertia of the cloth: true; or scaled for the explicit step, with more against rotations and "
+      "mass that thin elements take from those about them");
   row.words = {"scaled", "true"};
   row.get = [](const O& o) {
     return o.scaled ? field::Value(std::string(*o.scaled ? "scaled" : "true")) : field::Value();
