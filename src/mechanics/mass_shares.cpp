@@ -24,7 +24,9 @@ constexpr double kWorthMoving = 0.85;  // of the bound: mass that gains less sta
 constexpr double kLess = 0.05;         // of the bound: what the next attempt wants less
 constexpr double kMostTimes = 3;       // its own mass at most has a node then
 constexpr double kMostGiven = 0.1;     // of its mass a node gives at most
+constexpr double kMostMoved = 5e-3;    // of the mass of the cloth is moved at most
 constexpr int kRings = 3;              // of neighbours that give
+constexpr int kAsked = 4;              // times that each ring is asked
 
 // How strongly an element asks for more: the 32nd power, which is the same on all processors.
 double strength(double ratio) {
@@ -161,10 +163,16 @@ double usual_of(const std::vector<double>& means, const std::vector<double>& mas
   return means[order.back()];
 }
 
+// All that want mass ask at once, and a node divides what it has in proportion, so that what is symmetric
+// stays so up to rounding.
 class Moving {
  public:
   Moving(const mesh::Mesh& mesh, const std::vector<double>& means, const std::vector<double>& mass)
-      : mesh_(mesh), means_(means), mass_(mass), first_(mass.size() + 1, 0) {
+      : mesh_(mesh),
+        means_(means),
+        mass_(mass),
+        whole_(std::accumulate(mass.begin(), mass.end(), 0.0)),
+        first_(mass.size() + 1, 0) {
     for (const auto& e : mesh.elements)
       for (const mesh::Index n : e)
         if (n >= 0) ++first_[static_cast<std::size_t>(n) + 1];
@@ -175,37 +183,58 @@ class Moving {
       for (const mesh::Index n : mesh.elements[e])
         if (n >= 0) of_[at[static_cast<std::size_t>(n)]++] = e;
   }
-  // The nearest nodes give, each ring in equal parts of what it has. Empty: there is not enough.
+  // So that no mean is above `highest`. Empty: there is not enough, or it is too much.
   std::vector<double> to(double highest) const {
-    std::vector<double> given(mass_.size(), 0);  // kg, less what is taken
+    std::vector<Wish> wishes;
+    std::vector<double> spare(mass_.size());  // kg
+    double sum = 0;
     for (std::size_t n = 0; n < mass_.size(); ++n) {
-      double wanted = mass_[n] * (means_[n] / highest - 1);
+      spare[n] = std::max(0.0, mass_[n] * std::min(1 - means_[n] / highest, kMostGiven));
+      const double wanted = mass_[n] * (means_[n] / highest - 1);
       if (!(wanted > 0)) continue;
-      std::vector<std::size_t> ring{n}, seen{n};
-      for (int r = 0; r < kRings && wanted > 0; ++r) {
-        ring = next(ring, seen);
-        double spare = 0;
-        for (const std::size_t b : ring) spare += std::max(0.0, left(b, highest, given));
-        if (!(spare > 0)) continue;
-        const double part = std::min(1.0, wanted / spare);
-        for (const std::size_t b : ring)
-          if (const double has = left(b, highest, given); has > 0) given[b] += part * has;
-        given[n] -= part * spare;
-        wanted -= part * spare;
-      }
-      if (wanted > kRounding * mass_[n]) return {};
+      if ((sum += wanted) > kMostMoved * whole_) return {};
+      wishes.push_back({n, wanted, {n}, {n}});
     }
+    const std::vector<double> had = spare;
+    for (int r = 0; r < kRings; ++r) {
+      for (Wish& wish : wishes) wish.ring = next(wish.ring, wish.seen);
+      for (int turn = 0; turn < kAsked; ++turn) take(wishes, spare);
+    }
+    for (const Wish& wish : wishes)
+      if (wish.wanted > kRounding * mass_[wish.node]) return {};
     std::vector<double> times(mass_.size(), 1);
     for (std::size_t n = 0; n < times.size(); ++n)
-      if (given[n] != 0) times[n] = 1 - given[n] / mass_[n];
+      if (spare[n] != had[n]) times[n] -= (had[n] - spare[n]) / mass_[n];
+    for (const Wish& wish : wishes)
+      times[wish.node] = means_[wish.node] / highest - wish.wanted / mass_[wish.node];
     return times;
   }
 
  private:
-  static constexpr double kRounding = 1e-12;
-  // kg, of those that want none.
-  double left(std::size_t n, double highest, const std::vector<double>& given) const {
-    return mass_[n] * std::min(1 - means_[n] / highest, kMostGiven) - given[n];
+  static constexpr double kRounding = 1e-9;
+  struct Wish {
+    std::size_t node;
+    double wanted;                        // kg, still
+    std::vector<std::size_t> ring, seen;  // the nodes that are asked, and all so far
+  };
+  void take(std::vector<Wish>& wishes, std::vector<double>& spare) const {
+    std::vector<double> asked(mass_.size(), 0), part(wishes.size(), 0);
+    for (std::size_t w = 0; w < wishes.size(); ++w) {
+      double all = 0;
+      for (const std::size_t b : wishes[w].ring) all += spare[b];
+      if (!(wishes[w].wanted > 0) || !(all > 0)) continue;
+      part[w] = std::min(1.0, wishes[w].wanted / all);
+      for (const std::size_t b : wishes[w].ring) asked[b] += part[w] * spare[b];
+    }
+    std::vector<double> left = spare;
+    for (std::size_t w = 0; w < wishes.size(); ++w)
+      for (const std::size_t b : wishes[w].ring) {
+        if (part[w] == 0 || spare[b] == 0) continue;
+        const double given = part[w] * spare[b] * std::min(1.0, spare[b] / asked[b]);
+        wishes[w].wanted -= given;
+        left[b] = std::max(0.0, left[b] - given);
+      }
+    spare = std::move(left);
   }
   std::vector<std::size_t> next(const std::vector<std::size_t>& ring, std::vector<std::size_t>& seen) const {
     std::vector<std::size_t> out;
@@ -222,6 +251,7 @@ class Moving {
 
   const mesh::Mesh& mesh_;
   const std::vector<double>&means_, &mass_;
+  const double whole_;
   std::vector<std::size_t> first_, of_;  // the elements of each node
 };
 

@@ -129,8 +129,11 @@ Dynamic::Dynamic(std::shared_ptr<model::Model> model, const DynamicOptions& opti
                 ", which has no mass: expected mass= where it is made (fabric.static needs none)");
   scaled_ = options_.scaled.value_or(options_.scheme == Scheme::explicit_steps);
   using namespace mechanics;
+  // A state that is gone on from stays at rest with the masses that it has.
+  const auto* const before = dynamic_cast<const Dynamic*>(beginning.from);
+  moves_mass_ = scaled_ && (beginning.from == nullptr || (before != nullptr && before->moves_mass_));
   if (scaled_) {
-    assembly_->terms().elements().scale_mass();
+    assembly_->terms().elements().scale_mass(!moves_mass_);
     if (auto* const contacts = assembly_->terms().find<Contacts>()) contacts->masses_changed();
   }
   inertia_ = &assembly_->terms().add(

@@ -126,6 +126,11 @@ TEST_CASE("nodes whose rates are far above the rest take mass from those about t
     CHECK(means[n] <= moved.highest * moved.times[n] * (1 + 1e-12));
   }
   CHECK(sum == Approx(400));
+  // What is symmetric stays so.
+  means[51] = 1.5;
+  const auto both = mechanics::move_mass(mesh, means, mass);
+  for (std::size_t n = 0; n < 200; ++n) CHECK(std::abs(both.times[n] - both.times[n ^ 1]) < 1e-12);
+  means[51] = 1;
   // There is not enough about it for all that it wants: a part.
   means[50] = 4;
   const auto part = mechanics::move_mass(mesh, means, mass);

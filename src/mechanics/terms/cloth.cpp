@@ -200,7 +200,8 @@ void Cloth::put_geometry(const Batch& batch, double* geometry) const {
   }
 }
 
-void Cloth::scale_mass() {
+void Cloth::scale_mass(bool keep) {
+  if (keep) return rates_->keep_mass();
   if (const std::vector<double>& times = rates_->mass_times(); !times.empty())
     std::transform(mass_.begin(), mass_.end(), times.begin(), mass_.begin(), std::multiplies<>());
 }

@@ -55,7 +55,7 @@ class Cloth final : public Term, public ElementTerm {
 
   // Lumped mass per node, kg; and its first moment about the reference surface, kg m.
   const std::vector<double>& mass() const override { return mass_; }
-  void scale_mass() override;
+  void scale_mass(bool keep) override;
   const std::vector<double>& mass_moment() const { return mass_moment_; }
   const std::vector<double>& rotary_inertia(bool scaled) const override {
     return rates_->rotary_inertia(scaled);

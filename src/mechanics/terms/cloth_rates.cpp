@@ -132,6 +132,13 @@ void ClothRates::find_membrane_steps() {
   mass_times_ = std::move(moved.times);
 }
 
+void ClothRates::keep_mass() {
+  mass_times_.clear();
+  membrane_step_[1] = membrane_step_[0];
+  smallest_scaled_ = smallest_size_;
+  bounds_[1] = {};
+}
+
 // kg
 CornerMasses ClothRates::shares(Index e, bool scaled) const {
   CornerMasses out = shares_[static_cast<std::size_t>(e)];

@@ -59,6 +59,7 @@ class ClothRates {
   // Per node, what its mass is times its true one with scaled inertia (mechanics/mass_shares.hpp); empty:
   // that.
   const std::vector<double>& mass_times() const { return mass_times_; }
+  void keep_mass();  // with scaled inertia, too
   // kg m^2 per node. The rotary inertia per mass of an element is t^2/12 + t^2 zeta_bar^2/4; if scaled, it is
   // at least so large that it permits the stable step of the waves in the plane of the cloth, after the idea
   // of [hughes1978].
