@@ -20,8 +20,8 @@ class ElementTerm : public Facet {
   virtual std::span<const BatchLane> places() const = 0;  // per element
   // Lumped mass per node, kg; and rotary inertia per node, kg m^2, true or scaled.
   virtual const std::vector<double>& mass() const = 0;
-  // What scaled inertia makes of the mass, for the step of explicit motion: to be called once, before anything
-  // moves. keep: nothing, as where another state is gone on from.
+  // What scaled inertia makes of the mass, for the step of explicit motion: to be called once, before
+  // anything moves. keep: nothing, as where another state is gone on from.
   virtual void scale_mass(bool /*keep*/) {}
   virtual const std::vector<double>& rotary_inertia(bool scaled) const = 0;
   // Computes the elements' tangents and the forces. law_only: only K_M, the law's part [williams2010, eq.

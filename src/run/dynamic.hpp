@@ -128,7 +128,7 @@ class Dynamic : public Run {
 
   DynamicOptions options_;
   const DynamicOptions given_;
-  double radius_ = 1;  // the spectral radius of an implicit scheme, where it is chosen by that
+  double radius_ = 1;         // the spectral radius of an implicit scheme, where it is chosen by that
   bool scaled_, moves_mass_;  // scaled inertia; and mass of its own that it makes of the cloth's
   const mechanics::Inertia* inertia_ = nullptr;  // a term of the assembly
   double stable_ = 0, smallest_ = 0;             // s; m, the smallest element
