@@ -52,4 +52,16 @@ for n = 1, #own do
 end
 print(("moves by %.3f mm, apart by up to %.3f mm"):format(far / mm, apart / mm))
 rows[#rows + 1] = { "what moved mass changes of a swing", apart / far, 0, absolute = 0.02 }
+
+-- A panel that hangs at rest in statics goes on at rest: its masses stay.
+local hung = fabric.model { mesh = bodice, card = card, points = 1 }
+hung:gravity { 0, fabric.ramp(-9.81, 1), 0 }:fix("top", "x y z"):fix("all", "z")
+local static = fabric.static { model = hung, duration = 1, step = 0.25 }
+static:solve()
+local on = fabric.dynamic { from = static, duration = 5e-3 }
+local kinetic = 0
+on:every(1e-3, function() kinetic = math.max(kinetic, on.energy.kinetic) end)
+on:solve()
+print(("goes on at %.3g s a step, kinetic up to %.2g of %.3g J"):format(on.step_size, kinetic, on.energy.stored))
+rows[#rows + 1] = { "motion of what hung at rest", kinetic / on.energy.stored, 0, absolute = 1e-12 }
 fabric.expect(rows)
