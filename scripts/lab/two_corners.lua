@@ -4,6 +4,7 @@
 --   fabricsh scripts/lab/two_corners.lua                    8 x 8 elements, straight and turned, four seeds
 --   fabricsh scripts/lab/two_corners.lua "8 16 32" 3 out    meshes, seeds, pictures of the finest into out
 -- warns: locks where yarns are pulled
+-- warns: the guard of the directors has
 local fabric = require "fabric"
 local random = require "fabric.lab.random"
 local mm = fabric.units.mm
