@@ -147,10 +147,6 @@ class Sharing {
   const std::vector<double> mass_;
 };
 
-}  // namespace
-
-namespace {
-
 // Half of the mass is at nodes with a mean of no more.
 double usual_of(const std::vector<double>& means, const std::vector<double>& mass) {
   const double whole = std::accumulate(mass.begin(), mass.end(), 0.0);

@@ -132,10 +132,9 @@ Dynamic::Dynamic(std::shared_ptr<model::Model> model, const DynamicOptions& opti
   // A state that is gone on from stays at rest with the masses that it has.
   const auto* const before = dynamic_cast<const Dynamic*>(beginning.from);
   moves_mass_ = scaled_ && (beginning.from == nullptr || (before != nullptr && before->moves_mass_));
-  if (scaled_) {
-    assembly_->terms().elements().scale_mass(!moves_mass_);
-    if (auto* const contacts = assembly_->terms().find<Contacts>()) contacts->masses_changed();
-  }
+  if (scaled_) assembly_->terms().elements().scale_mass(!moves_mass_);
+  if (auto* const contacts = assembly_->terms().find<Contacts>(); contacts != nullptr && moves_mass_)
+    contacts->masses_changed();
   inertia_ = &assembly_->terms().add(
       std::make_unique<Inertia>(assembly_->cloth().mass(), assembly_->cloth().rotary_inertia(scaled_)));
   if (options_.mass_damping > 0)
