@@ -25,6 +25,7 @@ constexpr double kJump = 0.1;      // fraction of the smallest element: a larger
 constexpr int kStretchEvery = 16;  // number of steps between two checks of the stretch
 constexpr int kLoadsEvery = 256;   // the same of the stiffness of springs and loads
 constexpr int kBlock = 64;         // number of steps of equal size, with contact
+constexpr double kPieces = 8;      // a split step is the usual one over so many eighths
 constexpr int kBarrierFreeBlocks = 4;  // blocks without need of it, after which a halved step is doubled
 constexpr int kHalvings = 12;          // largest number of halvings of the step for contact
 constexpr int kCostly = 5;             // halvings from which on the run is much longer than it seemed
@@ -328,7 +329,7 @@ void Explicit::split() {
                stable = std::min(stretched, bound);
   now_.step = wanted;
   if (options_.force || wanted <= stable) return;
-  now_.step = wanted / std::ceil(wanted / stable);
+  now_.step = wanted * kPieces / std::ceil(kPieces * wanted / stable);
   if (now_.reported_split) return;
   now_.reported_split = true;
   warn("step", "dynamic: stretch has brought the stable step to " + number(stable) + " s at time " +
