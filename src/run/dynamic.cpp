@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 #include <sstream>
+#include <utility>
 
 #include "base/error.hpp"
 #include "base/number.hpp"
@@ -360,6 +361,31 @@ std::vector<double> Dynamic::driven_rates() const {
   return later;
 }
 
+double Dynamic::energy_of_corner() const {
+  const auto& freedoms = assembly_->dofs().freedoms();
+  const double now = time(), width = std::min(kRateStep, 1e-3 * now_.step);
+  if (freedoms.motions.empty() || now + width > duration_) return 0;
+  const bool first = now <= began();
+  const auto initial = first ? initial_rates() : mechanics::NodalRates{};
+  const auto before = assembly_->dofs().targets(first ? now : now - width),
+             at_it = assembly_->dofs().targets(now), after = assembly_->dofs().targets(now + width);
+  // What a smooth motion gains within the width is next to nothing of what it does in a step.
+  const double step = std::min(now_.step, duration_ - now);
+  const auto later = assembly_->dofs().targets(now + step);
+  double jump = 0, fastest = 0;
+  for (std::size_t i = 0; i < after.size(); ++i) {
+    const auto& m = freedoms.motions[i];
+    if (m.component > 2) continue;
+    fastest =
+        std::max({fastest, std::abs(at_it[i] - before[i]) / width, std::abs(later[i] - at_it[i]) / step});
+    const double from = first ? freedoms.nodes[m.node].frame.row(m.component).dot(at(initial.x, m.node))
+                              : (at_it[i] - before[i]) / width;
+    jump = std::max(jump, std::abs((after[i] - at_it[i]) / width - from));
+  }
+  const auto& masses = assembly_->cloth().mass();
+  return jump > 0.1 * fastest ? std::accumulate(masses.begin(), masses.end(), 0.0) * jump * jump / 2 : 0;
+}
+
 double Dynamic::driven_kinetic() const {
   const auto& motions = assembly_->dofs().freedoms().motions;
   if (motions.empty()) return 0;
@@ -549,21 +575,27 @@ void Dynamic::check() {
   const bool is_short = !is_implicit && end && !is_driven();
   const bool is_lenient = is_implicit && is_driven() && (is_young() || has_few_steps());
   if (is_lenient) now_.early = std::max(0.0, made);
+  now_.unsure = is_lenient ? std::clamp(made, 0.0, now_.unsure + off_) : now_.early;
   // What was made in steps in which that was allowed is judged at the end, when more work has been done.
   const double later = is_lenient || end ? made : made - now_.early;
   const double unsaid = !is_young()   ? (is_lenient && !end ? kShortWarning : kWarning)
                         : is_implicit ? kYoungLimit * options_.ledger_limit
                         : is_short    ? kShortWarning
                                       : std::numeric_limits<double>::infinity();
-  if (std::isfinite(made) && (scale <= 0 || made <= unsaid * scale)) {
+  // What no work that is badly known can have been, and the next step does not take back, is not waited for.
+  const double sure = is_lenient && !end ? made - now_.unsure : 0;
+  const bool unsaid_yet = std::isfinite(made) && (scale <= 0 || made <= unsaid * scale),
+             was_sure = std::exchange(now_.was_sure, sure > kShortWarning * scale);
+  if (unsaid_yet && !(was_sure && now_.was_sure)) {
     now_.was_over = false;
     return;
   }
   const std::string share = share_text(made, e, scale);
   // Alpha's loss is the work of its forces: what it does not know, is missing from the ledger.
   const bool may_damp = std::isfinite(made) && !end && (e.surplus() > 0 || now_.damping == Damping::hht);
-  const std::string damping = may_damp && later > kWarning * scale ? begin_to_damp(later / scale) : "";
-  if (!now_.reported_error || !damping.empty()) {
+  const double known = unsaid_yet ? sure : later;
+  const std::string damping = may_damp && known > kWarning * scale ? begin_to_damp(known / scale) : "";
+  if (!(now_.reported_error || unsaid_yet) || !damping.empty()) {
     now_.reported_error = true;
     now_.began = suspect();
     warn("ledger",

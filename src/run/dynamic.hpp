@@ -93,10 +93,12 @@ class Dynamic : public Run {
   // The dissipation of the scheme (gamma, hht) in a step: W_ext - W_int - W_damp - change of kinetic energy.
   bool damps() const {
     const bool implicit = options_.scheme == Scheme::implicit_steps;
-    return now_.damping != Damping::none || radius_ < 1 || options_.gamma != 0.5 ||
+    return now_.damping != Damping::none || now_.corner > 0 || radius_ < 1 || options_.gamma != 0.5 ||
            options_.hht.value_or(0) != 0 || (implicit && options_.beta.value_or(0.25) != 0.25);
   }
   std::vector<double> driven_rates() const;  // of the driven freedoms at the trial time, m/s or 1/s
+  // J: the energy that the whole cloth would have with the largest jump of a support's speed at that time.
+  double energy_of_corner() const;
   double driven_kinetic() const override;
   virtual const mechanics::Motion& motion() const = 0;
   // Advice if the present step is longer than some frequency allows; empty: it is not.
@@ -131,6 +133,7 @@ class Dynamic : public Run {
   double radius_ = 1;         // the spectral radius of an implicit scheme, where it is chosen by that
   bool scaled_, moves_mass_;  // scaled inertia; and mass of its own that it makes of the cloth's
   const mechanics::Inertia* inertia_ = nullptr;  // a term of the assembly
+  double off_ = 0;                               // J: how far the work of the last step can be off
   double stable_ = 0, smallest_ = 0;             // s; m, the smallest element
   struct DynamicState {
     double step = 0, loss = 0;  // s; J, dissipated by the scheme
@@ -141,6 +144,8 @@ class Dynamic : public Run {
     Damping damping = Damping::none;
     int settling = 0;    // implicit steps left, at least, in which directors of opened joints settle
     double settles = 0;  // s, the time until which they do
+    int corner = 0;      // implicit steps left behind a jump of a support's speed
+    double jump = 0;     // J, of its energy, that these may still take
     double surplus = 0;  // J, of the ledger before the present one of these
     double base = 0;     // J, the surplus when the scheme began to damp; with hht the largest loss
     double kinetic = 0, scaled = 0;  // J, the largest so far; its part in scaled rotary inertia
@@ -148,6 +153,8 @@ class Dynamic : public Run {
     std::int64_t touched = -1;       // committed steps when a moved body first touched; -1: not yet
     double forgiven = 0;      // the ledger's error over its scale when steps were shortened for a turning
     double early = 0;         // J, the ledger's error while ten times the limit was allowed
+    double unsure = 0;        // J, of that: what the work that drives the run can be off
+    bool was_sure = false;    // whether the error was more at the last check
     int short_steps = 0;      // steps that contact has made much shorter
     int flat_looks = 0;       // how often it was asked whether a flat sheet is stable
     double calm_since = -1;   // s; -1: it is not calm
@@ -162,9 +169,9 @@ class Dynamic : public Run {
     }
     void keep(Archive& archive) {
       archive(step, loss, driven_kinetic_at_0, next_check, steps, looked, reported_error, reported_split,
-              reported_jump, reported_scaled, was_over, damping, settling, settles, surplus, base, kinetic,
-              scaled, began, touched, forgiven, early, short_steps, flat_looks, calm_since, calm_kinetic,
-              calm_places, led_until, rested);
+              reported_jump, reported_scaled, was_over, damping, settling, settles, corner, jump, surplus,
+              base, kinetic, scaled, began, touched, forgiven, early, unsure, was_sure, short_steps,
+              flat_looks, calm_since, calm_kinetic, calm_places, led_until, rested);
     }
   } now_;
 

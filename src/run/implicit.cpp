@@ -25,6 +25,12 @@ constexpr int kSettlingSteps = 2;
 // the rule never does; the step is repeated at half its size, so many times.
 constexpr int kSettlingHalvings = 12;
 
+// A support whose speed jumps, as that of a ramp does at its start and end, sends a wave into the cloth that
+// no step resolves, and average acceleration and alpha carry it on with a multiple of its energy. So many
+// steps behind the corner follow Euler's backward rule [rannacher1984], where the whole cloth with that jump
+// of speed would have more than this share of the run's energies.
+constexpr int kCornerSteps = 2;
+constexpr double kCorner = 0.1;
 // Where a stiff strip turns within a step, forces that alpha averages over it still make energy; those at the
 // step's end do not. Leaves a third of the amplitude of what no step resolves after a step.
 constexpr double kStrongGamma = 1;
@@ -188,6 +194,7 @@ void Implicit::take_options(const DynamicOptions& options) {
 void Implicit::begin() {
   problem_.set_time(began());
   Dynamic::begin();
+  watch_corner();
 }
 
 void Implicit::set_motion(const mechanics::NodalRates& rates) {
@@ -203,6 +210,7 @@ void Implicit::mark_repeatable() {
   repeatable_.start = save_state();
   repeatable_.surplus = energy().surplus();
   repeatable_.settling = now_.settling > 0;
+  repeatable_.corner = now_.corner > 0;
 }
 
 // A repeated step that fails is made as at first; any other that ends without a result leaves no trace, and
@@ -288,7 +296,8 @@ bool Implicit::attempt(double size, StepReport& report) {
 // Whether the scheme is one of a spectral radius below 1, or Euler's rule.
 bool Implicit::damps_unresolved() const {
   const auto& scheme = newmark_.scheme();
-  return now_.settling == 0 && (radius_ < 1 || (scheme.is_trapezoidal() && scheme.gamma == kBackward));
+  const bool backward = now_.corner == 0 && scheme.is_trapezoidal() && scheme.gamma == kBackward;
+  return now_.settling == 0 && (radius_ < 1 || backward);
 }
 
 // A step is a minimum of one potential, of the motion, the cloth, contact and the loads. Newton's method
@@ -326,11 +335,19 @@ void Implicit::commit(StepReport& report) {
     for (const auto* const term : assembly_->terms().all<mechanics::AtStepEnd>())
       now_.loss += term->lost_by_rule();
   dead_ = problem_.external();
-  if (damps && scheme.is_trapezoidal())
-    work_.add_weighted(*assembly_, dead_, scheme.gamma);
-  else
-    work_.add(*assembly_, dead_);
+  const mechanics::StepWork done =
+      work_.bounded(*assembly_, dead_, damps && scheme.is_trapezoidal() ? scheme.gamma : 0.5);
+  off_ = follows_corners() && now_.corner == 0 ? assembly_->terms().step_work().spread : done.spread;
   problem_.commit(report.time);
+  double open = 0;
+  // Euler's rule takes no more than the energy that the jump brings. What is missing beyond that a support
+  // has not worked, whose force is another within the step than at its end.
+  if (now_.corner > 0 && !settling) {
+    const double lost = repeatable_.surplus - (energy().surplus() - done.work);
+    open = std::clamp(lost - now_.jump, 0.0, 2 * done.spread);
+    now_.jump -= std::clamp(lost, 0.0, now_.jump);
+  }
+  work_.add(done.work - open);
   // The generalised trapezoidal rule never adds energy: what is missing is its loss, and what there is more
   // of than at any time since it damps is an error of the ledger. Newmark's method and alpha conserve or
   // lower another sum; their loss is the work of all forces that does not become kinetic energy.
@@ -339,6 +356,11 @@ void Implicit::commit(StepReport& report) {
   else if (damps)
     now_.loss += std::max(0.0, now_.base - energy().surplus());
   if (settling) settle();
+  if (now_.corner > 0 && --now_.corner == 0) {
+    take_scheme();
+    if (!newmark_.scheme().is_trapezoidal()) now_.base = now_.loss;
+  }
+  watch_corner();
   watch_jump(driven_before, problem_.driven(), report.time, smallest_);
   const bool was_cut = report.cuts > 0 || repeatable_.halved > 0;
   if (options_.error)
@@ -361,6 +383,22 @@ void Implicit::settle() {
   if (now_.settling == 0) take_scheme();
 }
 
+// A deck that chose average acceleration itself keeps it.
+bool Implicit::follows_corners() const { return !options_.error && (chooses_scheme() || damps()); }
+
+void Implicit::watch_corner() {
+  const bool follows = now_.corner == 0 && newmark_.scheme().gamma == kBackward;
+  if (follows || !follows_corners()) return;
+  const double jump = energy_of_corner();
+  if (!(jump > kCorner * work_.largest())) return;
+  const EnergyAccount now = energy();
+  if (!(jump > kCorner * ledger_scale(now))) return;
+  if (!damps() || !newmark_.scheme().is_trapezoidal()) now_.base = now.surplus();
+  now_.corner = kCornerSteps;
+  now_.jump = jump;
+  take_scheme();
+}
+
 bool Implicit::chooses_scheme() const { return chooses_none(options_); }
 
 bool Implicit::takes_alpha() const { return chooses_scheme() && !has_contact(*assembly_); }
@@ -370,13 +408,14 @@ const mechanics::NodalRates& Implicit::rates() const { return newmark_.velocitie
 // Average acceleration keeps the energy of linear systems alone: the kinks of a fabric's law feed frequencies
 // that no step resolves, until they carry more than the motion [hughes1978]. The rule beside contact damps
 // from the first step on, and its errors in a swing or an impact do not grow. Where cloth only seems to turn,
-// since tension pushes it on along what it touches, shorter steps would go on pushing.
+// since tension pushes it on along what it touches, shorter steps would go on pushing. In a young run the
+// first stage begins with more.
 std::string Implicit::begin_to_damp(double error) {
-  if (!chooses_scheme() || now_.damping == Damping::backward) return {};
+  if (!chooses_scheme() || now_.corner > 0 || now_.damping == Damping::backward) return {};
   const bool first = !damps();
   if (!first && error - now_.forgiven <= kTooMuch * options_.ledger_limit) return {};
   const auto* const contact = assembly_->terms().find<mechanics::Contacts>();
-  if (!first || contact != nullptr) now_.forgiven = std::max(now_.forgiven, error);
+  if (!first || contact != nullptr || is_young()) now_.forgiven = std::max(now_.forgiven, error);
   if (!first && now_.damping < Damping::strong && (contact == nullptr || contact->readings().touching() == 0))
     if (std::string text = shorten_for_turning(); !text.empty()) return text;
   damp(first ? Damping::hht : now_.damping < Damping::strong ? Damping::strong : Damping::backward);
@@ -480,7 +519,8 @@ bool Implicit::takes_back() {
   if (repeatable_.settling) return shortens(std::max(0.0, made), energy_made, kSettlingHalvings);
   if (which == Try::first) {
     if (repeatable_.halved == 0) repeatable_.young = is_young();
-    const bool may_damp = chooses_scheme() && now_.damping < Damping::strong && repeatable_.halved == 0;
+    const bool may_damp =
+        chooses_scheme() && !repeatable_.corner && now_.damping < Damping::strong && repeatable_.halved == 0;
     if (!(made > options_.ledger_limit && may_damp)) return shortens(made, energy_made, kMostHalvings);
     return_to_start(Try::first);
     if (const std::string text = shorten_for_turning(); !text.empty()) {
@@ -533,11 +573,17 @@ bool Implicit::leave_hht(bool repeat) {
 
 // Where stiff elements turn far within a step, its error falls with its size; so it does where a support goes
 // so far that the force on it is no line. The work of one that begins to move with a jump is no better known
-// in half the step, which is then made whole. error: over the ledger's scale; energy: the same in J.
+// in half the step, which is then made whole, unless it makes more than that work can be off. error: over the
+// ledger's scale; energy: the same in J.
 bool Implicit::shortens(double error, double energy, int most) {
   const int halved = std::exchange(repeatable_.halved, 0);
   if (!(std::abs(error) > kErrorOfStep * options_.ledger_limit) || halved == most) return false;
-  if (!repeatable_.settling && is_young()) {
+  // What a rule that damps takes of what was made before, is no error.
+  const double wrong =
+      damps() && newmark_.scheme().is_trapezoidal() ? std::max(0.0, energy) : std::abs(energy);
+  const bool sure =
+      (wrong - off_) * std::abs(error) > kErrorOfStep * options_.ledger_limit * std::abs(energy);
+  if (!repeatable_.settling && is_young() && !sure) {
     if (!repeatable_.young || (halved == 0 && !(std::abs(error) > options_.ledger_limit))) return false;
     if (halved > 0 && !(std::abs(energy) < kFallsByHalf * std::abs(repeatable_.energy))) {
       return_to_start(Repeatable::Try::first_again);
@@ -558,7 +604,8 @@ void Implicit::halve(double end, int halved) {
 }
 
 void Implicit::take_scheme() {
-  newmark_.set_scheme(now_.settling > 0                   ? NewmarkScheme::trapezoidal(kSettling, false)
+  newmark_.set_scheme(now_.settling > 0 ? NewmarkScheme::trapezoidal(kSettling, false)
+                      : now_.corner > 0 ? NewmarkScheme::trapezoidal(kBackward, !chooses_scheme())
                       : now_.damping == Damping::backward ? NewmarkScheme::trapezoidal(kBackward)
                       : now_.damping == Damping::strong   ? damping_by(kStrongGamma, false)
                       : now_.damping == Damping::none     ? scheme_of(options_, *assembly_)

@@ -63,6 +63,8 @@ class Implicit final : public Dynamic {
   bool damps_unresolved() const;
   solver::NewtonResult minimise(solver::NewtonResult found, double size, const StepReport& report);
   void settle();
+  void watch_corner();
+  bool follows_corners() const;
 
   Newmark newmark_;
   EquilibriumProblem problem_;
@@ -81,6 +83,7 @@ class Implicit final : public Dynamic {
     double energy = 0;             // J, that its last try without more damping made
     bool young = false;            // whether the run is, in the whole step
     bool settling = false;         // whether directors settle in it
+    bool corner = false;           // whether it follows a jump of a support's speed
     Try which = Try::first;
     int halved = 0;  // times, for its error of the ledger
   } repeatable_;

@@ -229,9 +229,8 @@ void ExternalWork::start(mechanics::Assembly& assembly, std::span<const double> 
   loaded_.reset();
 }
 
-// change: if not null, gets half of what the change of the forces would work over the step.
 mechanics::StepWork ExternalWork::of_step(mechanics::Assembly& assembly, std::span<const double> dead,
-                                          bool bounded, double* change_out) {
+                                          bool bounded) {
   const mechanics::Configuration& now = assembly.state();
   const std::size_t n = 3 * now.nodes();
   const auto from = now.committed_kinematics();
@@ -256,8 +255,8 @@ mechanics::StepWork ExternalWork::of_step(mechanics::Assembly& assembly, std::sp
     const bool loaded = assembly.terms().find<mechanics::FollowerLoad>() != nullptr || any_load(dead);
     work += loaded ? turning.chords : turning.arcs;
   }
-  if (change_out != nullptr) *change_out = change + turning.change;
-  sum += {work, std::abs(change + turning.change) + std::abs(turning.arcs - turning.chords)};
+  change += turning.change;
+  sum += {work, std::abs(change) + std::abs(turning.arcs - turning.chords), change};
   std::swap(before_, now_);
   return sum;
 }
@@ -266,10 +265,11 @@ void ExternalWork::add(mechanics::Assembly& assembly, std::span<const double> de
   add(of_step(assembly, dead, false).work);
 }
 
-void ExternalWork::add_weighted(mechanics::Assembly& assembly, std::span<const double> dead, double theta) {
-  double change = 0;
-  const mechanics::StepWork step = of_step(assembly, dead, true, &change);
-  add(step.work + (2 * theta - 1) * (change + step.change));
+mechanics::StepWork ExternalWork::bounded(mechanics::Assembly& assembly, std::span<const double> dead,
+                                          double theta) {
+  mechanics::StepWork step = of_step(assembly, dead, true);
+  step.work += (2 * theta - 1) * step.change;
+  return step;
 }
 
 void ExternalWork::add(double work) {

@@ -43,11 +43,9 @@ class ExternalWork {
   void add(mechanics::Assembly& assembly, std::span<const double> dead);
   // The same where the path between the states is unknown (relaxation). With forces that change monotonically
   // along it the work lies between that of the first and of the last state's forces. To be added by add().
-  mechanics::StepWork bounded(mechanics::Assembly& assembly, std::span<const double> dead) {
-    return of_step(assembly, dead, true);
-  }
-  // The same where the forces count `theta` at the end of a step and the rest at its beginning.
-  void add_weighted(mechanics::Assembly& assembly, std::span<const double> dead, double theta);
+  // theta: the part of the forces that counts at the end of the step.
+  mechanics::StepWork bounded(mechanics::Assembly& assembly, std::span<const double> dead,
+                              double theta = 0.5);
   // J, adds work known from elsewhere.
   void add(double work);
   void keep(Archive& archive) { archive(total_, largest_, before_.on_x, before_.on_d, before_.turning); }
@@ -55,8 +53,7 @@ class ExternalWork {
   double largest() const { return largest_; }  // J, the largest |total| so far
 
  private:
-  mechanics::StepWork of_step(mechanics::Assembly& assembly, std::span<const double> dead, bool bounded,
-                              double* change = nullptr);
+  mechanics::StepWork of_step(mechanics::Assembly& assembly, std::span<const double> dead, bool bounded);
   double total_ = 0, largest_ = 0;
   WorkingForces before_, now_;
   std::optional<bool> loaded_;  // whether constant dead loads are other than zero, once known

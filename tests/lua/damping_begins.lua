@@ -42,7 +42,7 @@ for _, options in ipairs { { gamma = 0.55 }, { hht = -0.05 } } do
 end
 
 -- A stiff strip that plates press into a fold has axial vibrations far faster than the steps. Average acceleration would make energy within a few
--- steps: the step that does is repeated with strong damping, and the elastica comes out, F D^2/B = 2.8711 per width.
+-- steps: the step that does is repeated with strong damping, or, in the coarsest ones, in parts, and the elastica comes out, F D^2/B = 2.8711 per width.
 local mm = fabric.units.mm
 local B, width, t, half, D, T = 1e-5, 1 * mm, 0.3 * mm, 14 * mm, 10 * mm, 0.4
 local function fold(step, triangles, hht)
@@ -74,7 +74,7 @@ for _, case in ipairs { { 4e-3 }, { 2e-3, true }, { 1e-3 } } do
   assert(math.abs(ratio - 1) < 0.015, ratio)
   -- In the coarsest steps it is that of the first, in which the plates set off: five sixths of the work so far.
   assert(folds.energy.error < (case[1] > 2e-3 and 2e-2 or 1e-2), folds.energy.error)
-  assert(words_of(folds, "would have made") and words_of(folds, "gamma=1"))
+  assert(case[1] > 2e-3 or (words_of(folds, "would have made") and words_of(folds, "gamma=1")))
 end
 
 -- From a snapshot before the repeated step the bits are the same.
@@ -101,7 +101,8 @@ do
     m:fix("left", "x y z"):fix("right", "y z"):move("right", { x = fabric.ramp(3e-3, 0.1) })
     local pulled = fabric.dynamic { model = m, duration = 0.1, scheme = "implicit", step = 1e-3 }
     pulled:solve()
-    assert(pulled.energy.error < 1e-4 and pulled.energy.damping == 0)
+    -- The two steps behind the jump take what its wave has (tests/lua/corners.lua).
+    assert(pulled.energy.error < 1e-4 and pulled.energy.damping < 2e-4 * pulled.energy.external)
   end
 end
 

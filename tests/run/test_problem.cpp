@@ -123,7 +123,10 @@ TEST_CASE("the terms that hang on the motion give their energies by name, and th
     run::DynamicOptions options;
     options.duration = 2e-3;
     options.scheme = scheme;
-    if (scheme == run::Scheme::implicit_steps) options.step = 1e-5;
+    if (scheme == run::Scheme::implicit_steps) {
+      options.step = 1e-5;
+      options.hht = 0;  // so that no step follows another rule, whose loss would be in the sum
+    }
     options.mass_damping = 200;
     options.stiffness_damping = 1e-7;
     const auto a = run::make_dynamic(make_sheet(), options, quiet());
