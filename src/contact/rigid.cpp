@@ -20,19 +20,25 @@ Mat3 about_axis(const Vec3& axis, double along, double across) {
   return across * Mat3::Identity() + (along - across) * n * n.transpose();
 }
 
-// The surface is closed if each edge occurs once in either direction.
-void check_closed(std::span<const Triangle> triangles) {
-  std::map<Edge, int> walked;
+// The surface is closed if each edge occurs as often in either direction: once, but where solids touch.
+void check_closed(std::span<const Vec3> vertices, std::span<const Triangle> triangles) {
+  std::map<Edge, std::array<int, 2>> walked;
   for (const Triangle& t : triangles)
     for (std::size_t k = 0; k < 3; ++k) {
       const std::int32_t a = t[k], b = t[(k + 1) % 3];
-      walked[{std::min(a, b), std::max(a, b)}] += a < b ? 1 : 1000;
+      ++walked[{std::min(a, b), std::max(a, b)}][a < b ? 0 : 1];
     }
-  const auto open =
-      std::count_if(walked.begin(), walked.end(), [](const auto& e) { return e.second != 1001; });
-  if (open > 0)
-    refuse_body("expected a closed surface, whose every edge two triangles walk in opposite senses; " +
-                std::to_string(open) + " edges are not");
+  const auto is_open = [](const auto& e) { return e.second[0] != e.second[1]; };
+  const auto open = std::count_if(walked.begin(), walked.end(), is_open);
+  if (open == 0 && !triangles.empty()) return;
+  std::string where;
+  if (const auto first = std::find_if(walked.begin(), walked.end(), is_open); first != walked.end()) {
+    const Vec3 middle = (vertices[std::size_t(first->first[0])] + vertices[std::size_t(first->first[1])]) / 2;
+    where = ", one of them about (" + number(middle.x()) + ", " + number(middle.y()) + ", " +
+            number(middle.z()) + ") m";
+  }
+  refuse_body("expected a closed surface, whose every edge two triangles walk in opposite senses; " +
+              std::to_string(open) + " edges are not" + where);
 }
 
 }  // namespace
@@ -42,7 +48,8 @@ Mat3 Pose::about(const Vec3& axis, double angle) {
 }
 
 Mass ball_mass(const Vec3& centre, double radius, double mass) {
-  return {mass, centre, 0.4 * mass * radius * radius * Mat3::Identity()};
+  return {mass, centre, 0.4 * mass * radius * radius * Mat3::Identity(),
+          4.0 / 3 * std::numbers::pi * radius * radius * radius};
 }
 
 Mass rod_mass(const Vec3& from, const Vec3& to, double radius, double mass) {
@@ -51,16 +58,18 @@ Mass rod_mass(const Vec3& from, const Vec3& to, double radius, double mass) {
   const double mc = mass * cylinder / (cylinder + ball), mb = mass - mc;
   const double along = mc * r * r / 2 + mb * 0.4 * r * r;
   const double across = mc * (l * l / 12 + r * r / 4) + mb * (0.4 * r * r + l * l / 4 + 3 * l * r / 8);
-  return {mass, 0.5 * (from + to), about_axis(to - from, along, across)};
+  return {mass, 0.5 * (from + to), about_axis(to - from, along, across),
+          std::numbers::pi * (cylinder + ball)};
 }
 
 Mass disc_mass(const Vec3& centre, const Vec3& normal, double radius, double thickness, double mass) {
   const double along = mass * radius * radius / 2;
-  return {mass, centre, about_axis(normal, along, along / 2 + mass * thickness * thickness / 12)};
+  return {mass, centre, about_axis(normal, along, along / 2 + mass * thickness * thickness / 12),
+          std::numbers::pi * radius * radius * thickness};
 }
 
 Mass solid_mass(std::span<const Vec3> vertices, std::span<const Triangle> triangles, double mass) {
-  check_closed(triangles);
+  check_closed(vertices, triangles);
   double volume = 0;
   Vec3 first = Vec3::Zero();
   Mat3 second = Mat3::Zero();  // integral of x x^T
@@ -76,7 +85,7 @@ Mass solid_mass(std::span<const Vec3> vertices, std::span<const Triangle> triang
   if (!(volume > 0)) refuse_body("expected triangles that run counter-clockwise as seen from outside");
   const Vec3 centre = first / volume;
   second -= volume * centre * centre.transpose();
-  return {mass, origin + centre, mass / volume * (second.trace() * Mat3::Identity() - second)};
+  return {mass, origin + centre, mass / volume * (second.trace() * Mat3::Identity() - second), volume};
 }
 
 FreeBody::FreeBody(const Mass& mass, const Vec3& velocity, const Vec3& spin)

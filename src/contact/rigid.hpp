@@ -25,6 +25,7 @@ struct Mass {
   double mass = 0;              // kg
   Vec3 centre = Vec3::Zero();   // m, in the frame of the given geometry
   Mat3 inertia = Mat3::Zero();  // kg m2 about the centre
+  double volume = 0;            // m3
 };
 Mass ball_mass(const Vec3& centre, double radius, double mass);
 // A cylinder with hemispherical ends, as a rod has in contact.

@@ -191,58 +191,6 @@ std::string Rigid::describe() const {
 
 namespace {
 
-// For each node of the first shape its number as a vertex. Nodes on free edges that lie at one place in every
-// shape, as where a file names the corners of each facet, are one vertex: across edges that no two facets
-// share the law would count what they have in common twice.
-std::vector<mesh::Index> vertices_of(const Shapes& shapes) {
-  const auto before = [&shapes](mesh::Index a, mesh::Index b) {
-    for (const auto& shape : shapes) {
-      const Vec3& x = shape->nodes[static_cast<std::size_t>(a)];
-      const Vec3& y = shape->nodes[static_cast<std::size_t>(b)];
-      if (x != y) return std::lexicographical_compare(x.begin(), x.end(), y.begin(), y.end());
-    }
-    return false;
-  };
-  std::vector<mesh::Index> vertex(shapes.front()->nodes.size(), -1);
-  std::map<mesh::Index, mesh::Index, decltype(before)> first(before);
-  for (const mesh::Index node : mesh::free_nodes(*shapes.front()))
-    vertex[static_cast<std::size_t>(node)] = first.emplace(node, node).first->second;
-  mesh::Index count = 0;
-  for (std::size_t i = 0; i < vertex.size(); ++i) {
-    const mesh::Index stands_for = vertex[i];
-    vertex[i] = stands_for < 0 || stands_for == static_cast<mesh::Index>(i)
-                    ? count++
-                    : vertex[static_cast<std::size_t>(stands_for)];
-  }
-  return vertex;
-}
-
-}  // namespace
-
-std::vector<Facets> facets_of(const Shapes& shapes, bool closed) {
-  const std::vector<mesh::Index> vertex = vertices_of(shapes);
-  std::vector<Facets> out;
-  for (const auto& shape : shapes) {
-    Facets facets{{}, {}, closed};
-    for (std::size_t i = 0; i < vertex.size(); ++i)
-      if (vertex[i] == static_cast<mesh::Index>(facets.vertices.size()))
-        facets.vertices.push_back(shape->nodes[i]);
-    std::set<contact::Triangle> seen;  // a facet given twice would press twice
-    for (contact::Triangle triangle : contact::split(shapes.front()->nodes, shape->elements).triangles) {
-      for (std::int32_t& corner : triangle)
-        corner = static_cast<std::int32_t>(vertex[static_cast<std::size_t>(corner)]);
-      contact::Triangle sorted = triangle;
-      std::sort(sorted.begin(), sorted.end());
-      if (sorted[0] != sorted[1] && sorted[1] != sorted[2] && seen.insert(sorted).second)
-        facets.triangles.push_back(triangle);
-    }
-    out.push_back(std::move(facets));
-  }
-  return out;
-}
-
-namespace {
-
 struct AddTo {
   contact::Scene& scene;
   int operator()(const Sphere& s) const { return scene.add_ball(s.centre, s.radius); }

@@ -8,7 +8,7 @@
 
 #include "contact/rigid.hpp"
 #include "geometry/vec.hpp"
-#include "mesh/mesh.hpp"
+#include "model/facets.hpp"
 
 namespace fabricsh::contact {
 class Scene;
@@ -35,11 +35,6 @@ struct Disc {
   double radius = 0;                                   // m, over all
   Vec3 centre = Vec3::Zero(), normal = Vec3::UnitZ();  // m
   double edge = 0;                                     // m, radius of its edge
-};
-struct Facets {
-  std::vector<Vec3> vertices;                // m
-  std::vector<contact::Triangle> triangles;  // counter-clockwise from outside
-  bool closed = false;                       // whether the surface encloses a solid
 };
 // The same facets with moving vertices; the motion is linear between the times.
 struct MovingFacets {
@@ -77,11 +72,6 @@ class Rigid {
   Vec3 centre_ = Vec3::Zero();
 };
 using RigidPointer = std::shared_ptr<const Rigid>;
-
-// The quadrilaterals of each shape cut into triangles, as in the first one, whichever diagonal is the shorter
-// in the others; they have as many nodes. closed: the surface encloses a solid.
-using Shapes = std::vector<std::shared_ptr<const mesh::Mesh>>;
-std::vector<Facets> facets_of(const Shapes& shapes, bool closed);
 
 // Adds the body to the scene; returns the number of its surface.
 int add_to(contact::Scene& scene, const Rigid& body);

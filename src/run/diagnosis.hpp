@@ -31,6 +31,8 @@ struct Jumps {
 Jumps find_jumps(const model::Model& model, double duration);
 // The rigid bodies that their motion has moved at time 0 already; or empty.
 std::string moved_bodies_text(const model::Model& model);
+// Of each rigid surface of facets that the law of contact counts in places more than once: where, and why.
+std::vector<std::string> crowding_texts(const mechanics::Contacts& contact);
 // Two held or driven bodies that press the cloth between them from the start, and what to do.
 std::string nip_text(const std::string& run, const mechanics::Nip& nip);
 // The loads among them, and how to ramp each over the run; or empty.

@@ -138,6 +138,35 @@ std::string nip_text(const std::string& run, const mechanics::Nip& nip) {
          " m, or m:force on one of them in place of a gap, does not do that";
 }
 
+std::vector<std::string> crowding_texts(const mechanics::Contacts& contact) {
+  constexpr double much = 0.01;  // of the area of the body
+  const auto& surfaces = contact.surfaces();
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < surfaces.meetings().size(); ++i) {
+    const auto& law = surfaces.law(i);
+    const int body = surfaces.body_of(surfaces.scene().interactions()[i].second);
+    const model::Facets* const facets =
+        body < 0 ? nullptr : surfaces.bodies().body(static_cast<std::size_t>(body)).facets();
+    if (facets == nullptr || surfaces.meetings()[i].bodies) continue;
+    const double reach = law.gap() - law.floor();
+    const model::Crowding all = model::crowding(*facets, reach);
+    std::string words;
+    if (all.share > much)
+      words = number(100 * all.share, 3) + " % of its area has another sheet of facets within " +
+              number(all.nearest, 3) + " m, as about " + place_text(all.sheets);
+    if (all.beside > much)
+      words += (words.empty() ? "" : ", and ") + number(all.length, 3) +
+               " m of its free edges have facets in front of them that are not joined, the nearest " +
+               number(all.gap, 3) + " m away, as about " + place_text(all.edges);
+    if (!words.empty())
+      lines.push_back(
+          surfaces.meetings()[i].names + ": " + words + ": within the range of contact, " + number(reach, 3) +
+          " m, each of them presses, so that a place counts up to twice; expected sheets that are "
+          "farther apart and facets that share their corners, or a smaller thickness=");
+  }
+  return lines;
+}
+
 std::string warning_text(const Jumps& jumps, double duration) {
   if (jumps.loads.empty()) return {};
   const std::string value = number(jumps.loads.front().value);

@@ -85,6 +85,8 @@ void Run::report_contacts() {
   if (contact == nullptr) return;
   for (const std::string& words : contact->surfaces().describe()) notices_->remark("contact: " + words);
   for (const std::string& words : contact->surfaces().dependent()) note("nodes", words);
+  for (const std::string& words : crowding_texts(*contact))
+    warn("facets", "warning: " + std::string(kind()) + ": " + words);
   for (const auto& nip : contact->readings().nips()) {
     const bool fits = std::isfinite(nip.pressure);
     note("nip", nip_text(kind(), nip));

@@ -31,6 +31,7 @@ constexpr WarningKind kinds[] = {
     {"pressed", "contact of an assumed stiffness has a noticeable part of the stored energy"},
     {"rim", "the rim of a volume of gas has left the rigid body that closes it", serious},
     {"nodes", "the force of a ball or a rod on flat cloth depends on where the nodes lie"},
+    {"facets", "facets of a rigid surface lie so near to each other that places of it press more than once"},
     {"fold", "cloth turns sharply between two elements where contact presses on it"},
     {"seam",
      "edges that are sewn had not met when their time was over, or are drawn against a body faster than "

@@ -123,6 +123,12 @@ do
   assert(select(2, words:gsub("\n", "\n")) == 1 and words:find("field 'density': 0.6 kg/m^3 is far from what cloth is", 1, true) and words:find("so are field 'thickness', 0.4 m", 1, true), words)
   words = talk("guards", "local mesh = fabric.mesh.rectangle{ width=0.08, height=0.06, nx=4, ny=3 }\nfabric.model{ mesh=mesh, warp=0, card=" .. own:format("600", "4e-4", "2e8"):gsub("\n", "") .. " }")
   assert(select(2, words:gsub("\n", "\n")) == 1 and words:find("guard.warp: range guard from E11 = 0.3 on", 1, true) and words:find("; likewise guard.weft, guard.shear", 1, true), words)
+  -- The mass of a body is asked about by its density: grams for kilograms, and millimetres for metres.
+  words = talk("grams", "fabric.rigid.sphere{ radius=0.03, centre={0, 0, 0}, mass=50 }")
+  assert(words:find("sphere: field 'mass': 50 kg in 0.000113 m^3 is 4.42e+05 kg/m^3, far from what bodies are: is it in kg", 1, true), words)
+  words = talk("tonnes", "fabric.rigid.cylinder{ radius=0.03, from={0, 0, 0}, to={0, 0, 0.3}, mass=1e-4 }")
+  assert(words:find("cylinder: field 'mass': 0.0001 kg in 0.000961 m^3 is 0.104 kg/m^3", 1, true), words)
+  assert(talk("usual", "fabric.rigid.sphere{ radius=0.02, centre={0, 0, 0}, mass=0.0027 }\nfabric.rigid.disc{ radius=0.05, edge=1e-3, centre={0, 0, 0}, normal={0, 0, 1}, mass=0.05 }") == "")
   words = talk("name", sheet:format "0" .. "m:fix('all', 'z rotation'):fix('left', 'x y'):move('right', { x=fabric.ramp(1e-4, 1) })\nlocal a = fabric.static{ model=m, duration=1, step=1 }:solve()\na:field 'S_11'")
   assert(words:find("field: argument 'name': got 'S_11', did you mean 'S11'? Expected one of", 1, true), words)
 end

@@ -1,6 +1,7 @@
 // fabric.rigid.*, model:contact, and reading both from a run.
 #include <numbers>
 
+#include "base/number.hpp"
 #include "model/declaration_rows.hpp"
 #include "model/model.hpp"
 #include "run/bodies.hpp"
@@ -24,6 +25,21 @@ Vec3 vector_of(const Fields& given, const char* name) {
   return read_vector(given.numbers(name), std::string("field '") + name + "'");
 }
 
+// A free body far lighter than air or heavier than metals has most often a wrong unit.
+void ask_about_mass(const Call& call, const Rigid& body) {
+  constexpr double least = 1, most = 3e4;  // kg/m3
+  if (!body.free()) return;
+  const contact::Mass m = body.weigh();
+  const double density = m.mass / m.volume;
+  if (density >= least && density <= most) return;
+  call.session().warn(
+      "units", position(call.L()) + last_word(call.entry().name) +
+                   ": field 'mass': " + fabricsh::number(m.mass) + " kg in " + fabricsh::number(m.volume, 3) +
+                   " m^3 is " + fabricsh::number(density, 3) +
+                   " kg/m^3, far from what bodies are: is it in kg, and the size in m? (write "
+                   "30*g, 30*mm)");
+}
+
 // Makes a body from a shape, with the fields that all shapes share.
 int make(const Call& call, model::RigidShape shape) {
   std::optional<double> mass;
@@ -32,8 +48,9 @@ int make(const Call& call, model::RigidShape shape) {
       std::any_of(rows.begin(), rows.end(), [](const Argument& row) { return row.name == "mass"; });
   if (weighs && call.has("mass")) mass = call.number("mass");
   const std::string name = call.has("name") ? call.text("name") : "";
-  return push_object(
-      call.L(), std::make_shared<const Rigid>(std::move(shape), mass, name, last_word(call.entry().name)));
+  auto body = std::make_shared<const Rigid>(std::move(shape), mass, name, last_word(call.entry().name));
+  ask_about_mass(call, *body);
+  return push_object(call.L(), std::move(body));
 }
 
 int sphere(Call& call) { return make(call, model::Sphere{call.number("radius"), vector_of(call, "centre")}); }
@@ -48,11 +65,21 @@ int disc(Call& call) {
                                 call.number("edge")});
 }
 
+// What was mended of a surface is told to those who do not want quiet.
+std::vector<model::Facets> facets_of(const Call& call, const model::Shapes& shapes) {
+  model::Mended mended;
+  auto facets = model::facets_of(shapes, call.flag("closed"), &mended);
+  if (const std::string words = mended.words(); !words.empty())
+    call.session().notices().remark(last_word(call.entry().name) + " (" + shapes.front()->origin +
+                                    "): " + words);
+  return facets;
+}
+
 int surface(Call& call) {
   call.want_one_of("mesh", "file", "expected either a mesh or file=");
   const auto mesh = call.has("mesh") ? call.object<mesh::Mesh>("mesh")
                                      : std::make_shared<mesh::Mesh>(read_mesh_file(call, call.text("file")));
-  return make(call, model::facets_of({mesh}, call.flag("closed")).front());
+  return make(call, facets_of(call, {mesh}).front());
 }
 
 // Reads the shapes of a moving surface from files or meshes.
@@ -77,11 +104,10 @@ std::vector<model::Facets> read_shapes(const Call& call) {
       call.refuse(field, wanted + std::to_string(meshes[i]->nodes.size()) + " vertices in shape " +
                              std::to_string(i + 1) + " and " + std::to_string(meshes[0]->nodes.size()) +
                              " in the first");
-  auto shapes = model::facets_of(meshes, call.flag("closed"));
-  for (std::size_t i = 1; i < shapes.size(); ++i)
-    if (shapes[i].triangles != shapes[0].triangles)
+  for (std::size_t i = 1; i < meshes.size(); ++i)
+    if (meshes[i]->elements != meshes[0]->elements)
       call.refuse(field, wanted + "others in shape " + std::to_string(i + 1));
-  return shapes;
+  return facets_of(call, meshes);
 }
 
 int motion(Call& call) {
@@ -249,7 +275,7 @@ std::vector<Entry> body_rows() {
         value_("file?", text, "a mesh file in its place"),
         flag_("closed", "the surface bounds a solid; a hole in it is an error"), mass_row(), name_row()},
        "A rigid surface of triangles, each counted once; quadrilaterals are cut along their shorter "
-       "diagonal, vertices of free edges at one place are one.",
+       "diagonal, vertices of free edges at one place are one, what looks inwards of a closed one is turned.",
        "local ridge = fabric.rigid.surface{ mesh=fabric.mesh.rectangle{ width=0.1, height=0.1, nx=2, "
        "ny=2 } }",
        surface},

@@ -97,7 +97,7 @@ wrong("fabric.rigid.surface", "fabric.rigid.surface{ mesh=mesh, mass=-1 }",
 wrong("fabric.rigid.surface", "fabric.rigid.surface{ mesh=mesh, name=5 }",
   "deck.lua:1: surface: field 'name': expected a string, got 5")
 wrong("fabric.rigid.surface", "fabric.rigid.surface{ mesh=mesh, closed=true }",
-  "deck.lua:1: surface: field 'closed': rigid body: expected a closed surface, whose every edge two triangles walk in opposite senses; 8 edges are not")
+  "deck.lua:1: surface: field 'closed': rigid body: expected a closed surface, whose every edge two triangles walk in opposite senses; 8 edges are not, one of them about (0.0127, 0, 0) m")
 
 -- fabric.rigid.motion
 wrong("fabric.rigid.motion", "fabric.rigid.motion{ wrong=1 }",
@@ -245,7 +245,7 @@ wrong("model:move", "local plane = fabric.rigid.plane{ point={0,0,-0.01}, normal
 wrong("model:velocity", "model:velocity(fabric.rigid.sphere{ radius=1, centre={0,0,2}, mass=1 }, function() return { z=1 } end)",
   "deck.lua:1: velocity: argument 'velocity': expected {x=, y=, z=, spin=} of a rigid body, got a function")
 wrong("fabric.rigid.surface", "fabric.rigid.surface{ mesh=mesh, mass=1 }",
-  "deck.lua:1: surface: field 'mass': rigid body: expected a closed surface, whose every edge two triangles walk in opposite senses; 8 edges are not")
+  "deck.lua:1: surface: field 'mass': rigid body: expected a closed surface, whose every edge two triangles walk in opposite senses; 8 edges are not, one of them about (0.0127, 0, 0) m")
 wrong("fabric.rigid.surface", "fabric.rigid.surface{ file='no-such.msh' }",
   "deck.lua:1: surface: cannot read 'no-such.msh': No such file or directory")
 wrong("fabric.rigid.sphere", "fabric.rigid.sphere{ radius=1, centre={0, 0/0, 0} }",
