@@ -9,6 +9,7 @@
 #include "base/version.hpp"
 #include "card/fields.hpp"
 #include "format/checkpoint.hpp"
+#include "mechanics/terms/contact.hpp"
 #include "simd/isa.hpp"
 
 namespace fabricsh::run {
@@ -18,6 +19,20 @@ namespace {
 void add_part(model::Fingerprint& parts, const std::string& name, const std::string& text,
               const std::string& bytes) {
   parts.push_back({name, text, hash(bytes)});
+}
+
+// What this build makes of the model, so that a run would go on with a jump if another one did: the masses of
+// the nodes, and the gap, floor and stiffness of contact where they are not given.
+Archive derived_by(const mechanics::Assembly& assembly) {
+  Archive out;
+  std::vector<double> masses = assembly.cloth().mass();
+  out(masses);
+  if (const auto* const contact = assembly.terms().find<mechanics::Contacts>(); contact != nullptr)
+    for (const auto& m : contact->surfaces().meetings()) {
+      double gap = m.data.gap, floor = m.data.floor, carried = m.carried;
+      out(gap, floor, carried);
+    }
+  return out;
 }
 
 std::string part_text(const std::string& kind, const std::string& path) {
@@ -72,6 +87,9 @@ model::Fingerprint problem_of(const Run& run) {
     add_part(parts, "card" + model::of_region(m, region), region.card.name, cards);
   }
   for (auto& part : model::fingerprint(m, run.duration())) parts.push_back(std::move(part));
+  Archive derived = derived_by(run.assembly());
+  add_part(parts, "masses of the nodes or default contact (which another build derives otherwise)", "",
+           derived.bytes());
   return parts;
 }
 

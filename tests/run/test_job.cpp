@@ -142,6 +142,22 @@ TEST_CASE("a checkpoint is refused by another problem, and by outputs that it do
         std::string::npos);
 }
 
+TEST_CASE("a checkpoint of a build that derives other masses, or compared other parts, is refused") {
+  const ScratchFolder scratch;
+  const auto run = falling();
+  run::Checkpoint c = run::checkpoint_of(*run);
+  run->advance(5e-4);
+  CHECK(run::difference(c, *run).empty());  // what is derived does not change as a run goes on
+  c.edition = 2;
+  run::write_checkpoint(scratch / "old.ckpt", c);
+  says(message_of([&] { run::read_checkpoint(scratch / "old.ckpt"); }), "another build of fabricsh wrote it");
+  int changed = 0;
+  for (auto& part : c.problem)
+    if (part.name.starts_with("masses of the nodes")) part.hash += static_cast<std::uint64_t>(++changed);
+  CHECK(changed == 1);
+  says(run::difference(c, *run), "the masses of the nodes or default contact (which another build derives");
+}
+
 TEST_CASE("two outputs of a job on one path are refused; a failure leaves the last state and its reason") {
   const ScratchFolder scratch;
   run::Job job(falling());
