@@ -62,6 +62,7 @@ wrong("fabric.lab.form", form .. "t.holder = { force=-5 }" .. run, at .. "form: 
 wrong("fabric.lab.form", form .. "t.holder = { spring=5 }" .. run, at .. "form: unknown field 'holder.spring', did you mean 'holder.springs'?")
 wrong("fabric.lab.form", form .. "t.quarter = 5" .. run, at .. "form: field 'quarter': expected true or false, got 5")
 wrong("fabric.lab.form", form .. "t.prepare = 5" .. run, at .. "form: field 'prepare': expected a function, got 5")
+wrong("fabric.lab.form", form .. "t.state = 5" .. run, at .. "form: field 'state': expected a table, got 5")
 wrong("fabric.lab.form", form .. "t.out = 5" .. run, at .. "form: field 'out': expected a string, got 5")
 wrong("fabric.lab.form", form .. "t.rows = 1.5" .. run, at .. "form: field 'rows': expected an integer from 2 to 10000, got 1.5")
 wrong("fabric.lab.form", form .. "t.strok = 1" .. run, at .. "form: unknown field 'strok', did you mean 'stroke'?")

@@ -1,6 +1,7 @@
 -- Wrong calls and their messages: tests in which cloth breaks. Read by tests/lua/errors.lua.
 
 -- fabric.lab.strip_rupture
+wrong("fabric.lab.strip_rupture", "fabric.lab.strip_rupture{ card=card, state=7 }", "deck.lua:1: strip_rupture: field 'state': expected a table, got 7")
 wrong("fabric.lab.strip_rupture", "fabric.lab.strip_rupture{ card=card, prepare=7 }",
   "deck.lua:1: strip_rupture: field 'prepare': expected a function, got 7")
 wrong("fabric.lab.strip_rupture", "fabric.lab.strip_rupture{ card='blend' }",
@@ -8,7 +9,7 @@ wrong("fabric.lab.strip_rupture", "fabric.lab.strip_rupture{ card='blend' }",
 wrong("fabric.lab.strip_rupture", "fabric.lab.strip_rupture{  }",
   "deck.lua:1: strip_rupture: field 'card': expected a card, got nil (missing, or a misspelt variable)")
 wrong("fabric.lab.strip_rupture", "fabric.lab.strip_rupture{ frictoin=1 }",
-  "deck.lua:1: strip_rupture: unknown field 'frictoin' (known: card yarn width length h ledger_limit speed damping coarse seed rows out prepare)")
+  "deck.lua:1: strip_rupture: unknown field 'frictoin' (known: card yarn width length h ledger_limit speed damping coarse seed rows out prepare state)")
 wrong("fabric.lab.strip_rupture", "fabric.lab.strip_rupture{ card=card, h='1' }",
   "deck.lua:1: strip_rupture: field 'h': expected a positive number in m, got '1'")
 wrong("fabric.lab.strip_rupture", "fabric.lab.strip_rupture{ card=card, h=-1 }",
@@ -23,6 +24,7 @@ wrong("fabric.lab.strip_rupture", "fabric.lab.strip_rupture{ card=card }",
   "deck.lua:1: strip_rupture: field 'card': the card 'blend' does not say when its warp breaks: expected rupture.warp, as in card:with{ rupture={ warp={ strength=15e3, energy=20 } } }, with the force per width in N/m and the energy per metre of tear in J/m, measured or from the literature")
 
 -- fabric.lab.grab
+wrong("fabric.lab.grab", "fabric.lab.grab{ card=card, state=7 }", "deck.lua:1: grab: field 'state': expected a table, got 7")
 wrong("fabric.lab.grab", "fabric.lab.grab{ card=card, prepare=7 }",
   "deck.lua:1: grab: field 'prepare': expected a function, got 7")
 wrong("fabric.lab.grab", "fabric.lab.grab{ card='blend' }",
@@ -30,7 +32,7 @@ wrong("fabric.lab.grab", "fabric.lab.grab{ card='blend' }",
 wrong("fabric.lab.grab", "fabric.lab.grab{  }",
   "deck.lua:1: grab: field 'card': expected a card, got nil (missing, or a misspelt variable)")
 wrong("fabric.lab.grab", "fabric.lab.grab{ frictoin=1 }",
-  "deck.lua:1: grab: unknown field 'frictoin' (known: card yarn width length jaw h ledger_limit speed damping coarse seed rows out prepare)")
+  "deck.lua:1: grab: unknown field 'frictoin' (known: card yarn width length jaw h ledger_limit speed damping coarse seed rows out prepare state)")
 wrong("fabric.lab.grab", "fabric.lab.grab{ card=card, h='1' }",
   "deck.lua:1: grab: field 'h': expected a positive number in m, got '1'")
 wrong("fabric.lab.grab", "fabric.lab.grab{ card=card, h=-1 }",
@@ -47,6 +49,7 @@ wrong("fabric.lab.grab", "fabric.lab.grab{ card=card:with{ rupture={ warp={ stre
   "deck.lua:1: grab: field 'jaw': expected jaws narrower than the specimen of 0.1 m, got 0.2 m")
 
 -- fabric.lab.tear
+wrong("fabric.lab.tear", "fabric.lab.tear{ card=card, state=7 }", "deck.lua:1: tear: field 'state': expected a table, got 7")
 wrong("fabric.lab.tear", "fabric.lab.tear{ card=card, prepare=7 }",
   "deck.lua:1: tear: field 'prepare': expected a function, got 7")
 wrong("fabric.lab.tear", "fabric.lab.tear{ card='blend' }",
@@ -54,7 +57,7 @@ wrong("fabric.lab.tear", "fabric.lab.tear{ card='blend' }",
 wrong("fabric.lab.tear", "fabric.lab.tear{  }",
   "deck.lua:1: tear: field 'card': expected a card, got nil (missing, or a misspelt variable)")
 wrong("fabric.lab.tear", "fabric.lab.tear{ frictoin=1 }",
-  "deck.lua:1: tear: unknown field 'frictoin' (known: card method along h width leg short long cut tear ledger_limit speed damping coarse seed rows out prepare)")
+  "deck.lua:1: tear: unknown field 'frictoin' (known: card method along h width leg short long cut tear ledger_limit speed damping coarse seed rows out prepare state)")
 wrong("fabric.lab.tear", "fabric.lab.tear{ card=card, h='1' }",
   "deck.lua:1: tear: field 'h': expected a positive number in m, got '1'")
 wrong("fabric.lab.tear", "fabric.lab.tear{ card=card, h=-1 }",
@@ -69,6 +72,7 @@ wrong("fabric.lab.tear", "fabric.lab.tear{ card=card }",
   "deck.lua:1: tear: field 'card': the card 'blend' does not say when its weft breaks: expected rupture.weft, as in card:with{ rupture={ weft={ strength=15e3, energy=20 } } }, with the force per width in N/m and the energy per metre of tear in J/m, measured or from the literature")
 
 -- fabric.lab.ball_burst
+wrong("fabric.lab.ball_burst", "fabric.lab.ball_burst{ card=card, state=7 }", "deck.lua:1: ball_burst: field 'state': expected a table, got 7")
 wrong("fabric.lab.ball_burst", "fabric.lab.ball_burst{ card=card, prepare=7 }",
   "deck.lua:1: ball_burst: field 'prepare': expected a function, got 7")
 wrong("fabric.lab.ball_burst", "fabric.lab.ball_burst{ card='blend' }",
@@ -91,6 +95,7 @@ wrong("fabric.lab.ball_burst", "fabric.lab.ball_burst{ card=card }",
   "deck.lua:1: ball_burst: field 'card': the card 'blend' does not say when its warp breaks: expected rupture.warp, as in card:with{ rupture={ warp={ strength=15e3, energy=20 } } }, with the force per width in N/m and the energy per metre of tear in J/m, measured or from the literature")
 
 -- fabric.lab.impact
+wrong("fabric.lab.impact", "fabric.lab.impact{ card=card, speed=1, state=7 }", "deck.lua:1: impact: field 'state': expected a table, got 7")
 wrong("fabric.lab.impact", "fabric.lab.impact{ card=card, speed=1, prepare=7 }",
   "deck.lua:1: impact: field 'prepare': expected a function, got 7")
 wrong("fabric.lab.impact", "fabric.lab.impact{ card='blend' }",

@@ -97,6 +97,7 @@ strength("card=card, strength=1, energy=1, method='grub'", "field 'method': expe
 strength("card=card, strength=1, energy=1, rows=1.5", "field 'rows': expected an integer of at least 10, got 1.5")
 strength("card=card, strength=1, energy=1, out=5", "field 'out': expected a string, got 5")
 strength("card=card, strength=1, energy=1, prepare=5", "field 'prepare': expected a function, got 5")
+strength("card=card, strength=1, energy=1, state=5", "field 'state': expected a table, got 5")
 strength("card=card, strength=1, energy=1, method='grab', jaw=0.2", "field 'jaw': expected jaws narrower than the specimen of 0.1 m, got 0.2 m")
 
 -- fabric.lab.seam_slippage

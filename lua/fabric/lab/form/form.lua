@@ -508,18 +508,22 @@ local function run(t)
   local a = fabric.dynamic { model = s.model, duration = s.duration, damping = { mass = rate }, ledger_limit = t.ledger_limit }
   local every = s.duration / t.rows
   local names = { "stroke", "force", "holder", "die", "kinetic", "stored", "dissipated", "friction", "impact", "damping", "external", "error" }
-  local curve = sheet.observe(a, names, t.out, "form", function(run)
+  local function reading(run)
     local function up(body) return body and select(3, run:reaction(body)) / s.share or 0 end
     local e = run.energy
     local row = { stroke = s.way(run.time), force = -up(s.punch), holder = -up(s.holder), die = up(s.die), error = e.error }
     for _, name in ipairs { "kinetic", "stored", "dissipated", "friction", "impact", "damping", "external" } do row[name] = e[name] / s.share end
     return row
-  end, every)
+  end
+  local curve, complete = sheet.observe(a, names, t.out, "form", reading, every, t.state)
   if t.prepare then t.prepare(a) end
   local done, trouble = pcall(a.solve, a)
   if not done and not (type(trouble) == "table" and trouble.kind == "numerical") then error(trouble, 0) end
   local r = { curve = curve, analysis = a, model = s.model, punch = s.punch, die = s.die, holder = s.holder, peak = 0, trouble = not done and trouble or nil,
               contact = t.contact, series = t.out and t.out .. "/form.pvd" or nil }
+  complete()
+  if #curve == 0 then curve[1] = reading(a) end -- a finished run that was taken up
+  sheet.is_whole(a, curve, every, "form")
   for _, row in ipairs(curve) do r.peak = math.max(r.peak, row.force) end
   r.angles, r.draw_in, r.wrinkles = angles(t, s, a), draw_in(t, s, a), wrinkles(t, s, a)
   local last = curve[#curve]
@@ -580,6 +584,8 @@ define {
     { name = "out", kind = "text", optional = true, sentence = "folder for curve.csv, force.svg, the VTK series, whose fields warp and weft are the directions of the yarns, and the formed plies with their yarns for Abaqus and CalculiX (ply1.inp) and OpenRadioss (ply1.rad)" },
     { name = "ledger_limit", kind = "number", above = 0, default = 0.05, sentence = "as for fabric.dynamic" },
     { name = "prepare", kind = "function", optional = true, sentence = "prepare(analysis), called before it runs" },
+    { name = "state", kind = "table", optional = true,
+      sentence = "an empty table to gather the curve in, for `keep` of a:checkpoint in prepare, so that a restart has the rows from before it" },
   },
   sentence = "Plies are pressed through the opening of a die by a punch, under a blank holder. Returns curve (a list of stroke, force of punch, holder and die, N, and energies), "
     .. "angles (of each element ply, X, Y flat, x, y, z formed, its shear angle, degrees, and the unit vectors warp and weft; max and place), draw_in (of each node of the edges ply, edge, X, Y, draw_in, m; "

@@ -66,28 +66,31 @@ local function impact(t)
   model:fix("boundary", "x y z"):tearable("all", { coarse = t.coarse, seed = t.seed })
   model:velocity(ball, { z = -t.speed })
   local a = fabric.dynamic { model = model, duration = t.duration, ledger_limit = t.ledger_limit }
-  local every, last = t.duration / (t.rows or 200), nil
+  local every = t.duration / (t.rows or 200)
   local names = { "depth", "speed", "force", "open", "kinetic", "rigid", "stored", "fracture", "friction", "dissipated", "external", "error" }
-  local curve = sheet.observe(a, names, t.out, "impact", function(run)
+  local function reading(run)
     local _, _, z, _, _, vz = run:body(ball)
     local _, _, fz = run:reaction(ball)
     local row, e = { depth = t.ball / 2 - z, speed = -vz, force = -fz, open = run.joints.open, error = run.energy.error }, run.energy
     for _, name in ipairs { "kinetic", "rigid", "stored", "fracture", "friction", "dissipated", "external" } do row[name] = e[name] end
     return row
-  end, every)
+  end
+  local curve, complete = sheet.observe(a, names, t.out, "impact", reading, every, t.state)
+  local function away(row) return row and row.force == 0 and row.depth > 0 and (row.speed < 0 or row.depth > t.ball) end
   a:every(every, function(run)
-    local row = curve[#curve]
-    local away = row.force == 0 and row.depth > 0 and (row.speed < 0 or row.depth > t.ball)
-    if away and last then run:stop "the ball flies on" end
-    last = away
+    if away(curve[#curve]) and away(curve[#curve - 1]) then run:stop "the ball flies on" end
   end)
   if t.prepare then t.prepare(a) end
   a:solve()
-  local row = curve[#curve]
-  local result = { curve = curve, analysis = a, model = model, mesh = mesh, ball = ball, residual = row.speed, depth = 0, peak = 0, fracture = row.fracture,
+  complete()
+  local row = curve[#curve] or reading(a)
+  local result = { curve = curve, analysis = a, model = model, mesh = mesh, ball = ball, residual = row.speed, fracture = row.fracture,
                    energy = t.mass * (t.speed ^ 2 - row.speed ^ 2) / 2, series = t.out and t.out .. "/impact.pvd" or nil }
   result.through = row.speed > 0 and row.force == 0 and row.depth > t.ball
-  for _, r in ipairs(curve) do result.depth, result.peak = math.max(result.depth, r.depth), math.max(result.peak, r.force) end
+  if sheet.is_whole(a, curve, every, "impact") then
+    result.depth, result.peak = 0, 0
+    for _, r in ipairs(curve) do result.depth, result.peak = math.max(result.depth, r.depth), math.max(result.peak, r.force) end
+  end
   if not result.through and row.speed > 0 then
     fabric.warn(("impact: at %.3g s, the end of the run, the ball is still in the cloth and moves at %.3g m/s: expected a longer duration"):format(a.time, row.speed))
   end

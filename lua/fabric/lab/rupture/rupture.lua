@@ -94,34 +94,42 @@ local columns = { "displacement", "force", "open", "kinetic", "stored", "fractur
 -- row may be the peak.
 function rupture.run(t, a, way, options)
   local names = lists.joined(columns, options.more or {})
-  local from, last = options.from or 0, nil
-  local result = { peak = 0, kinetic = 0 }
+  local from, result, curve = options.from or 0, {}, nil
   local function reading(run)
-    local e = run.energy
+    local e, last = run.energy, curve and curve[#curve]
     local row = { displacement = way(run.time), force = 0, open = run.joints.open, error = e.error }
     for _, name in ipairs(columns) do row[name] = row[name] or e[name] end
     if last and row.displacement > last.displacement and run.time > from then
       row.force = (row.external - last.external) / (row.displacement - last.displacement)
     end
     if options.reading then options.reading(run, row) end
-    last = row
-    if row.force > result.peak and (not options.counts or options.counts(row)) then
-      result.peak, result.elongation = row.force, row.displacement
-      result.kinetic = row.kinetic / math.max(row.external, 1e-300)
-    end
     return row
   end
-  local curve = sheet.observe(a, names, t.out, options.stem, reading, options.every)
+  local function highest()
+    local peak, at = 0, nil
+    for _, row in ipairs(curve) do
+      if row.force > peak and (not options.counts or options.counts(row)) then peak, at = row.force, row end
+    end
+    return peak, at
+  end
+  local complete
+  curve, complete = sheet.observe(a, names, t.out, options.stem, reading, options.every, t.state)
   if options.ends then
     a:every(options.every, function(run)
-      if options.ends(curve[#curve], result.peak) then run:stop(options.stem .. " is over") end
+      if options.ends(curve[#curve], (highest())) then run:stop(options.stem .. " is over") end
     end)
   end
   if t.prepare then t.prepare(a) end
   a:solve()
+  complete()
   result.curve, result.analysis, result.model, result.mesh = curve, a, options.model, options.mesh
   result.energy, result.fracture = a.energy.external, a.energy.fracture
   result.series = t.out and t.out .. "/" .. options.stem .. ".pvd" or nil
+  result.whole = sheet.is_whole(a, curve, options.every, options.stem)
+  if not result.whole then return result end
+  local peak, at = highest()
+  result.peak, result.elongation = peak, at and at.displacement
+  result.kinetic = at and at.kinetic / math.max(at.external, 1e-300) or 0
   if result.kinetic > slow then
     fabric.warn(("%s: the kinetic energy is %.2g of the work at the largest force: expected at most %g in a slow test; give a smaller speed (now %.3g m/s)"):format(
       options.stem, result.kinetic, slow, t.speed))
@@ -131,11 +139,14 @@ end
 
 -- Adds peaks (a list of rows) and mean_of_peaks by a standard, of the record from the first broken yarn on.
 function rupture.peaks(result, by, share)
-  local record = lists.collect(result.curve, function(row) if row.torn > 0 then return row end end)
+  local record = result.whole and lists.collect(result.curve, function(row) if row.torn > 0 then return row end end) or {}
   result.peaks = #record > 0 and peaks.of(record, share) or {}
   result.mean_of_peaks, result.by, result.rise = peaks[by](result.peaks), by, share
   return result
 end
+
+rupture.state = { name = "state", kind = "table", optional = true,
+  sentence = "an empty table to gather the curve in, for `keep` of a:checkpoint in prepare, so that a restart has the rows from before it; without it peaks and means are nil then" }
 
 rupture.arguments = {
   { name = "speed", kind = "number", unit = "m/s", above = 0, optional = true,
@@ -146,6 +157,7 @@ rupture.arguments = {
   { name = "rows", kind = "integer", low = 10, optional = true, sentence = "of the curve, at equal times" },
   { name = "out", kind = "text", optional = true, sentence = "folder for curve.csv and the VTK series" },
   { name = "prepare", kind = "function", optional = true, sentence = "function(analysis), called before the run: for hooks, records and checkpoints of your own" },
+  rupture.state,
 }
 
 -- The rows of a test: its own, and those of all.

@@ -73,15 +73,18 @@ local function seam_strength(t)
   local history = fabric.history(rupture.way(start * transit, to, t.speed))
   model:move("high.grip", { y = history })
   local a = fabric.dynamic { model = model, duration = to, damping = { mass = t.damping }, ledger_limit = t.ledger_limit }
-  local tension = 0
   local result = rupture.run(t, a, function(now) return history:value(now) end, {
     stem = "seam_strength", model = model, every = to / (t.rows or 400), more = { "closed" },
     reading = function(run, row)
       row.closed = run.joints.closed
-      for _, value in ipairs(run:field("tension_" .. t.yarn)) do tension = math.max(tension, value) end
+      row.tension = 0
+      for _, value in ipairs(run:field("tension_" .. t.yarn)) do row.tension = math.max(row.tension, value) end
     end,
     ends = function(row, peak) return row.fracture > 0 and row.force < ended * peak end,
   })
+  if not result.whole then return result end
+  local tension = 0
+  for _, row in ipairs(result.curve) do tension = math.max(tension, row.tension) end
   result.strength = result.peak / (t.jaw or t.width)
   result.tension = tension
   local given = t.card.rupture and t.card.rupture[t.yarn]

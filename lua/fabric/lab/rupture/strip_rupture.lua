@@ -41,6 +41,7 @@ local function finish(t, model, mesh, time, stem)
     stem = stem, model = model, mesh = mesh, every = time.to / (t.rows or 400),
     ends = function(row, peak) return row.fracture > 0 and row.force < ended * peak end,
   })
+  if not result.whole then return result end
   result.strain = (result.elongation or 0) / t.length
   result.strength = result.peak / t.width
   return result
@@ -87,7 +88,7 @@ local function grab(t)
   local model = fabric.model { mesh = mesh, card = t.card, warp = t.yarn == "warp" and 90 or 0, points = 1, membrane = true }
   model:fix("all", "z"):fix("bottom", "x y"):fix("top", "x"):tearable("all", { coarse = t.coarse, seed = t.seed })
   local result = finish(t, model, mesh, time, "grab")
-  result.strength = result.peak / t.jaw
+  result.strength = result.peak and result.peak / t.jaw
   return result
 end
 

@@ -179,7 +179,8 @@ end
 
 -- Mean force after the first quarter of the tear, from the work; its band; and where that work went, per metre of tear.
 local function evaluate(result, cut, energy)
-  local first, last = steady(result.curve, cut)
+  local first, last
+  if result.whole then first, last = steady(result.curve, cut) end
   if not first then return end
   local a, b = result.curve[first], result.curve[last]
   local torn, way, work = b.torn - a.torn, b.displacement - a.displacement, b.external - a.external

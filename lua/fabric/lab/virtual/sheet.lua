@@ -73,9 +73,14 @@ local function unit_of(name)
 end
 
 -- Records reading(a) at every step, or at intervals of so many seconds; with a folder, also in curve.csv and a VTK series
--- named `stem`. Returns the curve.
-function sheet.observe(a, names, out, stem, reading, every)
+-- named `stem`. state: a table that a checkpoint may keep, which gets the rows. Returns the curve, and a function that completes it with the rows of that table in a
+-- run that was taken up.
+function sheet.observe(a, names, out, stem, reading, every, state)
   local curve, latest = curves.made(), nil
+  local function complete()
+    local kept = state and state.curve or {}
+    for i = #curve + 1, #kept do curve[i] = kept[i] end
+  end
   local function now()
     if not latest or latest.time ~= a.time then
       latest = reading(a)
@@ -83,9 +88,16 @@ function sheet.observe(a, names, out, stem, reading, every)
     end
     return latest
   end
-  a:every(every or "step", function() curve[#curve + 1] = now() end)
+  a:every(every or "step", function()
+    complete()
+    curve[#curve + 1] = now()
+    if state then
+      state.curve = state.curve or {}
+      state.curve[#curve] = curve[#curve]
+    end
+  end)
   if fabric.checking() then curve[1] = now() end -- a first row, so that the deck can be checked
-  if not out then return curve end
+  if not out then return curve, complete end
   local columns, headings = {}, {}
   for _, name in ipairs(names) do
     columns[name] = function() return now()[name] end
@@ -93,7 +105,16 @@ function sheet.observe(a, names, out, stem, reading, every)
   end
   a:record(out .. "/curve.csv", { columns = columns, order = names, every = every, units = headings })
   a:vtk(out .. "/" .. stem, { every = every })
-  return curve
+  return curve, complete
+end
+
+-- Whether the curve has the rows of the whole run: a warning says where it does not, since the run was taken up from a checkpoint that has not kept them.
+function sheet.is_whole(a, curve, every, stem)
+  local first = curve[1] and curve[1].time or a.time
+  if first <= 1.5 * every or fabric.checking() then return true end
+  fabric.warn(("%s: the run was taken up from a checkpoint, and the curve lacks the rows before %.4g s: peaks and means of the whole are not known; "
+    .. "with state={}, a table that a:checkpoint keeps, a restart has these rows"):format(stem, first))
+  return false
 end
 
 -- The row of a curve in which a column has its largest absolute value.
