@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <numeric>
 #include <set>
 
@@ -38,9 +39,9 @@ double along(const Vec3& x) { return x.dot(Vec3(0.8017837, 0.5345225, 0.2672612)
 class Mender {
  public:
   // cancels: of two facets on the same corners that look in opposite directions, inside a solid, none is
-  // left.
-  Mender(const Shapes& shapes, bool closed, bool cancels)
-      : shapes_(shapes), closed_(closed), cancels_(cancels), near_(nearness()) {
+  // left. blunt: nor are facets that are lower than nodes at one place may be apart.
+  Mender(const Shapes& shapes, bool closed, bool cancels, bool blunt)
+      : shapes_(shapes), closed_(closed), cancels_(cancels), blunt_(blunt), near_(nearness()) {
     find_places();
     drop_doubles();
     join();
@@ -69,7 +70,7 @@ class Mender {
   double volume(std::span<const std::size_t> triangles) const;
 
   const Shapes& shapes_;
-  const bool closed_, cancels_;
+  const bool closed_, cancels_, blunt_;
   const double near_;                // m: nodes no farther apart are at one place
   std::vector<Index> place_;         // of each node the first one there
   std::vector<Index> vertex_;        // of each node the one that stands for it
@@ -157,12 +158,13 @@ void Mender::join() {
     vertex_[i] = is_free[place(place_[i])] != 0 ? place_[i] : static_cast<Index>(i);
 }
 
-// In every shape: lower than the corners of facets are apart that are at one place.
+// In every shape.
 bool Mender::is_flat(const Triangle& t) const {
   for (std::size_t s = 0; s < shapes_.size(); ++s) {
     const Vec3 a = at(s, t[1]) - at(s, t[0]), b = at(s, t[2]) - at(s, t[1]), c = at(s, t[0]) - at(s, t[2]);
     const double longest = std::sqrt(std::max({a.squaredNorm(), b.squaredNorm(), c.squaredNorm()}));
-    if (a.cross(b).norm() > std::max(kFlattest * longest, near_) * longest) return false;
+    const double least = std::max(kFlattest * longest, blunt_ ? near_ : 0);
+    if (a.cross(b).norm() > least * longest) return false;
   }
   return true;
 }
@@ -351,12 +353,14 @@ std::string Mended::words() const {
 }
 
 std::vector<Facets> facets_of(const Shapes& shapes, bool closed, Mended* mended) {
-  Mender mender(shapes, closed, false);
-  std::optional<Mender> second;
-  if (closed && mender.mended().doubled > 0 && !mender.is_closed()) second.emplace(shapes, closed, true);
-  const Mender& best = second && second->is_closed() ? *second : mender;
-  if (mended != nullptr) *mended = best.mended();
-  return best.facets();
+  const auto made = [&](bool cancels, bool blunt) {
+    return std::make_unique<const Mender>(shapes, closed, cancels, blunt);
+  };
+  auto best = made(false, false);
+  for (int way = 1; way < 4 && closed && !best->is_closed(); ++way)
+    if (auto other = made(way % 2 == 1, way > 1); other->is_closed()) best = std::move(other);
+  if (mended != nullptr) *mended = best->mended();
+  return best->facets();
 }
 
 namespace {

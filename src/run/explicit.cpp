@@ -307,14 +307,15 @@ void Explicit::report_guard() {
 void Explicit::report_cost() {
   const double step = std::ldexp(now_.step, -block_.halved), left = duration_ - committed_time();
   const auto nearest = contact().readings().nearest();
-  const std::string caught = caught_text();
+  const std::string caught = caught_text(), near = contact().surfaces().words(nearest.point);
   warn("guard", "dynamic: contact has kept the step at " + number(step) + " s, " +
                     number(std::ldexp(1.0, block_.halved)) + " times as short as planned, for " +
                     std::to_string(kCostlySteps) + " steps by time " + number(committed_time()) + " s (" +
-                    contact().surfaces().words(nearest.point) + ", " + number(nearest.gap) +
-                    " m above the smallest distance): if that lasts, the " + number(left) +
-                    " s that are left take " + number(left / step, 2) + " more, in place of " +
-                    number(left / now_.step, 2) + (caught.empty() ? "" : "; " + caught) +
+                    (near.empty() ? "nothing is near now"
+                                  : near + ", " + number(nearest.gap) + " m above the smallest distance") +
+                    "): if that lasts, the " + number(left) + " s that are left take " +
+                    number(left / step, 2) + " more, in place of " + number(left / now_.step, 2) +
+                    (caught.empty() ? "" : "; " + caught) +
                     ".\nTry: " + (caught.empty() ? "" : "a longer field 'over' of m:seam; or ") +
                     against_pressing() + ".");
 }
