@@ -506,9 +506,9 @@ std::string Implicit::damping_text() const {
 }
 
 // A step that makes more energy than the ledger allows is repeated with strong damping, which is kept if that
-// makes less than half as much: the work of a support that begins to move with a jump, which the ledger does
-// not know well, is no reason. Other steps with more than a small error are shortened, and those that damping
-// does not help.
+// makes less than half as much, and no more than is allowed: the work of a support that begins to move with a
+// jump, which the ledger does not know well, is no reason. Other steps with more than a small error are
+// shortened, and those that damping does not help.
 bool Implicit::takes_back() {
   using Try = Repeatable::Try;
   const Try which = std::exchange(repeatable_.which, Try::first);
@@ -535,7 +535,7 @@ bool Implicit::takes_back() {
     damp(Damping::strong);
     return true;
   }
-  if (!(made < repeatable_.made / 2)) {
+  if (!(made < repeatable_.made / 2) || (made > options_.ledger_limit && !repeatable_.young)) {
     const double end = committed_time();
     return_to_start(Try::first);
     halve(end);
