@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <numbers>
 #include <numeric>
 #include <set>
 
@@ -68,6 +69,7 @@ class Mender {
   bool is_flat(const Triangle& t) const;
   void turn();
   double volume(std::span<const std::size_t> triangles) const;
+  bool encloses(std::span<const std::size_t> triangles, const Vec3& p) const;
 
   const Shapes& shapes_;
   const bool closed_, cancels_, blunt_;
@@ -272,14 +274,27 @@ double Mender::volume(std::span<const std::size_t> triangles) const {
   return sum;
 }
 
-// If two facets share every edge, those of each connected part are turned like their neighbours, where these
-// do not agree so that it encloses a volume; a surface that is inside out is turned as a whole.
+// Whether a place is inside a closed surface of these triangles: by the solid angle that it fills.
+bool Mender::encloses(std::span<const std::size_t> triangles, const Vec3& p) const {
+  double sum = 0;
+  for (const std::size_t i : triangles) {
+    const Triangle& t = triangles_[i];
+    const Vec3 a = at(t[0]) - p, b = at(t[1]) - p, c = at(t[2]) - p;
+    const double la = a.norm(), lb = b.norm(), lc = c.norm();
+    sum += std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+  }
+  return std::abs(sum) > std::numbers::pi;  // half of all
+}
+
+// Those of each connected part are turned like their neighbours, where these do not agree so that it encloses
+// a volume. A surface that is inside out is turned as a whole, then the parts that are, but for hollows:
+// those that an odd number of others encloses. Parts that only touch along an edge are two.
 void Mender::turn() {
   std::map<Edge, std::vector<std::size_t>> at_edge;
   for (std::size_t i = 0; i < triangles_.size(); ++i)
     for (std::size_t k = 0; k < 3; ++k) at_edge[edge_of(triangles_[i], k)].push_back(i);
   if (triangles_.empty() ||
-      std::any_of(at_edge.begin(), at_edge.end(), [](const auto& one) { return one.second.size() != 2; }))
+      std::any_of(at_edge.begin(), at_edge.end(), [](const auto& one) { return one.second.size() % 2 != 0; }))
     return;
   const auto walks = [&](std::size_t i, const Edge& edge) {  // whether from its first end to the second
     for (std::size_t k = 0; k < 3; ++k)
@@ -297,6 +312,7 @@ void Mender::turn() {
         const std::size_t i = part[next];
         const Edge edge = edge_of(triangles_[i], k);
         const auto& two = at_edge[edge];
+        if (two.size() > 2) continue;
         const std::size_t other = two[two[0] == i ? 1 : 0];
         const int wanted = walks(i, edge) == walks(other, edge) ? -sense[i] : sense[i];
         if (sense[other] != 0 && sense[other] != wanted) return;  // one-sided
@@ -315,6 +331,15 @@ void Mender::turn() {
     whole += volume(part);
   }
   for (std::size_t i = 0; whole < 0 && i < triangles_.size(); ++i) reverse(i);
+  for (const auto& part : parts) {
+    if (volume(part) >= 0) continue;
+    const Triangle& t = triangles_[part.front()];
+    const Vec3 middle = (at(t[0]) + at(t[1]) + at(t[2])) / 3;
+    const auto around = std::count_if(parts.begin(), parts.end(), [&](const auto& other) {
+      return &other != &part && encloses(other, middle);
+    });
+    if (around % 2 == 0) std::for_each(part.begin(), part.end(), reverse);
+  }
   for (std::size_t i = 0; i < before.size(); ++i) mended_.turned += before[i] != triangles_[i] ? 1 : 0;
 }
 

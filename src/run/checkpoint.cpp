@@ -67,6 +67,15 @@ std::shared_ptr<Checkpoint> checkpoint_from(const std::string& path, std::string
   return c;
 }
 
+constexpr const char* kDerived =
+    "masses of the nodes or default contact (which another build derives otherwise)";
+
+// What a deck gives.
+model::Fingerprint given(model::Fingerprint all) {
+  std::erase_if(all, [](const auto& part) { return part.name == kDerived; });
+  return all;
+}
+
 }  // namespace
 
 model::Fingerprint problem_of(const Run& run) {
@@ -88,8 +97,7 @@ model::Fingerprint problem_of(const Run& run) {
   }
   for (auto& part : model::fingerprint(m, run.duration())) parts.push_back(std::move(part));
   Archive derived = derived_by(run.assembly());
-  add_part(parts, "masses of the nodes or default contact (which another build derives otherwise)", "",
-           derived.bytes());
+  add_part(parts, kDerived, "", derived.bytes());
   return parts;
 }
 
@@ -156,7 +164,9 @@ std::shared_ptr<const Checkpoint> read_finished(const Checkpoint& checkpoint,
 }
 
 std::string difference(const Checkpoint& checkpoint, const Run& run) {
-  return model::difference(checkpoint.problem, problem_of(run));
+  const model::Fingerprint here = problem_of(run);
+  const std::string differs = model::difference(given(checkpoint.problem), given(here));
+  return differs.empty() ? model::difference(checkpoint.problem, here) : differs;
 }
 
 void take_up(Run& run, const Checkpoint& checkpoint) {

@@ -68,7 +68,9 @@ local function pressed(body, moves)
   local a, told = fabric.static { model = m, duration = 1, step = 0.5 }, nil
   a:solve()
   for _, w in ipairs(a.warnings) do told = told or w.code == "facets" and w.text end
-  return select(3, a:reaction(body)), told
+  local on, sum = a:on_body(body), 0
+  for i, p in ipairs(on.pressure) do sum = sum + p * on.area[i] end
+  return select(3, a:reaction(body)), told, sum
 end
 local function surface(mesh, open) return fabric.rigid.surface { mesh = mesh, closed = not open, name = "block" } end
 
@@ -87,6 +89,30 @@ for kind, near in pairs { split = 1e-9, bricks = 1e-9 } do
   local raised = box(kind):map(function(x, y, z) return x, y, z + 1 * mm end)
   local body = fabric.rigid.motion { meshes = { box(kind), raised }, times = { 0, 1 }, closed = true }
   rows[#rows + 1] = { "moving, " .. kind .. ", over shared vertices", pressed(body, true) / shared, 1, absolute = near }
+end
+
+-- Two solids that share an edge, the upper one inside out: both look outwards then, so that readings on the body have their sign.
+do
+  local nodes, elements, at = {}, {}, {}
+  for k, one in ipairs { box "shared", box("shared", 300 * mm):map(function(x, y, z) return x + 100 * mm, y, z - 100 * mm end) } do
+    local ids = {}
+    for i, p in ipairs(one.nodes) do
+      local key = ("%.6f %.6f %.6f"):format(table.unpack(p))
+      if not at[key] then
+        nodes[#nodes + 1] = p
+        at[key] = #nodes
+      end
+      ids[i] = at[key]
+    end
+    for _, e in ipairs(one.elements) do
+      local a, b, c = ids[e[1]], ids[e[2]], ids[e[3]]
+      elements[#elements + 1] = k == 1 and { b, a, c } or { a, b, c }
+    end
+  end
+  assert(#nodes == 2 * #box("shared").nodes - 9)
+  local force, _, sum = pressed(surface(fabric.mesh.of { nodes = nodes, elements = elements }))
+  rows[#rows + 1] = { "solids at an edge, over shared vertices", force / shared, 1, absolute = 1e-9 }
+  rows[#rows + 1] = { "pressure on them, over the force", sum / force, 1, absolute = 0.02 }
 end
 
 -- A plate thinner than the range of contact presses with its lower side, too: that is told, and where.
