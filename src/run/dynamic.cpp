@@ -325,7 +325,10 @@ void Dynamic::report_dropped_rates(const mechanics::NodalRates& rates) {
     const bool touched = std::any_of(set.begin(), set.end(), [&](auto n) { return dropped[n]; });
     if (touched && std::find(sets.begin(), sets.end(), given.set) == sets.end()) sets.push_back(given.set);
   }
-  std::string names = sets.size() == 1 ? "the velocity of set " : "the velocities of sets ", along;
+  std::string names = sets.empty()       ? "the velocities of the run before"
+                      : sets.size() == 1 ? "the velocity of set "
+                                         : "the velocities of sets ",
+              along;
   for (std::size_t i = 0; i < std::min(most, sets.size()); ++i)
     names += (i == 0 ? "'" : i + 1 == sets.size() ? " and '" : ", '") + sets[i] + "'";
   if (sets.size() > most) names += " and " + std::to_string(sets.size() - most) + " more";

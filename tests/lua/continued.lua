@@ -32,3 +32,10 @@ local half = goes_on(first, "implicit", 0.02)
 local back, begins = goes_on(half, "explicit", 0.02, "true")
 add("implicit, then explicit", back, begins)
 fabric.expect(rows)
+
+-- Velocities that a new support takes from it are told as those of the run before.
+local held = fabric.dynamic { from = first, model = model():fix("right", "x y z"), duration = 1e-3 }
+held:solve()
+local told
+for _, w in ipairs(held.warnings) do told = told or w.code == "dropped" and w.text end
+assert(told and told:find("the velocities of the run before are dropped along x y z at 3 of their nodes", 1, true), told)
