@@ -19,6 +19,19 @@ bool cuts(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3
   return first >= 0 && second >= 0 && first + second <= 1 && t >= 0 && t <= 1;
 }
 
+std::vector<Edge> open_edges(std::span<const Triangle> triangles) {
+  std::map<Edge, std::array<int, 2>> walked;
+  for (const Triangle& t : triangles)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::int32_t a = t[k], b = t[(k + 1) % 3];
+      ++walked[{std::min(a, b), std::max(a, b)}][a < b ? 0 : 1];
+    }
+  std::vector<Edge> open;
+  for (const auto& [edge, times] : walked)
+    if (times[0] != times[1]) open.push_back(edge);
+  return open;
+}
+
 // The sum of the solid angles of the triangles [vanoosterom1983] is 4 pi inside and 0 outside.
 bool encloses(std::span<const Vec3> x, std::span<const Triangle> triangles, const Vec3& point) {
   double sum = 0;

@@ -19,6 +19,10 @@ std::vector<std::pair<std::size_t, std::size_t>> intersections(std::span<const V
                                                                std::span<const Edge> edges,
                                                                std::span<const Triangle> triangles);
 
+// The edges that the triangles do not walk as often in either direction, ascending: a surface without them is
+// closed. Two triangles share an edge, more where solids touch.
+std::vector<Edge> open_edges(std::span<const Triangle> triangles);
+
 // Whether a point lies inside a closed surface whose triangles run counter-clockwise as seen from outside.
 bool encloses(std::span<const Vec3> x, std::span<const Triangle> triangles, const Vec3& point);
 

@@ -1,8 +1,6 @@
 #include "contact/rigid.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <string>
 
@@ -20,25 +18,17 @@ Mat3 about_axis(const Vec3& axis, double along, double across) {
   return across * Mat3::Identity() + (along - across) * n * n.transpose();
 }
 
-// The surface is closed if each edge occurs as often in either direction: once, but where solids touch.
 void check_closed(std::span<const Vec3> vertices, std::span<const Triangle> triangles) {
-  std::map<Edge, std::array<int, 2>> walked;
-  for (const Triangle& t : triangles)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::int32_t a = t[k], b = t[(k + 1) % 3];
-      ++walked[{std::min(a, b), std::max(a, b)}][a < b ? 0 : 1];
-    }
-  const auto is_open = [](const auto& e) { return e.second[0] != e.second[1]; };
-  const auto open = std::count_if(walked.begin(), walked.end(), is_open);
-  if (open == 0 && !triangles.empty()) return;
+  const std::vector<Edge> open = open_edges(triangles);
+  if (open.empty() && !triangles.empty()) return;
   std::string where;
-  if (const auto first = std::find_if(walked.begin(), walked.end(), is_open); first != walked.end()) {
-    const Vec3 middle = (vertices[std::size_t(first->first[0])] + vertices[std::size_t(first->first[1])]) / 2;
+  if (!open.empty()) {
+    const Vec3 middle = (vertices[std::size_t(open[0][0])] + vertices[std::size_t(open[0][1])]) / 2;
     where = ", one of them about (" + number(middle.x()) + ", " + number(middle.y()) + ", " +
             number(middle.z()) + ") m";
   }
   refuse_body("expected a closed surface, whose every edge two triangles walk in opposite senses; " +
-              std::to_string(open) + " edges are not" + where);
+              std::to_string(open.size()) + " edges are not" + where);
 }
 
 }  // namespace

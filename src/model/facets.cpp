@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 #include <memory>
-#include <numbers>
 #include <numeric>
 #include <set>
 
@@ -69,7 +68,6 @@ class Mender {
   bool is_flat(const Triangle& t) const;
   void turn();
   double volume(std::span<const std::size_t> triangles) const;
-  bool encloses(std::span<const std::size_t> triangles, const Vec3& p) const;
 
   const Shapes& shapes_;
   const bool closed_, cancels_, blunt_;
@@ -255,13 +253,7 @@ void Mender::divide() {
   triangles_ = std::move(divided);
 }
 
-bool Mender::is_closed() const {
-  std::map<Edge, std::array<int, 2>> walked;
-  for (const Triangle& t : triangles_)
-    for (std::size_t k = 0; k < 3; ++k) ++walked[edge_of(t, k)][t[k] < t[(k + 1) % 3] ? 0 : 1];
-  return !walked.empty() && std::all_of(walked.begin(), walked.end(),
-                                        [](const auto& one) { return one.second[0] == one.second[1]; });
-}
+bool Mender::is_closed() const { return !triangles_.empty() && contact::open_edges(triangles_).empty(); }
 
 // m3, six times: of the tetrahedra on these triangles.
 double Mender::volume(std::span<const std::size_t> triangles) const {
@@ -272,18 +264,6 @@ double Mender::volume(std::span<const std::size_t> triangles) const {
     sum += (at(t[0]) - origin).dot((at(t[1]) - origin).cross(at(t[2]) - origin));
   }
   return sum;
-}
-
-// Whether a place is inside a closed surface of these triangles: by the solid angle that it fills.
-bool Mender::encloses(std::span<const std::size_t> triangles, const Vec3& p) const {
-  double sum = 0;
-  for (const std::size_t i : triangles) {
-    const Triangle& t = triangles_[i];
-    const Vec3 a = at(t[0]) - p, b = at(t[1]) - p, c = at(t[2]) - p;
-    const double la = a.norm(), lb = b.norm(), lc = c.norm();
-    sum += std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
-  }
-  return std::abs(sum) > std::numbers::pi;  // half of all
 }
 
 // Those of each connected part are turned like their neighbours, where these do not agree so that it encloses
@@ -331,6 +311,13 @@ void Mender::turn() {
     whole += volume(part);
   }
   for (std::size_t i = 0; whole < 0 && i < triangles_.size(); ++i) reverse(i);
+  const auto encloses = [&](const std::vector<std::size_t>& part, const Vec3& p) {
+    std::vector<Triangle> outwards;
+    for (const std::size_t i : part) outwards.push_back(triangles_[i]);
+    if (volume(part) < 0)
+      for (Triangle& t : outwards) std::swap(t[1], t[2]);
+    return contact::encloses(shapes_.front()->nodes, outwards, p);
+  };
   for (const auto& part : parts) {
     if (volume(part) >= 0) continue;
     const Triangle& t = triangles_[part.front()];
@@ -454,8 +441,8 @@ std::optional<double> ahead(const Vec3& from, const Vec3& n, const Three& x) {
   return t;
 }
 
-// The middles of the facets, and what lies behind and before them.
-void find_sheets(const Facets& facets, const Finder& finder, double reach, Crowding& out) {
+// The middles of the facets, and what lies behind and before them. Returns twice the area, m2.
+double find_sheets(const Facets& facets, const Finder& finder, double reach, Crowding& out) {
   constexpr double on_it = 1e-3;  // of the reach: sheets that lie on each other have no side
   double whole = 0, crowded = 0;
   for (std::size_t i = 0; i < facets.triangles.size(); ++i) {
@@ -480,6 +467,7 @@ void find_sheets(const Facets& facets, const Finder& finder, double reach, Crowd
     crowded += area.norm();
   }
   out.share = whole > 0 ? crowded / whole : 0;
+  return whole;
 }
 
 // The middles of the free edges, and the facets in front of them within 60 degrees.
@@ -523,10 +511,8 @@ void find_gaps(const Facets& facets, const Finder& finder, double reach, Crowdin
 Crowding crowding(const Facets& facets, double reach) {
   Crowding out;
   const Finder finder(facets);
-  find_sheets(facets, finder, reach, out);
+  const double twice = find_sheets(facets, finder, reach, out);
   find_gaps(facets, finder, reach, out);
-  double twice = 0;  // m2, the area
-  for (std::size_t i = 0; i < facets.triangles.size(); ++i) twice += normal_of(corners_of(facets, i)).norm();
   out.beside = twice > 0 ? 2 * out.length * reach / twice : 0;
   return out;
 }

@@ -2,15 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
-#include <set>
 
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "base/utf8.hpp"
 #include "contact/scene.hpp"
-#include "mesh/edges.hpp"
 
 namespace fabricsh::model {
 
