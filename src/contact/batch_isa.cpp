@@ -122,23 +122,32 @@ void corner(const Pack3*, int k, Pack weight[4]) {
   weight[0] = one;
 }
 
+// What of the facets is nearest: side or corner k where side[k - 1] or corner[k - 1] are set, else the
+// inside.
+struct Parts {
+  PackMask side[3], corner[3];
+};
+
 // As point_triangle(). Returns where the nearest place is within `allowed`; border: where others may be, too.
-PackMask facet(const Pack3 x[4], Pack allowed, Place& at, PackMask& border) {
+PackMask facet(const Pack3 x[4], Pack allowed, Place& at, Parts& part, PackMask& border) {
   const Pack3 ab = x[2] - x[1], ac = x[3] - x[1], ap = x[0] - x[1], bp = x[0] - x[2], cp = x[0] - x[3];
   const Pack d1 = dot(ab, ap), d2 = dot(ac, ap), d3 = dot(ab, bp), d4 = dot(ac, bp), d5 = dot(ab, cp),
              d6 = dot(ac, cp);
   const Pack vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
-  const PackMask on[6] = {(va <= zero) & (d4 - d3 >= zero) & (d5 - d6 >= zero),
-                          (vb <= zero) & (d2 >= zero) & (d6 <= zero),
-                          (vc <= zero) & (d1 >= zero) & (d3 <= zero),
-                          (d6 >= zero) & (d5 <= d6),
-                          (d3 >= zero) & (d4 <= d3),
-                          (d1 <= zero) & (d2 <= zero)};
+  part.corner[0] = (d1 <= zero) & (d2 <= zero);
+  part.corner[1] = (d3 >= zero) & (d4 <= d3) & !part.corner[0];
+  PackMask taken = part.corner[0] | part.corner[1];
+  part.corner[2] = (d6 >= zero) & (d5 <= d6) & !taken;
+  taken = taken | part.corner[2];
+  part.side[2] = (vc <= zero) & (d1 >= zero) & (d3 <= zero) & !taken;
+  taken = taken | part.side[2];
+  part.side[1] = (vb <= zero) & (d2 >= zero) & (d6 <= zero) & !taken;
+  taken = taken | part.side[1];
+  part.side[0] = (va <= zero) & (d4 - d3 >= zero) & (d5 - d6 >= zero) & !taken;
+  border = taken | part.side[0];
   const Pack sum = va + vb + vc, v = vb / sum, w = vc / sum, u = one - v - w;
   const Pack weight[4] = {one, -u, -v, -w};
   for (int i = 0; i < 4; ++i) at.weight[i] = weight[i];
-  border = on[0];
-  for (int i = 1; i < 6; ++i) border = border | on[i];
   const auto put = [&](PackMask where, void (*of)(const Pack3*, int, Pack*), int k) {
     if (!any(where)) return;
     Pack other[4];
@@ -146,8 +155,8 @@ PackMask facet(const Pack3 x[4], Pack allowed, Place& at, PackMask& border) {
     for (int i = 0; i < 4; ++i) at.weight[i] = select(where, other[i], at.weight[i]);
   };
   if (any(border)) {
-    for (int k = 1; k <= 3; ++k) put(on[k - 1], side, k);
-    for (int k = 3; k >= 1; --k) put(on[6 - k], corner, k);
+    for (int k = 1; k <= 3; ++k) put(part.side[k - 1], side, k);
+    for (int k = 3; k >= 1; --k) put(part.corner[k - 1], corner, k);
   }
   if (!measure(x, all(), allowed, at)) return Pack(zero) > Pack(zero);
   // The squares of the distances from the lines through the sides, times those of the sides.
@@ -377,13 +386,48 @@ void Pairs::store_sums(const Sums& sums, Pack gap) const {
   store(step.tried->gap + first, gap);
 }
 
-// Of the facets near their border, their sides and corners count, too; see visit_places().
-void add_border(const Pairs& pairs, PackMask where, Pack reach, Sums& sums) {
-  const auto counts = [&](const std::int8_t* of_lanes) {
+// How often what is nearest of the facets counts, and their sides and corners beside it: see each_counted().
+struct Counts {
+  Pack nearest = one, side[3] = {zero, zero, zero}, corner[3] = {zero, zero, zero};
+  PackMask others() const {
+    PackMask any = !(side[0] == zero);
+    for (int k = 1; k < 3; ++k) any = any | !(side[k] == zero);
+    for (int k = 0; k < 3; ++k) any = any | !(corner[k] == zero);
+    return any;
+  }
+};
+
+Counts counts_of(const Pairs& pairs, const Parts& nearest) {
+  const auto load = [&](const std::int8_t* of_lanes) {
     Pack out;
     for (int i = 0; i < pack_width; ++i) out.set(i, of_lanes[pairs.first + i]);
     return out;
   };
+  Counts out;
+  for (int k = 0; k < 3; ++k) {
+    const Pack at_corner = load(pairs.pairs.at_corner[k]), at_side = load(pairs.pairs.at_edge[k]);
+    out.corner[k] += at_corner;
+    if (!any(!(at_side == zero))) continue;
+    const int a = (k + 1) % 3, b = (k + 2) % 3;
+    Pack weight[4];
+    side(pairs.x, k + 1, weight);
+    const PackMask first = weight[b + 1] == zero, second = (weight[a + 1] == zero) & !first;
+    out.corner[a] += select(first, at_side, zero);
+    out.corner[b] += select(second, at_side, zero);
+    out.side[k] += select(first | second, zero, at_side);
+  }
+  const auto join = [&](PackMask where, Pack& part) {
+    out.nearest += select(where, part, zero);
+    part = select(where, zero, part);
+  };
+  for (int k = 0; k < 3; ++k) {
+    join(nearest.side[k], out.side[k]);
+    join(nearest.corner[k], out.corner[k]);
+  }
+  return out;
+}
+
+void add_others(const Pairs& pairs, PackMask where, const Counts& counts, Pack reach, Sums& sums) {
   const Pack allowed = reach + Pack(pairs.law.offset);
   const auto add = [&](void (*of)(const Pack3*, int, Pack*), int k, Pack times) {
     const PackMask there = where & !(times == zero);
@@ -398,10 +442,8 @@ void add_border(const Pairs& pairs, PackMask where, Pack reach, Sums& sums) {
     pairs.press(at, nullptr, false, with);
     choose(here, with, sums);
   };
-  for (int k = 1; k <= 3; ++k) {
-    add(side, k, counts(pairs.pairs.at_edge[k - 1]));
-    add(corner, k, counts(pairs.pairs.at_corner[k - 1]));
-  }
+  for (int k = 1; k <= 3; ++k) add(side, k, counts.side[k - 1]);
+  for (int k = 1; k <= 3; ++k) add(corner, k, counts.corner[k - 1]);
 }
 
 // --- the kernel
@@ -414,17 +456,23 @@ void add_border(const Pairs& pairs, PackMask where, Pack reach, Sums& sums) {
              ends[2] = {load(pairs.zone[0] + first), load(pairs.zone[1] + first)};
   Place nearest;
   Fade fade_of;
+  Parts parts;
   PackMask border = Pack(zero) > Pack(zero), here = all();
   if (law.kind == BatchKind::plane)
     plane(at.x, nearest);
   else if (law.kind == BatchKind::facet)
-    here = facet(at.x, allowed, nearest, border);
+    here = facet(at.x, allowed, nearest, parts, border);
   else
     here = edges(at.x, allowed, ends, nearest, fade_of);
   if (!any(here)) return;
   const Pack gap = nearest.distance - Pack(law.offset);
-  const PackMask in_reach = here & (gap < reach), special = in_reach & !(gap / at.scale >= Pack(law.guard)),
-                 touches = in_reach & !special;
+  const PackMask in_reach = here & (gap < reach);
+  Counts counts;
+  if (any(border & in_reach)) counts = counts_of(at, parts);
+  const PackMask first_counts = !(counts.nearest == zero), others = border & counts.others(),
+                 counted = in_reach & (first_counts | others),
+                 special = counted & !((gap / at.scale >= Pack(law.guard)) & first_counts),
+                 touches = counted & !special;
   out.special |= bits(special) << first;
   const unsigned touching = bits(touches) << first;
   if (touching == 0) return;
@@ -433,12 +481,12 @@ void add_border(const Pairs& pairs, PackMask where, Pack reach, Sums& sums) {
     if (const unsigned begin = touching & ~step.used; begin != 0) step.find(step.who, begin);
     at.load_points(at.start, at.crowd, step.points->start);
   }
-  nearest.count = at.area * fade_of.value;
-  at.counts_once = !fade_of.any;
+  nearest.count = at.area * fade_of.value * counts.nearest;
+  at.counts_once = !fade_of.any && !any(!(counts.nearest == one));
   Sums sums;
   at.press(nearest, fade_of.any ? &fade_of : nullptr, true, sums);
   at.counts_once = false;
-  if (any(border & touches)) add_border(at, border & touches, reach, sums);
+  if (any(others & touches)) add_others(at, others & touches, counts, reach, sums);
   at.store_sums(sums, gap - Pack(law.floor) * at.scale);
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "contact/advance.hpp"
+#include "contact/tally.hpp"
 
 namespace fabricsh::contact {
 namespace {
@@ -12,7 +13,8 @@ namespace {
 constexpr double of_apart = 0.9;  // the gap of crack faces, as a share of how far they have been apart
 constexpr double grown_from =
     0.02;  // of the whole gap: crack faces that were less far apart do not touch yet
-constexpr double eased_approach = 0.05;  // of the range of contact, in a step
+constexpr double eased_approach = 0.05;    // of the range of contact, in a step
+constexpr std::uint32_t tally_every = 32;  // explicit steps
 
 double mean_edge(const Scene& scene) {
   double sum = 0, count = 0;
@@ -71,6 +73,7 @@ Contact::Contact(const Scene& scene, Skins skins) : scene_(&scene), skins_(skins
   const double edge = mean_edge(scene);
   if (!(skins_.outer > 0)) skins_.outer = edge / 3;
   if (!(skins_.inner > 0)) skins_.inner = std::min(edge / 8, skins_.outer / 2);
+  tally_way_ = edge / 8;
   for (const Interaction& it : scene.interactions())
     widest_ = std::max(widest_, it.law.gap() - it.law.floor());
   opened_.assign(scene.interactions().size(), 1);
@@ -99,9 +102,10 @@ double farthest(std::span<const Vec3> x, const std::vector<Vec3>& since) {
 void Contact::prepare(std::span<const Vec3> x) {
   if (at_search_.size() != x.size()) return search(x);
   change_ = checked_ + 2 * farthest(x, at_check_);
-  if (change_ <= nearly * skins_.inner && vertex_motion_bounds_surface_motion(at_check_, x)) return;
+  if (!tallies_ && change_ <= nearly * skins_.inner && vertex_motion_bounds_surface_motion(at_check_, x))
+    return;
   mark_checked(x, patches_.against(at_refine_, x, skins_.inner));
-  if (change_ <= nearly * skins_.inner) return;
+  if (!tallies_ && change_ <= nearly * skins_.inner) return;
   const double since_search = patches_.against(at_search_, x, skins_.inner);
   if (since_search + skins_.inner > nearly * skins_.outer)
     search(x);
@@ -242,8 +246,22 @@ void Contact::refine(std::span<const Vec3> x, double since_search) {
   }
   at_refine_.assign(x.begin(), x.end());
   mark_checked(x, 0);
+  tally_all(x);
   ++version_;
   index_slots();
+}
+
+void Contact::tally_all(std::span<const Vec3> x) {
+  if (at_tally_.size() != x.size()) at_tally_.assign(x.begin(), x.end());
+  tallies_ = false;
+  idle_ = margin_;
+#pragma omp parallel for schedule(static) if (inner_.size() > 256)
+  for (std::size_t i = 0; i < inner_.size(); ++i) {
+    Candidate& c = inner_[i];
+    if (c.shared == 0) continue;
+    tally(*scene_, at_tally_, c);
+    idle_[i] = std::max(margin_[i], nothing_counts_for(c.pair, corners_of(c, x)));
+  }
 }
 
 void Contact::clear_lists() {
@@ -322,7 +340,11 @@ Totals Contact::add_forces(std::span<const Vec3> x, std::span<Vec3> force, const
   prepare(x);
   const bool rubs = !way.start.empty();
   if (!rubs) torque = {};
-  if (rubs) tried_.begin(batches_.size());
+  if (rubs) {
+    tried_.begin(batches_.size());
+    at_try_.clear();
+    if (way.inverse_mass.empty() || (commits_ + 1) % tally_every == 0) at_try_.assign(x.begin(), x.end());
+  }
   press_all(x, way, !torque.empty());
   Totals totals;
   totals.gap = narrowest_;
@@ -456,7 +478,7 @@ std::vector<std::uint32_t> Contact::touching(std::span<const Vec3> x) const {
 #pragma omp parallel for schedule(static) if (inner_.size() > 256)
   for (std::size_t i = 0; i < inner_.size(); ++i) {
     const Candidate& c = inner_[i];
-    if (margin_[i] <= change) touches[i] = gap_of(c, corners_of(c, x)) < law(c).gap() * c.pair.scale ? 1 : 0;
+    if (idle_[i] <= change) touches[i] = gap_of(c, corners_of(c, x)) < law(c).gap() * c.pair.scale ? 1 : 0;
   }
   std::vector<std::uint32_t> slots;
   for (std::size_t i = 0; i < inner_.size(); ++i)

@@ -187,6 +187,7 @@ class Contact {
   void mark_checked(std::span<const Vec3> x, double change);
   void search(std::span<const Vec3> x);
   void refine(std::span<const Vec3> x, double since_search);
+  void tally_all(std::span<const Vec3> x);
   void clear_lists();
   void index_slots();
   void index_spots();
@@ -207,7 +208,7 @@ class Contact {
   void press_all(std::span<const Vec3> x, const Way& way, bool torques);
   // --- batches of pairs (press.cpp): each pair has a lane, those that are taken alone, too
   struct Batch {
-    double least = 0, offset = 0;       // m: the smallest of margin_; of its pairs
+    double least = 0, offset = 0;       // m: the smallest of idle_; of its pairs
     std::int32_t law = -1;              // row of its law; -1: its pairs are taken alone
     unsigned char any = 0, active = 0;  // lanes with a pair, and with one that touched last
   };
@@ -238,6 +239,14 @@ class Contact {
          change_ = 0;  // m: how much near gaps may have changed since refine(), at_check_ and now
   std::vector<double> outer_margin_;  // of each pair of the outer list: the same in search()
   std::vector<double> margin_;  // of each pair of the inner list: how far out of reach it was in refine()
+  // The same, or more: until near gaps have changed by so much it presses nothing, see tally.hpp.
+  std::vector<double> idle_;
+  // Where the points were when it was last said which facet counts a side or a corner: those of a committed
+  // state, which the lists have no part in; and of the last forces, if commit() is to look at them.
+  std::vector<Vec3> at_tally_, at_try_;
+  double tally_way_ = 0;  // m: after which it is said anew
+  std::uint32_t commits_ = 0;
+  bool tallies_ = false;  // it has to be said anew for the lists
   std::vector<Batch> batches_;
   std::vector<BatchPairs> pairs_;           // by batch
   std::vector<std::uint32_t> first_batch_;  // of the slots that are taken together

@@ -12,6 +12,37 @@ struct Place {
   double plain = 1, modulated = 0;
 };
 
+// The number of a place on a side of a facet, see nearest_part().
+inline std::size_t part_on_side(const Touch& touch, std::size_t opposite) {
+  if (touch.feature == Feature::point_edge) return opposite;
+  const std::size_t first = opposite % 3 + 1;
+  return 3 + (touch.weight[first] != 0 ? first : first % 3 + 1);
+}
+
+// Calls visit(touch, times) for each place of a facet that counts, the nearest first. Where the facet, its
+// sides and corners are nearest to the point in the same place, their counts are added up: most cancel.
+template <class Visit>
+void each_counted(const Pair& pair, const Corners& x, const FacetTouch& nearest, Visit visit) {
+  std::array<int, 7> times{};
+  std::array<Touch, 7> touch;
+  times[nearest.part] = 1;
+  for (std::size_t k = 1; k <= 3; ++k) {
+    if (const int corner = pair.corner[k - 1]; corner != 0) {
+      touch[3 + k] = point_point(x, 0, int(k));
+      times[3 + k] += corner;
+    }
+    const int edge = pair.edge[k - 1];
+    if (edge == 0) continue;
+    const Touch side = point_segment(x, 0, int(k % 3 + 1), int((k + 1) % 3 + 1));
+    const std::size_t part = part_on_side(side, k);
+    touch[part] = side;
+    times[part] += edge;
+  }
+  if (const int first = times[nearest.part]; first != 0) visit(nearest.touch, first);
+  for (std::size_t part = 1; part < times.size(); ++part)
+    if (part != nearest.part && times[part] != 0) visit(touch[part], times[part]);
+}
+
 // Calls visit(place) for each place of the pair whose gap (distance of the touch less the
 // offset) is below `reach`, m. Returns the smallest gap; infinity for edges that do not cross. The edges and
 // corners of a facet are never nearer than the facet, so they are skipped when the facet is out of reach.
@@ -24,13 +55,9 @@ double visit_places(const Pair& pair, const Corners& x, double reach, Visit visi
   switch (pair.kind) {
     case PairKind::facet: {
       const FacetTouch nearest = point_triangle(x);
-      const double gap = within(nearest.touch, 1, 0);
-      if (gap >= reach) return gap;
-      for (int k = 1; k <= 3; ++k) {
-        const int edge = pair.edge[std::size_t(k - 1)], corner = pair.corner[std::size_t(k - 1)];
-        if (edge != 0) within(point_segment(x, 0, k % 3 + 1, (k + 1) % 3 + 1), edge, 0);
-        if (corner != 0) within(point_point(x, 0, k), corner, 0);
-      }
+      const double gap = nearest.touch.distance - pair.offset;
+      if (gap < reach)
+        each_counted(pair, x, nearest, [&](const Touch& touch, int times) { within(touch, times, 0); });
       return gap;
     }
     case PairKind::plane:

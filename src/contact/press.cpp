@@ -86,7 +86,7 @@ void Contact::make_batches() {
   std::vector<std::int32_t> law(inner_.size());
   std::vector<double> rank(inner_.size());
   for (std::size_t i = 0; i < inner_.size(); ++i) {
-    rank[i] = std::max(0.0, std::ceil(ranks * margin_[i] / skins_.inner));
+    rank[i] = std::max(0.0, std::ceil(ranks * idle_[i] / skins_.inner));
     const auto kind = batch_kind(inner_[i]);
     law[i] = kind ? kinds * inner_[i].interaction + std::int32_t(*kind) : -1;
   }
@@ -100,7 +100,7 @@ void Contact::make_batches() {
     int lane = lanes;
     for (const std::uint32_t i : slots) {
       if (lane == lanes || batches_.back().law != law[i]) {
-        batches_.push_back({margin_[i], inner_[i].pair.offset, law[i]});
+        batches_.push_back({idle_[i], inner_[i].pair.offset, law[i]});
         pairs_.emplace_back();
         for (lane = lanes; lane-- > 1;) put_pair(i, lane, pairs_.back());
         lane = 0;
@@ -109,7 +109,7 @@ void Contact::make_batches() {
       put_pair(i, lane, pairs_.back());
       place_[i] = std::uint32_t(lanes * (batches_.size() - 1) + std::size_t(lane));
       batch.any |= 1u << lane++;
-      batch.least = std::min(batch.least, margin_[i]);
+      batch.least = std::min(batch.least, idle_[i]);
     }
   }
   first_batch_.push_back(std::uint32_t(batches_.size()));

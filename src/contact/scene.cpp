@@ -311,6 +311,20 @@ void Scene::count_places(const Surface& surface) {
       }
       triangles_[std::size_t(t)].corner[k] = small(count);
     }
+  for (std::int32_t t = surface.first_triangle; t < surface.first_triangle + surface.triangles; ++t) {
+    TriangleRow& row = triangles_[std::size_t(t)];
+    const auto two = [&](std::int32_t edge) { return at_edge_[std::size_t(edge)].size() == 2; };
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto& around = at_point_[std::size_t(row.nodes[k])];
+      const bool closed = std::all_of(around.begin(), around.end(), [&](std::int32_t other) {
+        const TriangleRow& o = triangles_[std::size_t(other)];
+        for (std::size_t j = 0; j < 3; ++j)
+          if (o.nodes[j] != row.nodes[k] && !two(o.edge_row[j])) return false;
+        return o.surface == row.surface;
+      });
+      row.shared |= std::uint8_t((two(row.edge_row[k]) ? 1u << k : 0u) | (closed ? 8u << k : 0u));
+    }
+  }
 }
 
 void Scene::find_sheets(const Surface& surface) {

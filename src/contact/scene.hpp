@@ -98,6 +98,9 @@ struct TriangleRow {
   std::array<std::int32_t, 3> edge_row{};  // opposite to each corner
   std::array<std::int8_t, 3> edge{},
       corner{};  // weights of the edges and corners that are stored in this triangle
+  // Those that all their triangles share, so that any of them may store the weight, -1 of an edge and 1 of a
+  // corner: a bit for each edge, then for each corner.
+  std::uint8_t shared = 0;
 };
 
 // Pa, presses woven cloth down to its fibres.

@@ -80,6 +80,7 @@ class Search {
         const EdgeRow& row = scene_.edges()[std::size_t(e)];
         half_ = std::max(half_, half_of(box_of({row.a, row.b}, 0)));
         sum += row.length;
+        longest_ = std::max(longest_, row.length);
         count += 1;
         cloth_edges_.push_back(e);
       }
@@ -201,11 +202,13 @@ class Search {
     }
     return together;
   }
-  double facet_scale(std::int32_t p, const Triangle& t, const ContactLaw& law, bool& are_faces) const {
+  double reference_distance(std::int32_t p, const Triangle& t) const {
+    return std::sqrt(squared_point_triangle(reference(p), reference(t[0]), reference(t[1]), reference(t[2])));
+  }
+  double facet_scale(std::int32_t p, const Triangle& t, double distance, const ContactLaw& law,
+                     bool& are_faces) const {
     are_faces = false;
     if (p == t[0] || p == t[1] || p == t[2]) return 0;
-    const double distance =
-        std::sqrt(squared_point_triangle(reference(p), reference(t[0]), reference(t[1]), reference(t[2])));
     are_faces = crack_faces(std::span(&p, 1), t, distance);
     return scale(distance, law, are_faces);
   }
@@ -254,9 +257,12 @@ class Search {
     out.pair.corner = row.corner;
     out.pair.offset = surface(owner).radius + surface(row.surface).radius;
     const bool neighbours = owner == row.surface && same_sheet(which, p, row.nodes[0]);
+    bool beside_neighbours = false;
     if (neighbours) {
       if (far(out, law)) return;
-      out.pair.scale = facet_scale(p, row.nodes, law, out.crack_faces);
+      const double distance = reference_distance(p, row.nodes);
+      beside_neighbours = distance < longest_ + law.gap() / neighbour_share;
+      out.pair.scale = facet_scale(p, row.nodes, distance, law, out.crack_faces);
       if (out.pair.scale == 0) return;
     }
     out.crack_faces = out.crack_faces || parted;
@@ -269,8 +275,11 @@ class Search {
       out.pair.scale = scene_.interactions()[std::size_t(which)].guarded;
     }
     if (!keep(out, law, rows)) return;
-    if (by_.empty() && (neighbours || scene_.neighbours().is_sewn(p)))
-      uncount_neighbours(rows.back(), row, law);
+    if (!by_.empty()) return;
+    rows.back().facet = t;
+    // Crack faces have other lengths from facet to facet.
+    if (!neighbours || scene_.neighbours().apart().empty()) rows.back().shared = row.shared;
+    if (beside_neighbours || scene_.neighbours().is_sewn(p)) uncount_neighbours(rows.back(), row, law);
   }
 
   // Next to a facet that has the point as a neighbour nothing is
@@ -281,15 +290,20 @@ class Search {
         const TriangleRow& other = scene_.triangles()[std::size_t(t)];
         bool crack_faces = false;
         if (sewn(out.point[0], other.nodes, crack_faces)) return true;
-        if (other.surface == row.surface && facet_scale(out.point[0], other.nodes, law, crack_faces) < 1)
-          return true;
+        if (other.surface != row.surface) continue;
+        const double distance = reference_distance(out.point[0], other.nodes);
+        if (facet_scale(out.point[0], other.nodes, distance, law, crack_faces) < 1) return true;
       }
       return false;
     };
     for (std::size_t k = 0; k < 3; ++k) {
-      if (out.pair.edge[k] != 0 && neighbour(scene_.triangles_at_edge(row.edge_row[k]))) out.pair.edge[k] = 0;
-      if (out.pair.corner[k] != 0 && neighbour(scene_.triangles_at_point(row.nodes[k])))
-        out.pair.corner[k] = 0;
+      const auto uncount = [&](std::int8_t& count, unsigned bit, std::span<const std::int32_t> triangles) {
+        if ((count == 0 && (out.shared & bit) == 0) || !neighbour(triangles)) return;
+        count = 0;
+        out.shared &= std::uint8_t(~bit);
+      };
+      uncount(out.pair.edge[k], 1u << k, scene_.triangles_at_edge(row.edge_row[k]));
+      uncount(out.pair.corner[k], 8u << k, scene_.triangles_at_point(row.nodes[k]));
     }
   }
 
@@ -517,6 +531,7 @@ class Search {
   Vec3 mean_way_ = Vec3::Zero();
   double half_ = 0, half_way_ = 0;  // m: half of the largest boxes of edges, of points on their way
   double cell_ = 1;                 // m: width of a cell
+  double longest_ = 0;              // m: of the reference edges of cloth
 };
 
 }  // namespace

@@ -8,6 +8,8 @@ struct Candidate {
   std::array<std::int32_t, 4> point{-1, -1, -1, -1};  // corners; -1: none
   std::int32_t interaction = 0;
   Pair pair;
+  std::int32_t facet = -1;   // row of Scene::triangles; -1: the pair has none whose sides and corners count
+  std::uint8_t shared = 0;   // of TriangleRow::shared, what counts for the point in any of its triangles
   Spot spot;                 // where the first corner is a contact point inside a facet
   double whole = 1;          // pair.scale, once an overlap of the start has been opened
   double start = 1;          // the share of it with which such a pair begins (Interaction::opening)

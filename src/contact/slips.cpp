@@ -359,14 +359,23 @@ void Contact::commit() {
   std::swap(held_, tried_);
   std::swap(rubbing_at_, tried_rubbing_);
   has_tried_ = false;
+  ++commits_;
+  if (!at_try_.empty() && patches_.against(at_tally_, at_try_, tally_way_) > tally_way_) {
+    std::swap(at_tally_, at_try_);
+    tallies_ = true;
+  }
   if (!held_.by_lane) std::fill(known_.begin(), known_.end(), unknown);
 }
 
 void Contact::keep(Archive& archive) {
   Memory kept;
   if (!archive.reading()) each(held_, [&](const Held& h) { kept.list.push_back(h); });
-  archive(kept.list, rubbing_at_);
+  bool tallied = !at_tally_.empty();
+  archive(kept.list, rubbing_at_, commits_, tallied);
+  if (archive.reading()) at_tally_.resize(tallied ? scene_->reference().size() : 0);
+  for (Vec3& x : at_tally_) archive.filled({x.data(), 3});
   if (!archive.reading()) return;
+  tallies_ = true;
   held_ = std::move(kept);
   has_tried_ = false;
   std::fill(known_.begin(), known_.end(), unknown);

@@ -35,6 +35,7 @@ struct TriangleRegion {
   int on = 0;           // 0: the face
   bool corner = false;  // `on` is a corner; otherwise an edge, named by its opposite corner
   double v = 0, w = 0;  // weights of the second and third corner on the face
+  std::size_t part() const { return std::size_t(corner ? 3 + on : on); }
 };
 
 TriangleRegion region(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -94,8 +95,8 @@ Touch point_segment(const Corners& x, int p, int a, int b) {
 
 FacetTouch point_triangle(const Corners& x) {
   const TriangleRegion at = region(x[0], x[1], x[2], x[3]);
-  if (at.corner) return {point_point(x, 0, at.on), at.on};
-  if (at.on != 0) return {point_segment(x, 0, at.on % 3 + 1, (at.on + 1) % 3 + 1), at.on};
+  if (at.corner) return {point_point(x, 0, at.on), at.part()};
+  if (at.on != 0) return {point_segment(x, 0, at.on % 3 + 1, (at.on + 1) % 3 + 1), at.part()};
   Touch touch;
   touch.feature = Feature::face;
   touch.weight = {1, -(1 - at.v - at.w), -at.v, -at.w};
@@ -103,6 +104,10 @@ FacetTouch point_triangle(const Corners& x) {
   set_parameter(touch, 1, 1, 3);
   measure(x, touch);
   return {touch, 0};
+}
+
+std::size_t nearest_part(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+  return region(p, a, b, c).part();
 }
 
 Touch point_plane(const Corners& x) {

@@ -57,13 +57,14 @@ void each_corner(unsigned corners, Visit visit) {
 Touch point_point(const Corners& x, int p, int q);
 // Point p against the segment from a to b.
 Touch point_segment(const Corners& x, int p, int a, int b);
-// Point 0 against the triangle 1, 2, 3. `on` is the corner (1 to 3)
-// with the closest point, or the corner opposite to the edge with it.
+// Point 0 against the triangle 1, 2, 3. `part` is what of it is closest, see nearest_part().
 struct FacetTouch {
   Touch touch;
-  int on = 0;
+  std::size_t part = 0;
 };
 FacetTouch point_triangle(const Corners& x);
+// 0: the inside of the triangle is closest; k, 1 to 3: the side opposite to corner k; 3 + k: that corner.
+std::size_t nearest_part(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
 // Point 0 against the whole plane through 1, 2, 3; the distance is signed, positive on the side that sees
 // 1, 2, 3 counter-clockwise.
 Touch point_plane(const Corners& x);

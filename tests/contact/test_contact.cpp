@@ -209,7 +209,7 @@ TEST_CASE("contact: the same bits for any skin and any number of threads", "[con
       Contact contact(heap.scene, {skin, skin / 2.5});
       std::vector<Vec3> x = heap.x, start = x;
       std::string all;
-      for (int step = 0; step < 25; ++step) {  // the lists age, are refined and made anew at different steps
+      for (int step = 0; step < 70; ++step) {  // the lists age, are refined and made anew at different steps
         auto f = none(x.size());
         const Totals totals = contact.add_forces(x, f, {start, {}, 5e-6, heap.inverse_mass});
         contact.commit();  // the slips of friction are handed on from list to list

@@ -11,8 +11,8 @@ using namespace fabricsh::test;
 
 namespace {
 
-// Forces with lists that are kept, against those with lists made anew in each step, to the bit. Returns how
-// often the kept ones were searched.
+// Forces with lists that are kept, against those with lists made anew in each step as after a restart, to
+// the bit. Returns how often the kept ones were searched.
 template <class Move>
 std::size_t compare(const Scene& scene, int steps, Move move) {
   std::vector<Vec3> x = scene.reference();
@@ -22,6 +22,10 @@ std::size_t compare(const Scene& scene, int steps, Move move) {
     move(step, x);
     auto f = none(x.size()), g = f;
     Contact fresh(scene);
+    Archive written;
+    kept.keep(written);
+    Archive read(written.bytes());
+    fresh.keep(read);
     const Totals a = kept.add_forces(x, f), b = fresh.add_forces(x, g);
     REQUIRE(a.contact == b.contact);
     REQUIRE(a.gap == b.gap);
