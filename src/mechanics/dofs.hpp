@@ -93,6 +93,13 @@ class Dofs {
   // --- ties and frames
   // The unknowns that move a node's five degrees of freedom (in its frame), at the trial configuration.
   void links(Index node, std::vector<Link>& out) const;
+  // The nodes whose displacements move a node, by weights along the global axes: itself, or those that it
+  // follows. A node of a rigid set has none.
+  struct AxisLead {
+    Index node;
+    Vec3 weight;
+  };
+  void leads(Index node, std::vector<AxisLead>& out) const;
   Vec3 centroid(const RigidBody& body, std::span<const double> x) const;
   // Increment of a driven degree of freedom: a displacement; or for a rotated director its angle times the
   // rate of q1 or q2.

@@ -23,6 +23,11 @@ Vec3 director_of(const model::Follower& f, const Directors& of_node) {
   return sum.normalized();
 }
 
+auto first_follower(const std::vector<model::Follower>& all, Index node) {
+  return std::lower_bound(all.begin(), all.end(), node,
+                          [](const model::Follower& a, Index b) { return a.node < b; });
+}
+
 }  // namespace
 
 // The directors of nodes tied together are replaced by their mean, because each side of a seam sees only half
@@ -45,6 +50,25 @@ Vec3 Dofs::centroid(const RigidBody& body, std::span<const double> x) const {
   return sum / static_cast<double>(body.nodes.size());
 }
 
+void Dofs::leads(Index n, std::vector<AxisLead>& out) const {
+  out.clear();
+  const auto& equation = freedoms_.nodes[n].equation;
+  Vec3 own = Vec3::Ones();
+  for (int c = 0; c < 3; ++c)
+    if (equation[c] == tied) own[c] = 0;
+  if (!own.isZero(0)) out.push_back({n, own});
+  if (!freedoms_.ties(n)) return;
+  for (auto f = first_follower(freedoms_.followers, n); f != freedoms_.followers.end() && f->node == n; ++f) {
+    if (f->component == 3) continue;
+    for (const auto& lead : f->leads) {
+      auto at = std::find_if(out.begin(), out.end(),
+                             [&](const AxisLead& other) { return other.node == lead.node; });
+      if (at == out.end()) at = out.insert(at, {lead.node, Vec3::Zero()});
+      at->weight[f->component] += lead.weight;
+    }
+  }
+}
+
 void Dofs::links(Index n, std::vector<Link>& out) const {
   out.clear();
   const NodeFreedoms& node = freedoms_.nodes[n];
@@ -64,9 +88,7 @@ void Dofs::links(Index n, std::vector<Link>& out) const {
   for (int c = 0; c < 5; ++c)
     if (node.equation[c] != tied && node.equation[c] != held)
       out.push_back({node.equation[c], Column::Unit(c)});
-  auto f = std::lower_bound(freedoms_.followers.begin(), freedoms_.followers.end(), n,
-                            [](const model::Follower& a, Index b) { return a.node < b; });
-  for (; f != freedoms_.followers.end() && f->node == n; ++f)
+  for (auto f = first_follower(freedoms_.followers, n); f != freedoms_.followers.end() && f->node == n; ++f)
     for (const auto& lead : f->leads) {
       const NodeFreedoms& from = freedoms_.nodes[lead.node];
       if (f->component == 3) {

@@ -35,6 +35,7 @@ class CentralDifferences final : public mechanics::Motion {
   const std::vector<double>& along() const { return is_midpoint() ? trial_.predicted : increments(); }
   double reach() const { return is_midpoint() ? dt() : 1; }
   const std::vector<double>& increments() const;
+  const std::vector<double>& masses() const { return mass_; }  // of the unknowns, kg and kg m^2
   // The trial residual, N and N m, to be written before accelerate(), without the damping of the masses.
   std::span<double> residual() { return trial_.residual; }
   // Completes the trial motion from its residual. mass_damping: 1/s.

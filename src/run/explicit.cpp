@@ -361,7 +361,7 @@ bool Explicit::attempt(double size, StepReport& report) {
   if (contact_ != nullptr) contact_->barriers().ease(!block_.uneased, std::ldexp(report.step, block_.halved));
   assembly_->terms().expect_energies(looks_after(now_.steps + 1, size));
   if (problem_.residual(motion_.residual()) != Answer::ok) return ends(End::forces);
-  if (contact_ != nullptr) contact_->barriers().hold_back(motion_.residual());
+  if (contact_ != nullptr) contact_->barriers().hold_back(motion_.masses(), motion_.residual());
   motion_.accelerate(assembly_->terms().on_mass().velocity);
   motion_.show_trial(true);
   report.time = size;

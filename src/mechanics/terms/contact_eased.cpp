@@ -11,6 +11,9 @@
 // it, whether the tool sets out or stops. Two cloths give it to each other: the pair's inertia S b b^T, where
 // b has the weights of its corners along the normal, meets only how its sides part. The forces that it holds
 // back are -lambda b of each pair, so that they have neither a sum nor a moment, whatever lambda is.
+//
+// A node that follows others, as on the edges of a seam that has closed, passes its part on to them, as it
+// does with its forces and its mass.
 #include <unordered_map>
 #include <utility>
 
@@ -35,38 +38,39 @@ struct MetNode {
 
 // The same in the node's frame, where what is held or driven has neither force nor added inertia.
 struct InFrame {
-  InFrame(const NodeFreedoms& freedoms, const Mat3& inertia, double of_node, std::span<const double> residual)
-      : mass(of_node) {
+  InFrame(const NodeFreedoms& freedoms, const Mat3& inertia, double of_node, std::span<const double> masses,
+          std::span<const double> residual)
+      : mass(Vec3::Constant(of_node)) {
     Mat3 added = freedoms.frame * inertia * freedoms.frame.transpose();
     for (int c = 0; c < 3; ++c) {
       if (const Index e = freedoms.equation[static_cast<std::size_t>(c)]; e >= 0) {
         force[c] = residual[static_cast<std::size_t>(e)];
+        mass[c] = masses[static_cast<std::size_t>(e)];  // also that of followers
         continue;
       }
       free[c] = 0;
       added.row(c).setZero();
       added.col(c).setZero();
     }
-    whole = mass * Mat3::Identity() + added;
+    added.diagonal() += mass;
+    whole = added;
   }
-  double mass;                    // kg
+  Vec3 mass;                      // kg
   Mat3 whole;                     // kg
   Vec3 force = Vec3::Zero();      // N
   Vec3 free = Vec3::Constant(1);  // 0: held or driven
 };
 
-// Two sides that part by the sum of weights times the nodes' motion along the normal.
+// A pressed node's part in how the two sides of a pair part: its motion along the normal by its weight.
+struct Part {
+  std::size_t place;
+  Vec3 along;
+};
+
+// Two sides that part by the sum of their nodes' parts.
 struct Parting {
-  std::array<std::size_t, 4> place{};  // of the pressed nodes
-  std::array<double, 4> weight{};      // 0: no node
-  Vec3 normal = Vec3::Zero();
-  double softness = 0;  // 1/kg: the inverse of the inertia that meets it
-  double of(std::span<const Vec3> moved) const {
-    double sum = 0;
-    for (std::size_t k = 0; k < 4; ++k)
-      if (weight[k] != 0) sum += weight[k] * normal.dot(moved[place[k]]);
-    return sum;
-  }
+  std::size_t first, end;  // of the parts
+  double softness;         // 1/kg: the inverse of the inertia that meets it
 };
 
 // The forces lambda of all pairs, N: softness * lambda = b . L (f - sum of lambda b), with the lightness L of
@@ -74,14 +78,14 @@ struct Parting {
 // its diagonal, always in the same order.
 class Partings {
  public:
-  Partings(std::span<const MetNode> nodes, std::span<const Parting> pairs)
-      : nodes_(nodes), pairs_(pairs), moved_(nodes.size()) {}
+  Partings(std::span<const MetNode> nodes, std::span<const Parting> pairs, std::span<const Part> parts)
+      : nodes_(nodes), pairs_(pairs), parts_(parts), moved_(nodes.size()) {}
 
   std::vector<double> solve() {
     const std::size_t n = pairs_.size();
     std::vector<double> lambda(n, 0.0), rest(n), scaled(n), along, image(n);
     for (std::size_t i = 0; i < nodes_.size(); ++i) moved_[i] = nodes_[i].lightness * nodes_[i].force;
-    for (std::size_t p = 0; p < n; ++p) rest[p] = pairs_[p].of(moved_);
+    for (std::size_t p = 0; p < n; ++p) rest[p] = parted(pairs_[p]);
     const std::vector<double> inverse = diagonal();
     const auto product = [n](const std::vector<double>& a, const std::vector<double>& b) {
       double sum = 0;
@@ -110,15 +114,22 @@ class Partings {
     return lambda;
   }
 
+  std::span<const Part> parts_of(const Parting& pair) const {
+    return parts_.subspan(pair.first, pair.end - pair.first);
+  }
+
  private:
+  double parted(const Parting& pair) const {
+    double sum = 0;
+    for (const Part& part : parts_of(pair)) sum += part.along.dot(moved_[part.place]);
+    return sum;
+  }
   std::vector<double> diagonal() const {
     std::vector<double> inverse;
     for (const Parting& pair : pairs_) {
       double sum = pair.softness;
-      for (std::size_t k = 0; k < 4; ++k)
-        if (pair.weight[k] != 0)
-          sum += pair.weight[k] * pair.weight[k] *
-                 pair.normal.dot(nodes_[pair.place[k]].lightness * pair.normal);
+      for (const Part& part : parts_of(pair))
+        sum += part.along.dot(nodes_[part.place].lightness * part.along);
       inverse.push_back(1 / sum);
     }
     return inverse;
@@ -127,26 +138,25 @@ class Partings {
   void apply(const std::vector<double>& lambda, std::vector<double>& image) {
     std::fill(moved_.begin(), moved_.end(), Vec3::Zero());
     for (std::size_t p = 0; p < pairs_.size(); ++p)
-      for (std::size_t k = 0; k < 4; ++k)
-        if (pairs_[p].weight[k] != 0)
-          moved_[pairs_[p].place[k]] += lambda[p] * pairs_[p].weight[k] * pairs_[p].normal;
+      for (const Part& part : parts_of(pairs_[p])) moved_[part.place] += lambda[p] * part.along;
     for (std::size_t i = 0; i < nodes_.size(); ++i) moved_[i] = nodes_[i].lightness * moved_[i];
     for (std::size_t p = 0; p < pairs_.size(); ++p)
-      image[p] = pairs_[p].softness * lambda[p] + pairs_[p].of(moved_);
+      image[p] = pairs_[p].softness * lambda[p] + parted(pairs_[p]);
   }
 
   std::span<const MetNode> nodes_;
   std::span<const Parting> pairs_;
+  std::span<const Part> parts_;
   std::vector<Vec3> moved_;  // of the nodes
 };
 
 }  // namespace
 
-// The inertia acts on single nodes: none may follow others. A body that forces or its mass move would have a
-// share of the inertia, too.
+// A body that forces or its mass move would have a share of the inertia, too. The parts of a joint that opens
+// would have to share what it held back.
 void BarrierInertia::allow() {
   ContactSurfaces& surfaces = state_.surfaces;
-  if (dofs_.has_ties() || dofs_.joints().any() || !dofs_.stitches().empty()) return;
+  if (dofs_.joints().any()) return;
   for (std::size_t i = 0; i < surfaces.meetings().size(); ++i) {
     const int body = surfaces.body_of(surfaces.scene().interactions()[i].second);
     if (surfaces.meetings()[i].bodies ||
@@ -176,7 +186,7 @@ Vec3 BarrierInertia::acceleration(const contact::Contact::BodySide& side) {
   return sum / (dt * dt);
 }
 
-void BarrierInertia::hold_back(std::span<double> residual) {
+void BarrierInertia::hold_back(std::span<const double> masses, std::span<double> residual) {
   held_.clear();
   later_.clear();
   const double dt = state_.dt();
@@ -195,28 +205,42 @@ void BarrierInertia::hold_back(std::span<double> residual) {
     contact::Contact::BodySide body;
   };
   std::vector<Meeting> meetings;
+  std::vector<Dofs::AxisLead> leads;
   state_.pairs.barriers(
       [&](std::int32_t node, double stiffness, const Vec3& n, const contact::Contact::BodySide& body) {
-        MetNode& at = met[place_of(node)];
-        const double inertia = kEased * dt * dt * stiffness;
-        at.inertia += inertia * n * n.transpose();
-        const double carried = n.dot(acceleration(body));
-        at.carried += inertia * carried * n;
-        meetings.push_back({places.at(node), inertia, carried, n, body});
+        dofs_.leads(node, leads);
+        double sum = 0;
+        for (const Dofs::AxisLead& lead : leads) sum += lead.weight.cwiseAbs().maxCoeff();
+        const Vec3 of_body = acceleration(body);
+        for (const Dofs::AxisLead& lead : leads) {
+          const double share = lead.weight.cwiseAbs().maxCoeff() / sum;
+          const Vec3 along = lead.weight.cwiseProduct(n) / share;
+          const std::size_t place = place_of(lead.node);
+          const double inertia = kEased * dt * dt * stiffness * share;
+          met[place].inertia += inertia * along * along.transpose();
+          const double carried = along.dot(of_body);
+          met[place].carried += inertia * carried * along;
+          meetings.push_back({place, inertia, carried, along, body});
+        }
       });
   std::vector<Parting> partings;
-  state_.pairs.barriers_between(
-      [&](const std::array<std::int32_t, 4>& points, const contact::Force::Barrier& barrier) {
-        Parting parting{{}, barrier.weight, barrier.normal, 1 / (kEased * dt * dt * barrier.stiffness)};
-        for (std::size_t k = 0; k < 4; ++k)
-          if (barrier.weight[k] != 0) parting.place[k] = place_of(points[k]);
-        partings.push_back(parting);
-      });
+  std::vector<Part> parts;
+  state_.pairs.barriers_between([&](const std::array<std::int32_t, 4>& points,
+                                    const contact::Force::Barrier& barrier) {
+    const std::size_t first = parts.size();
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (barrier.weight[k] == 0) continue;
+      dofs_.leads(points[k], leads);
+      for (const Dofs::AxisLead& lead : leads)
+        parts.push_back({place_of(lead.node), barrier.weight[k] * lead.weight.cwiseProduct(barrier.normal)});
+    }
+    partings.push_back({first, parts.size(), 1 / (kEased * dt * dt * barrier.stiffness)});
+  });
   std::vector<InFrame> in_frame;
   for (MetNode& node : met) {
     const auto& freedoms = dofs_.freedoms().nodes[static_cast<std::size_t>(node.node)];
     InFrame& at = in_frame.emplace_back(freedoms, node.inertia,
-                                        cloth_.mass()[static_cast<std::size_t>(node.node)], residual);
+                                        cloth_.mass()[static_cast<std::size_t>(node.node)], masses, residual);
     at.force += at.free.asDiagonal() * (freedoms.frame * node.carried);
     if (partings.empty()) continue;
     const Mat3& frame = freedoms.frame;
@@ -224,21 +248,20 @@ void BarrierInertia::hold_back(std::span<double> residual) {
     node.lightness = frame.transpose() * (at.whole.inverse() * at.free.asDiagonal()) * frame;
   }
   std::vector<Vec3> by_pairs(met.size(), Vec3::Zero());  // N, held back
-  const std::vector<double> lambda = Partings(met, partings).solve();
+  Partings pairs(met, partings, parts);
+  const std::vector<double> lambda = pairs.solve();
   for (std::size_t p = 0; p < partings.size(); ++p)
-    for (std::size_t k = 0; k < 4; ++k)
-      if (partings[p].weight[k] != 0)
-        by_pairs[partings[p].place[k]] += lambda[p] * partings[p].weight[k] * partings[p].normal;
+    for (const Part& part : pairs.parts_of(partings[p])) by_pairs[part.place] += lambda[p] * part.along;
   std::vector<Vec3> acceleration_of(met.size());  // m/s^2
   for (std::size_t i = 0; i < met.size(); ++i) {
     const InFrame& at = in_frame[i];
     const NodeFreedoms& freedoms = dofs_.freedoms().nodes[static_cast<std::size_t>(met[i].node)];
     const Vec3 left = at.force - at.free.asDiagonal() * (freedoms.frame * by_pairs[i]);
-    const Vec3 moving = at.mass * at.whole.llt().solve(left);
+    const Vec3 moving = at.mass.cwiseProduct(at.whole.llt().solve(left));
     for (int c = 0; c < 3; ++c)
       if (const Index e = freedoms.equation[static_cast<std::size_t>(c)]; e >= 0)
         residual[static_cast<std::size_t>(e)] = moving[c];
-    acceleration_of[i] = freedoms.frame.transpose() * moving / at.mass;
+    acceleration_of[i] = freedoms.frame.transpose() * moving.cwiseQuotient(at.mass);
     if (partings.empty()) continue;
     held_.push_back(
         {met[i].node, freedoms.frame.transpose() * (at.free.asDiagonal() * (freedoms.frame * by_pairs[i]))});

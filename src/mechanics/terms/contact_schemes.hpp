@@ -124,8 +124,8 @@ class BarrierInertia {
   // Whether the barriers are met by inertia in the next steps. planned: s, see contact::Contact::ease().
   void ease(bool on, double planned) { state_.pairs.ease(on, planned); }
   // To be called with the residual of each evaluation of forces: takes from it what the inertia that meets
-  // the barriers holds back, N by unknowns.
-  void hold_back(std::span<double> residual);
+  // the barriers holds back, N by unknowns. masses: of the unknowns, kg.
+  void hold_back(std::span<const double> masses, std::span<double> residual);
   double energy() const { return energy_ + (state_.evaluated ? work() : 0); }  // J, to be given back
   void commit();
   void rollback() { held_.clear(); }
