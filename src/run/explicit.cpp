@@ -127,7 +127,7 @@ bool Explicit::lead_drawn_seams() {
     seams_->lead_around(through.stitch, 2 * std::min(speed, through.stopped));
     const bool is_led = seams_->is_led(through.stitch);  // not a seam with a stiffness of its own
     led = led || is_led;
-    if (speed <= through.stopped || (!is_led && block_.halved > 0)) continue;
+    if (speed <= through.stopped || (!is_led && started())) continue;
     const model::Seam& seam = assembly_->dofs().seams()[assembly_->dofs().stitches()[through.stitch].seam];
     warn("seam", "warning: dynamic: the straight way of the seam " + seam.name() + " passes through the " +
                      through.body + ": its edges are drawn against it with up to " + number(speed, 3) +
@@ -247,6 +247,7 @@ std::optional<double> Explicit::try_shorter(double size, StepReport& report) {
 void Explicit::open_block() {
   if (!block_.start.empty() && !hooked_ && block_.steps < kBlock) return;
   const bool whole = block_.steps >= kBlock;
+  if (whole && contact_->guarded()) lead_drawn_seams();
   if (block_.guarded) block_.barrier_free_blocks = 0;
   if (whole && block_.halved > 0 && !block_.guarded && ++block_.barrier_free_blocks >= kBarrierFreeBlocks) {
     --block_.halved;
@@ -378,12 +379,14 @@ void Explicit::commit(StepReport& report) {
   if (!assembly_->terms().constant_loads()) dead_ = problem_.external();
   work_.add(*assembly_, dead_);
   if (contact_ != nullptr) report_guard();
+  const bool enters = contact_ != nullptr && contact_->enters_guard();
   if (block_.halved >= kCostly && ++now_.short_steps == kCostlySteps) report_cost();
   problem_.commit(report.time);
   motion_.commit();
   motion_.show_trial(false);
   dirty_ = false;
   ++now_.steps;
+  if (enters) lead_drawn_seams();
 }
 
 // Of a mode of frequency w the energies at the ends of steps oscillate by a fraction of (w dt / 2)^2, though

@@ -74,7 +74,9 @@ assert(short.joints.closed < short.joints.stitches and #short.steps < 1.5 * shor
 local caught = vest(late)
 caught:solve()
 assert(caught.joints.closed == caught.joints.stitches and #caught.steps < 1.2 * caught.time / caught.step_size)
-assert(caught.warnings[1].code == "seam" and caught.warnings[1].time > 0)
+local told
+for _, w in ipairs(caught.warnings) do told = told or w.code == "seam" and w.time end
+assert(told and told > 0)
 
 for _, case in ipairs { "", " late" } do
   local one = check.child("--threads 1", "whole" .. case)

@@ -172,7 +172,8 @@ class ExplicitContact final : public ContactScheme {
   // motion does not exclude that, each near pair is checked.
   bool may_have_passed();
   bool turns_too_far() const;  // a body
-  bool guarded() const { return state_.trial.guard > 0; }
+  bool guarded() const { return state_.totals().guard > 0; }
+  bool enters_guard() const { return guarded() && !(state_.committed.guard > 0); }
   // Whether a barrier acts that needs shorter steps: others are met by inertia.
   bool needs_short_steps() const { return std::isfinite(state_.trial.hard_gap); }
   // Whether something has come into one of these as in an impact, whose energy inertia would err with.
