@@ -24,8 +24,8 @@ unsigned force_of(const section::Section& section, const law::Step& step, const 
   const Membrane m = membrane<sharing>(k, batch.geometry);
   InPlane p[gauss_points];
   Resultants r[gauss_points];
-  _Pragma("GCC unroll 4") for (int g = 0; g < gauss_points; ++g) p[g] =
-      in_plane<sharing>(k, batch.geometry + layout.reference(g) * lanes, m, gamma, g);
+  _Pragma("GCC unroll 4") for (int g = 0; g < gauss_points; ++g)
+      in_plane<sharing>(k, batch.geometry + layout.reference(g) * lanes, m, gamma, g, p[g]);
   std::conditional_t<sharing == Sharing::element, SharedEasing, Easing> easing;
   if constexpr (sharing == Sharing::element)
     load_shared_easing(batch.geometry, layout, easing);
@@ -354,7 +354,7 @@ unsigned tangent_of(const section::Section& section, const law::Step& step, cons
   const Kinematics before = extrapolated ? kinematics(before_step(batch)) : k;
   InPlane whole[gauss_points];
   for (int g = 0; g < gauss_points && linear; ++g)
-    whole[g] = in_plane(k, batch.geometry + layout.reference(g) * lanes, m, gamma, g);
+    in_plane(k, batch.geometry + layout.reference(g) * lanes, m, gamma, g, whole[g]);
   if (extrapolated) linearise(before, k, batch.geometry, levers, m, gamma);
   const SampleColumns samples = sample_columns(k, m, batch.geometry);
   ConjugateForces forces, on_line;
@@ -372,14 +372,17 @@ unsigned tangent_of(const section::Section& section, const law::Step& step, cons
   EasedColumns columns;
   if (load_easing(batch.geometry, layout, easing)) {
     for (int g = 0; g < gauss_points; ++g)
-      eased[g] = in_plane(k, batch.geometry + layout.reference(g) * lanes, m, gamma, g);
+      in_plane(k, batch.geometry + layout.reference(g) * lanes, m, gamma, g, eased[g]);
     ease_strains(easing, eased);
     if (linear) ease_strains(easing, whole);
     eased_columns(easing, m, samples, columns);
   }
   for (int g = 0; g < gauss_points; ++g) {
-    InPlane p =
-        easing.any ? eased[g] : in_plane(k, batch.geometry + layout.reference(g) * lanes, m, gamma, g);
+    InPlane p;
+    if (easing.any)
+      p = eased[g];
+    else
+      in_plane(k, batch.geometry + layout.reference(g) * lanes, m, gamma, g, p);
     if (extrapolated) linearise(before, k, g, p);
     Resultants r;
     ThicknessMoments stiffness;
@@ -448,7 +451,7 @@ inline void at_points(const section::Section& section, const Shell4Batch& batch,
   const Membrane m = membrane(k, batch.geometry);
   InPlane p[gauss_points];
   for (int g = 0; g < gauss_points; ++g)
-    p[g] = in_plane(k, batch.geometry + layout.reference(g) * lanes, m, gamma, g);
+    in_plane(k, batch.geometry + layout.reference(g) * lanes, m, gamma, g, p[g]);
   Easing easing;
   if (load_easing(batch.geometry, layout, easing)) ease_strains(easing, p);
   for (int g = 0; g < gauss_points; ++g) visit(g, p[g], batch.geometry + layout.point(g, 0) * lanes);
