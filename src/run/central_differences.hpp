@@ -72,27 +72,31 @@ class CentralDifferences final : public mechanics::Motion {
   struct State {
     std::vector<double> predicted, residual;  // per unknown, m/s and 1/s, N and N m
     double kick = 0, damping = 0;             // s, gamma dt; 1/s, of the masses
-    double acceleration(double undamped, double predicted_rate) const {
-      if (damping == 0) return undamped;
-      return (undamped - damping * predicted_rate) / (1 + kick * damping);
-    }
     void keep(Archive& archive) { archive(predicted, residual, kick, damping); }
   };
+  // Of a state, per unknown.
+  struct Rates {
+    const double *predicted, *residual, *per_mass;
+    double kick, damping, share;  // share: 1 / (1 + kick damping)
+    double acceleration(std::size_t i) const {
+      return share * (residual[i] * per_mass[i] - damping * predicted[i]);
+    }
+    double velocity(std::size_t i) const { return predicted[i] + kick * acceleration(i); }
+  };
+  Rates rates_of(const State& s) const {
+    return {s.predicted.data(), s.residual.data(),           per_mass_.data(), s.kick,
+            s.damping,          1 / (1 + s.kick * s.damping)};
+  }
   bool is_midpoint() const { return gamma_ == 0.5; }
-  double acceleration(const State& state, std::size_t i) const {
-    return state.acceleration(state.residual[i] / mass_[i], state.predicted[i]);
-  }
-  double velocity(const State& state, std::size_t i) const {
-    return state.predicted[i] + state.kick * acceleration(state, i);
-  }
-  double increment(std::size_t i) const {
+  // In the step, by the rates of its beginning.
+  double increment(const Rates& before, std::size_t i) const {
     if (is_midpoint()) return dt() * trial_.predicted[i];
-    return dt() * (velocity(committed_, i) + dt() / 2 * acceleration(committed_, i));
+    return dt() * (before.velocity(i) + dt() / 2 * before.acceleration(i));
   }
   const State& shown() const { return tried_ ? trial_ : committed_; }
   double kinetic_of(const State& state) const;
 
-  std::vector<double> mass_;
+  std::vector<double> mass_, per_mass_;
   double gamma_;
   std::function<std::vector<double>()> driven_;
   State committed_, trial_;
