@@ -1,4 +1,4 @@
-// Rotation of directors on the unit sphere, and the matrices of the vector product and of a rotating body.
+// Axes of directors on the unit sphere, and the matrices of the vector product and of a rotating body.
 #pragma once
 #include <cmath>
 
@@ -17,36 +17,6 @@ inline Mat3 cross_matrix(const Vec3& a) {
 // body, exp(theta) r: the quadratic form theta . (sym(r f^T) - (r.f) 1) theta.
 inline Mat3 turning_stiffness(const Vec3& r, const Vec3& f) {
   return (r * f.transpose() + f * r.transpose()) / 2 - r.dot(f) * Mat3::Identity();
-}
-
-// cos, sin / angle and (cos - 1) / x of the angle whose square is x. Below x =
-// 0.01, the usual case in dynamics, by series truncated below rounding error.
-struct TurnFunctions {
-  double cosine, sine, versed;
-};
-inline TurnFunctions turn_by(double x) {
-  if (x < 0.01)
-    return {1 - x / 2 * (1 - x / 12 * (1 - x / 30 * (1 - x / 56))),
-            1 - x / 6 * (1 - x / 20 * (1 - x / 42 * (1 - x / 72))),
-            -0.5 * (1 - x / 12 * (1 - x / 30 * (1 - x / 56 * (1 - x / 90))))};
-  const double angle = std::sqrt(x), cosine = std::cos(angle);
-  return {cosine, std::sin(angle) / angle, (cosine - 1) / x};
-}
-
-// Normalises v, whose length is almost 1: one Newton step, whose error is quadratic in that of the length.
-inline void renew(Eigen::Map<Vec3> v) { v *= 1.5 - 0.5 * v.squaredNorm(); }
-
-// Rotates the director d by the increment q (tangent to the sphere,
-// rad) along a great circle, and parallel-transports its first axis b1.
-inline void turn(Eigen::Map<Vec3> d, Eigen::Map<Vec3> b1, const Vec3& q) {
-  const TurnFunctions by = turn_by(q.squaredNorm());
-  const Vec3 d0 = d;
-  d = by.cosine * d0 + by.sine * q;
-  renew(d);
-  const double along = b1.dot(q);
-  b1 += along * (by.versed * q - by.sine * d0);
-  b1 -= b1.dot(d) * Vec3(d);
-  renew(b1);
 }
 
 // The two axes about which the director d turns, as columns: the rates of d by its two rotations.

@@ -9,6 +9,7 @@
 #include "geometry/turning.hpp"
 #include "mechanics/mesh_tools.hpp"
 #include "mechanics/rest_shape.hpp"
+#include "mechanics/turning_batch.hpp"
 
 namespace fabricsh::mechanics {
 
@@ -172,20 +173,16 @@ void Dofs::apply_increment(std::span<const double> delta, double scale, std::spa
       else
         u[c] = equation[c] == held || equation[c] == tied ? 0.0 : targets[motion_of(equation[c])];
   };
-  const auto turn_director = [&](Index i, double q1, double q2) {
-    if (q1 == 0 && q2 == 0) return;
-    const Vec3 director = at(d, i), first = at(b1, i);
-    turn(at(d, i), at(b1, i), q1 * first + q2 * director.cross(first));
-  };
-  const auto move_node = [&](Index i) {
+  // Moves the node and returns whether its director turns, by q.
+  const auto move_node = [&](Index i, double(&q)[2]) {
     at(d, i) = at(base.subspan(3 * n), i);
     at(b1, i) = at(base.subspan(6 * n), i);
     Vec3 u = at(base, i) - X_[i];
     if (const std::int32_t* equation = plain_equations(i)) {
       move(i, equation, u);
       at(x, i) = X_[i] + u;
-      turn_director(i, step(equation[3]), step(equation[4]));
-      return;
+      q[0] = step(equation[3]), q[1] = step(equation[4]);
+      return q[0] != 0 || q[1] != 0;
     }
     const NodeFreedoms& node = freedoms_.nodes[i];
     if (node.oblique) u = node.frame * u;
@@ -197,20 +194,37 @@ void Dofs::apply_increment(std::span<const double> delta, double scale, std::spa
           Eigen::AngleAxisd(targets[motion_of(node.equation[3])], *node.turn_axis).toRotationMatrix();
       at(d, i) = R * directors_[i];
       at(b1, i) = R * first_axes_[i];
-      return;
+      return false;
     }
-    const double q1 = step(node.equation[3]), q2 = step(node.equation[4]);
-    if (q1 == 0 && q2 == 0) return;
-    turn_director(i, q1, q2);
-    realign(i);
+    q[0] = step(node.equation[3]), q[1] = step(node.equation[4]);
+    return q[0] != 0 || q[1] != 0;
+  };
+  const auto move_nodes = [&](Index from, Index to) {
+    TurningBatch batch;
+    bool turns[lanes] = {}, any = false;
+    for (Index i = from; i < to; ++i) {
+      double q[2];
+      const auto lane = static_cast<std::size_t>(i - from);
+      turns[lane] = joints_.leads(i) && move_node(i, q);
+      if (!turns[lane]) continue;
+      any = true;
+      for (std::size_t c = 0; c < 3; ++c) batch.d[c][lane] = at(d, i)[c], batch.b1[c][lane] = at(b1, i)[c];
+      batch.q[0][lane] = q[0], batch.q[1][lane] = q[1];
+    }
+    if (any) turn(batch);
+    for (Index i = from; i < to; ++i) {
+      if (!joints_.leads(i)) continue;
+      if (const auto lane = static_cast<std::size_t>(i - from); turns[lane]) {
+        for (std::size_t c = 0; c < 3; ++c) at(d, i)[c] = batch.d[c][lane], at(b1, i)[c] = batch.b1[c][lane];
+        if (plain_equations(i) == nullptr) realign(i);
+      }
+      for (Index other = joints_.next(i); other >= 0; other = joints_.next(other))
+        for (const auto& part : {x, d, b1}) at(part, other) = at(part, i);
+    }
   };
 #pragma omp parallel for schedule(static) if (static_cast <Index>(n) >= 128)
-  for (Index i = 0; i < static_cast<Index>(n); ++i) {
-    if (!joints_.leads(i)) continue;
-    move_node(i);
-    for (Index other = joints_.next(i); other >= 0; other = joints_.next(other))
-      for (const auto& part : {x, d, b1}) at(part, other) = at(part, i);
-  }
+  for (Index from = 0; from < static_cast<Index>(n); from += lanes)
+    move_nodes(from, std::min(from + lanes, static_cast<Index>(n)));
   apply_ties(delta, scale);
   configuration_.touch();
 }

@@ -1,5 +1,4 @@
-// Directors that turn: against the exact rotation, over small and large angles; the work of a force on an arm
-// that turns.
+// The first axes of directors; the work of a force on an arm that turns.
 #include <cmath>
 #include <numbers>
 
@@ -7,40 +6,6 @@
 #include "geometry/turning.hpp"
 
 using namespace fabricsh;
-
-namespace {
-
-const Vec3 kDirector = Vec3(2, -1, 2) / 3;
-const Vec3 kAxis = Vec3(1, 2, 0).normalized();  // normal to the director
-
-}  // namespace
-
-TEST_CASE("turning: a director and its first axis turn as by the rotation, by any angle") {
-  CHECK(std::abs(kDirector.dot(kAxis)) < 1e-15);
-  for (const double angle : {1e-9, 1e-3, 0.05, 0.0999, 0.1001, 0.7, 2.0, 3.0})
-    for (const double turned : {0.3, 1.9}) {
-      // Two directions on the sphere: the axis of the rotation is normal to the director, so the way is a
-      // great circle.
-      const Vec3 about = Eigen::AngleAxisd(turned, kDirector) * kAxis, way = about.cross(kDirector);
-      const Mat3 R = Eigen::AngleAxisd(angle, about).toRotationMatrix();
-      Vec3 d = kDirector, b = kAxis;
-      turn(Eigen::Map<Vec3>(d.data()), Eigen::Map<Vec3>(b.data()), angle * way);
-      INFO("angle " << angle);
-      CHECK((d - R * kDirector).norm() < 1e-14);
-      CHECK((b - R * kAxis).norm() < 1e-14);
-    }
-}
-
-TEST_CASE("turning: the series agree with the functions at their end") {
-  const double x = 0.01;
-  const TurnFunctions below = turn_by(std::nextafter(x, 0)), above = turn_by(x);
-  CHECK(below.cosine == Approx(above.cosine).epsilon(1e-15));
-  CHECK(below.sine == Approx(above.sine).epsilon(1e-15));
-  CHECK(below.versed == Approx(above.versed).epsilon(1e-13));  // (cos - 1) / x loses two digits there
-  CHECK(turn_by(0).cosine == 1);
-  CHECK(turn_by(0).sine == 1);
-  CHECK(turn_by(0).versed == -0.5);
-}
 
 TEST_CASE(
     "turning: a director's frame has its first axis normal to it, from the axis least aligned with it") {
