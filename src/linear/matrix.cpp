@@ -105,6 +105,25 @@ void Matrix::change_pattern(const std::shared_ptr<const Pattern>& p) {
   pattern = p;
 }
 
+Matrix without_zeros(const Matrix& A) {
+  std::vector<Index> starts{0}, rows;
+  std::vector<double> value;
+  for (Index c = 0; c < A.size(); ++c) {
+    for (Index k = A.pattern->column[c]; k < A.pattern->column[c + 1]; ++k) {
+      const double v = A.value[static_cast<std::size_t>(k)];
+      if (v == 0) continue;
+      rows.push_back(A.pattern->row[k]);
+      value.push_back(v);
+    }
+    starts.push_back(static_cast<Index>(rows.size()));
+  }
+  Pattern few(std::move(starts), std::move(rows));
+  few.upper = A.pattern->upper;
+  Matrix out(std::make_shared<const Pattern>(std::move(few)));
+  out.value = std::move(value);
+  return out;
+}
+
 namespace {
 
 // Both triangles of an upper pattern. Columns are visited in ascending order, so that rows are.

@@ -75,6 +75,9 @@ struct Matrix {
   void change_pattern(const std::shared_ptr<const Pattern>& p);
 };
 
+// The same matrix in a pattern of its own, which has the entries that are not zero; without what is apart.
+Matrix without_zeros(const Matrix& A);
+
 // For each column the sum of its entries' absolute values, those below the diagonal included also where A
 // keeps its upper triangle; none smaller than 1e-12 times the largest.
 void absolute_sums(const Matrix& A, std::vector<double>& sums);

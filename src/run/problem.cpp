@@ -71,8 +71,10 @@ mechanics::NodalRates EquilibriumProblem::accelerations(std::span<const double> 
   linear::Matrix M(assembly_.pattern());
   assembly_.add_diagonal(newmark_->inertia().mass(), newmark_->inertia().rotary(), M);
   std::vector<double> a(r.size(), 0);
-  const auto linear = linear::make_unsymmetric_solver();
-  if (!a.empty() && !(linear->factorise(M) && linear->solve(M, r, a)))
+  // Ties alone couple unknowns here: the pattern of the tangent would make factors of its size.
+  const linear::Matrix few = linear::without_zeros(M);
+  const auto linear = linear::make_symmetric_solver();
+  if (!a.empty() && !(linear->factorise(few) && linear->solve(few, r, a)))
     throw NumericalFailure("dynamic: the mass of the unknowns is singular", 0);
   mechanics::NodalRates accelerations;
   assembly_.dofs().spread_rates(a, std::vector<double>(lead_.size(), 0), accelerations);
