@@ -518,6 +518,7 @@ struct Request {
 int complete_protected(lua_State* L) {
   auto& request = *static_cast<Request*>(lua_touserdata(L, 1));
   luaL_checkstack(L, 20, "completion");
+  script::load_defined_later(L);
   request.result = Completer(script::Session::of(L), request.text).run();
   return 0;
 }

@@ -44,7 +44,7 @@ FILENAME == "lua/LAYERS" {
 
 {
   rest = $0
-  while (match(rest, /require *\(?"fabric\.[a-z_.]+"/)) {
+  while (match(rest, /(require|later) *\(?"fabric\.[a-z_.]+"/)) {
     module = substr(rest, RSTART, RLENGTH - 1)
     rest = substr(rest, RSTART + RLENGTH)
     sub(/^[^"]*"fabric\./, "", module)

@@ -1,9 +1,11 @@
 // Every Lua function has a row, the row a sentence for itself and each argument, and an example that runs.
 #include <map>
 #include <set>
+#include <sstream>
 
 #include "catch.hpp"
 #include "draws.hpp"
+#include "script/call/boundary.hpp"
 #include "script/open/open_session.hpp"
 
 using namespace fabricsh::script;
@@ -41,11 +43,55 @@ void collect(lua_State* L, const std::string& path, std::set<std::string>& names
   }
 }
 
+void load_library(OpenSession& session) {
+  REQUIRE(error_of(session, "require 'fabric'") == "");
+  load_defined_later(session.lua());
+}
+
 }  // namespace
+
+TEST_CASE("a module is loaded when one of its functions is asked for") {
+  // pull: the functions of this table by name, in a session in which nothing else has asked for them
+  const auto names = [](const char* table, const char* pull) {
+    OpenSession session{SessionOptions{}};
+    INFO(table << ": " << pull);
+    REQUIRE(error_of(session, std::string("local fabric = require 'fabric'\nlocal t, names = ") + table +
+                                  ", {}\n" + pull + "\ntable.sort(names) found = table.concat(names, ' ')") ==
+            "");
+    lua_getglobal(session.lua(), "found");
+    return std::string(lua_tostring(session.lua(), -1));
+  };
+  for (const char* table : {"fabric", "fabric.lab", "fabric.export", "fabric.import", "fabric.rigid"}) {
+    const std::string all = names(table, "for name in pairs(t) do names[#names + 1] = name end");
+    CHECK(
+        all ==
+        names(table, "local name = next(t) while name do names[#names + 1] = name name = next(t, name) end"));
+    // one after the other, each as the first that is asked for
+    std::istringstream words(all);
+    for (std::string name; words >> name;)
+      CHECK(names(table, ("if t." + name + " then names[1] = '" + name + "' end").c_str()) == name);
+  }
+  OpenSession session{SessionOptions{}};
+  const auto modules = [&session] {
+    REQUIRE(error_of(session,
+                     "local n = 0 for name in pairs(package.loaded) do if name:find '^fabric%.lab%.' then n "
+                     "= n + 1 end "
+                     "end count = n") == "");
+    lua_getglobal(session.lua(), "count");
+    return lua_tointeger(session.lua(), -1);
+  };
+  REQUIRE(error_of(session, "require 'fabric'") == "");
+  CHECK(modules() == 0);
+  REQUIRE(error_of(session, "assert(require 'fabric'.lab.bias)") == "");
+  const auto few = modules();
+  CHECK(few > 0);
+  load_defined_later(session.lua());
+  CHECK(modules() > 5 * few);
+}
 
 TEST_CASE("every function of the module has a row") {
   OpenSession session{SessionOptions{}};
-  REQUIRE(error_of(session, "require 'fabric'") == "");
+  load_library(session);
   std::set<std::string> functions;
   lua_getfield(session.lua(), LUA_REGISTRYINDEX, "fabric");
   collect(session.lua(), "fabric", functions);
@@ -78,7 +124,7 @@ TEST_CASE("every method and property has a row") {
 
 TEST_CASE("every row says what it is") {
   OpenSession session{SessionOptions{}};
-  REQUIRE(error_of(session, "require 'fabric'") == "");
+  load_library(session);
   std::map<std::string, int> count;
   for (const Entry& entry : session.registry().entries()) {
     INFO(entry.name);
@@ -94,7 +140,7 @@ TEST_CASE("every example runs, each in a session of its own") {
   std::vector<std::pair<std::string, std::string>> examples;
   {
     OpenSession session{SessionOptions{}};
-    REQUIRE(error_of(session, "require 'fabric'") == "");
+    load_library(session);
     for (const Entry& entry : session.registry().entries()) examples.emplace_back(entry.name, entry.example);
   }
   const std::size_t apart = 4 / fabricsh::test::draws(4);

@@ -1,44 +1,45 @@
 -- fabric.lab: virtual tests, and the laboratory: from measurement to card; in the order of the reference.
-require "fabric.lab.virtual.mesh_error"
-require "fabric.lab.virtual.uniaxial"
-require "fabric.lab.virtual.bias"
-require "fabric.lab.virtual.shear"
-require "fabric.lab.virtual.biaxial"
-require "fabric.lab.virtual.drape"
-require "fabric.lab.virtual.poke"
-require "fabric.lab.virtual.ball_drop"
-require "fabric.lab.worn.dress"
-require "fabric.lab.worn.tension_field"
-require "fabric.lab.worn.wear"
-require "fabric.lab.virtual.capstan"
-require "fabric.lab.virtual.chain"
-require "fabric.lab.rupture.strip_rupture"
-require "fabric.lab.rupture.tear"
-require "fabric.lab.rupture.seam"
-require "fabric.lab.rupture.ball_burst"
-require "fabric.lab.form.form"
-require "fabric.lab.form.form_finding"
-require "fabric.lab.virtual.frequency_response"
-require "fabric.lab.card.rupture_card"
-require "fabric.lab.record.read"
-require "fabric.lab.record.tensile"
-require "fabric.lab.record.breaking"
-require "fabric.lab.card.compare"
-require "fabric.lab.card.fit"
-require "fabric.lab.card.spread"
-require "fabric.lab.card.markers"
-require "fabric.lab.card.kilby"
-require "fabric.lab.card.card"
-require "fabric.lab.synthetic"
-require "fabric.lab.virtual.bias_extension"
-require "fabric.lab.card.frames"
-require "fabric.lab.card.kes"
-require "fabric.lab.virtual.hang"
-require "fabric.lab.virtual.cusick"
-require "fabric.lab.card.fast"
-require "fabric.lab.identify.identify"
-require "fabric.lab.identify.ensemble"
-require "fabric.lab.identify.pool"
-require "fabric.lab.card.bias_sizes"
-require "fabric.lab.card.viscous"
-require "fabric.lab.card.loops"
+local later = require "fabric.define".later
+later("fabric.lab.virtual.mesh_error", "lab.mesh_error")
+later("fabric.lab.virtual.uniaxial", "lab.uniaxial")
+later("fabric.lab.virtual.bias", "lab.bias")
+later("fabric.lab.virtual.shear", "lab.shear")
+later("fabric.lab.virtual.biaxial", "lab.biaxial")
+later("fabric.lab.virtual.drape", "lab.drape")
+later("fabric.lab.virtual.poke", "lab.poke")
+later("fabric.lab.virtual.ball_drop", "lab.ball_drop")
+later("fabric.lab.worn.dress", "lab.dress")
+later("fabric.lab.worn.tension_field", "lab.tension_field")
+later("fabric.lab.worn.wear", "lab.wear")
+later("fabric.lab.virtual.capstan", "lab.capstan")
+later("fabric.lab.virtual.chain", "lab.chain")
+later("fabric.lab.rupture.strip_rupture", "lab.strip_rupture", "lab.grab")
+later("fabric.lab.rupture.tear", "lab.tear")
+later("fabric.lab.rupture.seam", "lab.seam_strength", "lab.seam_slippage")
+later("fabric.lab.rupture.ball_burst", "lab.ball_burst", "lab.impact")
+later("fabric.lab.form.form", "lab.form")
+later("fabric.lab.form.form_finding", "lab.form_finding")
+later("fabric.lab.virtual.frequency_response", "lab.frequency_response")
+later("fabric.lab.card.rupture_card", "lab.rupture")
+later("fabric.lab.record.read", "lab.read")
+later("fabric.lab.record.tensile", "lab.tensile", "lab.density")
+later("fabric.lab.record.breaking", "lab.breaking_strength")
+later("fabric.lab.card.compare", "lab.compare")
+later("fabric.lab.card.fit", "lab.fit")
+later("fabric.lab.card.spread", "lab.spread")
+later("fabric.lab.card.markers", "lab.tracks", "lab.poisson", "lab.shear_from_bias")
+later("fabric.lab.card.kilby", "lab.kilby")
+later("fabric.lab.card.card", "lab.card")
+later("fabric.lab.synthetic", "lab.synthetic")
+later("fabric.lab.virtual.bias_extension", "lab.bias_extension")
+later("fabric.lab.card.frames", "lab.picture_frame", "lab.bias_shear")
+later("fabric.lab.card.kes", "lab.kes_shear", "lab.kes_bending", "lab.kes_tensile", "lab.kes_card", "lab.kes_sheet")
+later("fabric.lab.virtual.hang", "lab.cantilever", "lab.heart_loop", "lab.twist")
+later("fabric.lab.virtual.cusick", "lab.cusick")
+later("fabric.lab.card.fast", "lab.fast", "lab.fast_card")
+later("fabric.lab.identify.identify", "lab.identify")
+later("fabric.lab.identify.ensemble", "lab.ensemble")
+later("fabric.lab.identify.pool", "lab.pool")
+later("fabric.lab.card.bias_sizes", "lab.bias_sizes")
+later("fabric.lab.card.viscous", "lab.viscous")
+later("fabric.lab.card.loops", "lab.loops")

@@ -89,6 +89,7 @@ void copy_to_globals(lua_State* L) {
 int globals(Call& call) {
   lua_State* L = call.L();
   lua_getfield(L, LUA_REGISTRYINDEX, "fabric");
+  load_members(L, -1);
   push_raw(L, -1, "units");
   want_table(L, -1, "fabric.units");
   lua_insert(L, -2);

@@ -7,10 +7,10 @@
 // above, default, optional, choices, rows. define.fail(message) raises an error with the deck's
 // line; define.check(call, path, value, rows) raises one unless the value is a table that matches rows of
 // arguments; define.warnings(define.log_end()) is what runs and decks warn of from then on, define.say(text)
-// shows a warning without adding it to these; define.keep_caller(f)
-// is f for decks, whose line is known even in `return f()`; define.registry has rows, name_of, class_of,
-// card_of, nearest and show of bind/registry.cpp. run receives one table with all defaults filled in; with
-// positional=true, the values in order.
+// shows a warning without adding it to these; define.later(module, name...) defers a module of the library;
+// define.keep_caller(f) is f for decks, whose line is known even in `return f()`; define.registry has rows,
+// name_of, class_of, card_of, nearest and show of bind/registry.cpp. run receives one table with all defaults
+// filled in; with positional=true, the values in order.
 #include <cmath>
 #include <memory>
 #include <new>
@@ -295,6 +295,14 @@ int keep_caller(lua_State* L) {
   return 1;
 }
 
+// later(module, name...): the module defines fabric.name when one of these is first asked for.
+int later(lua_State* L) {
+  const std::string module = luaL_checkstring(L, 1);
+  for (int i = lua_gettop(L); i > 1; --i)
+    define_later(L, std::string("fabric.") + luaL_checkstring(L, i), module);
+  return 0;
+}
+
 // refusals(): how often the machine has refused a file or memory to a call of this session.
 int refusals(lua_State* L) {
   lua_getfield(L, LUA_REGISTRYINDEX, refusals_key);
@@ -361,7 +369,8 @@ int call_define(lua_State* L) {
 int open_define(lua_State* L) {
   lua_newtable(L);
   put(L, "fail", fail, "check", check_table, "keep_caller", keep_caller, "lock", lock, "refusals", refusals,
-      "log_end", log_end, "warnings", warnings, "say", say, "registry", [&] { push_registry(L); });
+      "log_end", log_end, "warnings", warnings, "say", say, "later", later, "registry",
+      [&] { push_registry(L); });
   lua_newtable(L);
   put(L, "__call", call_define, "__metatable", false);
   lua_setmetatable(L, -2);

@@ -55,6 +55,7 @@ void push_rows(lua_State* L, const std::vector<Argument>& rows) {
 
 // rows(): a list of {name, style, owner, sentence, example, arguments}, sorted by name.
 int registry_rows(lua_State* L) {
+  load_defined_later(L);
   std::vector<const Entry*> entries;
   for (const Entry& entry : Session::of(L).registry().entries()) entries.push_back(&entry);
   std::sort(entries.begin(), entries.end(), [](const Entry* a, const Entry* b) { return a->name < b->name; });

@@ -43,6 +43,10 @@ std::string position(lua_State* L) {
 
 namespace {
 
+constexpr const char* later_key =
+    "fabricsh.later";  // registry: {name = module} of define_later(), and `require`
+constexpr const char* module_field = "__module";  // of metatables: the module's name
+
 int failure_text(lua_State* L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   return push_text(L, raw_text(L, 1, "where") + raw_text(L, 1, "message"));
@@ -152,9 +156,30 @@ int refuse_assignment(lua_State* L) {
   return lua_error(L);
 }
 
-// module.x with an unknown x: an error with the nearest name. Upvalue: the module's name.
+// Loads the module of the library that defines the function, if there is one.
+void load_for(lua_State* L, const std::string& name) {
+  luaL_checkstack(L, 10, "library");
+  luaL_getsubtable(L, LUA_REGISTRYINDEX, later_key);
+  if (push_raw(L, -1, name) == LUA_TSTRING) {
+    push_raw(L, -2, "require");
+    lua_insert(L, -2);
+    lua_call(L, 1, 0);
+  } else {
+    lua_pop(L, 1);
+  }
+  lua_pop(L, 1);
+}
+
+// module.x with an x that is not there yet, or with an unknown x: an error with the nearest name. Upvalue:
+// the module's name.
 int index_module(lua_State* L) {
-  std::string message = position(L) + lua_tostring(L, lua_upvalueindex(1)) + ": ";
+  const std::string module = lua_tostring(L, lua_upvalueindex(1));
+  if (lua_type(L, 2) == LUA_TSTRING && lua_istable(L, 1)) {
+    load_for(L, module + "." + lua_tostring(L, 2));
+    if (push_raw(L, 1, lua_tostring(L, 2)) != LUA_TNIL) return 1;
+  }
+  load_defined_later(L, module);
+  std::string message = position(L) + module + ": ";
   message += unknown("field", luaL_tolstring(L, 2, nullptr),
                      lua_istable(L, 1) ? keys_of(L, 1) : std::vector<std::string>{});
   lua_pushstring(L, message.c_str());
@@ -165,6 +190,7 @@ int index_module(lua_State* L) {
 int call_module(lua_State* L) {
   if (push_raw(L, 1, "of") == LUA_TNIL) {
     const std::string name = lua_tostring(L, lua_upvalueindex(1));
+    load_defined_later(L, name);
     lua_pushstring(L, (position(L) + name + ": it is no function; it holds functions, as " + name + "." +
                        keys_of(L, 1).front())
                           .c_str());
@@ -175,17 +201,28 @@ int call_module(lua_State* L) {
   return lua_gettop(L);
 }
 
+int next_member(lua_State* L) {
+  lua_settop(L, 2);
+  return lua_next(L, 1) != 0 ? 2 : 0;
+}
+
+// pairs(module): of all that it holds. Upvalue: the module's name.
+int pairs_of_module(lua_State* L) {
+  load_defined_later(L, lua_tostring(L, lua_upvalueindex(1)));
+  lua_pushcfunction(L, next_member);
+  lua_pushvalue(L, 1);
+  return 2;
+}
+
 }  // namespace
 
 void watch_module(lua_State* L, const std::string& name) {
   lua_newtable(L);
+  const luaL_Reg events[] = {
+      {"__index", index_module}, {"__call", call_module}, {"__pairs", pairs_of_module}, {nullptr, nullptr}};
   lua_pushstring(L, name.c_str());
-  lua_pushcclosure(L, index_module, 1);
-  lua_setfield(L, -2, "__index");
-  lua_pushstring(L, name.c_str());
-  lua_pushcclosure(L, call_module, 1);
-  lua_setfield(L, -2, "__call");
-  put(L, "__metatable", false);
+  luaL_setfuncs(L, events, 1);
+  put(L, module_field, name, "__metatable", false);
   lua_setmetatable(L, -2);
 }
 
@@ -211,6 +248,30 @@ void push_home(lua_State* L, const std::string& name) {
 }
 
 }  // namespace
+
+void define_later(lua_State* L, const std::string& name, const std::string& module) {
+  push_home(L, name);
+  luaL_getsubtable(L, LUA_REGISTRYINDEX, later_key);
+  put(L, name.c_str(), module);
+  lua_getglobal(L, "require");
+  lua_setfield(L, -2, "require");
+  lua_pop(L, 2);
+}
+
+void load_defined_later(lua_State* L, const std::string& home) {
+  luaL_checkstack(L, 10, "library");
+  luaL_getsubtable(L, LUA_REGISTRYINDEX, later_key);
+  const auto names = keys_of(L, -1);
+  lua_pop(L, 1);
+  for (const std::string& name : names)
+    if (home.empty() || name.substr(0, name.rfind('.')) == home) load_for(L, name);
+}
+
+void load_members(lua_State* L, int index) {
+  const int type = luaL_getmetafield(L, index, module_field);
+  if (type == LUA_TSTRING) load_defined_later(L, lua_tostring(L, -1));
+  if (type != LUA_TNIL) lua_pop(L, 1);
+}
 
 void place(lua_State* L, const Entry& entry) {
   const std::string word = last_word(entry.name);

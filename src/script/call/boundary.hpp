@@ -24,6 +24,15 @@ void place(lua_State* L, const Entry& entry);
 // Makes reading an unknown field of the table on top of the stack an error with the nearest known name.
 void watch_module(lua_State* L, const std::string& name);
 
+// A function of the library, "fabric.lab.bias", that this module of Lua defines. The module is loaded when
+// one of its functions is first asked for: most decks need few, and all of them take longer to load than a
+// short run.
+void define_later(lua_State* L, const std::string& name, const std::string& module);
+// Loads what defines the functions of the table with this name that are not defined yet, or of all tables.
+void load_defined_later(lua_State* L, const std::string& home = {});
+// The same for the table at index, if it is one of the library's.
+void load_members(lua_State* L, int index);
+
 // Stores every row at the place that its name states: functions in the table `fabric` (registry key
 // "fabric"), methods and properties in their class.
 void install(Session& session, std::vector<Entry> entries);

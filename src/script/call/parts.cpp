@@ -1,5 +1,6 @@
 #include "script/call/parts.hpp"
 
+#include "script/call/boundary.hpp"
 #include "script/call/push.hpp"
 
 namespace fabricsh::script {
@@ -139,6 +140,7 @@ int part_pairs(lua_State* L) {
 }
 
 int on_own(lua_State* L) {
+  load_members(L, 1);
   if (push_shown(L, 1)) {
     lua_pop(L, 1);
     make_own(L, 1);

@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "format/source.hpp"
+#include "script/call/boundary.hpp"
 #include "script/sandbox/lua.hpp"
 #include "system/gate.hpp"
 #include "system/paths.hpp"
@@ -209,6 +210,7 @@ void confine(Session& session) {
   lua_remove(L, -2);
   if (lua_pcall(L, 2, 0, 0) != LUA_OK) throw Error(lua_tostring(L, -1));
   lua_settop(L, 0);
+  load_defined_later(L);  // before limits begin, and with what a deck has not changed
 }
 
 int load_file(lua_State* L, const std::string& path) {

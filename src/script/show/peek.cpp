@@ -179,6 +179,7 @@ void peek_item(lua_State* L, int index, lua_Integer number) {
 NamesIn names_in(lua_State* L, int index, bool methods, std::string_view begin) {
   index = lua_absindex(L, index);
   luaL_checkstack(L, 10, "peek");
+  load_members(L, index);
   NameCollector names{begin};
   if (class_of(L, index).empty())
     table_names(L, index, methods, names);

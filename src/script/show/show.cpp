@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "base/number.hpp"
+#include "script/call/boundary.hpp"
 #include "script/call/object.hpp"
 #include "script/call/parts.hpp"
 #include "script/call/push.hpp"
@@ -210,6 +211,7 @@ std::string table_text(lua_State* L, int index, int depth) {
 
 std::string value_text(lua_State* L, int index, int depth) {
   if (lua_istable(L, index) && !has_text(L, index)) {
+    load_members(L, index);
     lua_pushvalue(L, index);
     make_plain(L);
     std::string words = table_text(L, -1, depth);
