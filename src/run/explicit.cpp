@@ -92,8 +92,11 @@ void Explicit::take(const mechanics::Transfer&, const std::vector<double>& rates
 // multiplies it by sqrt(1 + xi^2) - xi, where xi = b omega / 2 at the highest frequency, omega = 2 / step.
 double Explicit::damped(double step) const {
   const double xi = options_.stiffness_damping / step;
-  return step * (std::sqrt(1 + xi * xi) - xi);
+  return of_gamma() * step * (std::sqrt(1 + xi * xi) - xi);
 }
+
+// Newmark's method with beta = 0 is stable up to omega dt = sqrt(2 / gamma) [hughes2000].
+double Explicit::of_gamma() const { return std::sqrt(0.5 / options_.gamma); }
 
 // The nominal step, of waves that cross the smallest element, is what regular meshes of cloth take. The bound
 // holds for all shapes, springs and loads.
@@ -154,7 +157,7 @@ void Explicit::check_stable_step(double undamped) const {
 double Explicit::usual_step() const {
   if (contact_ == nullptr) return std::min(kUsual * nominal_, kOfBound * bound_);
   const double of_cloth = kOfBound * bound_ * contact_->share_of_cloth(bound_) / kUsual;
-  return std::min({kUsual * nominal_, contact_->largest_step(scaled_), of_cloth});
+  return std::min({kUsual * nominal_, of_gamma() * contact_->largest_step(scaled_), of_cloth});
 }
 
 void Explicit::choose_step() {

@@ -53,6 +53,7 @@ class Explicit final : public Dynamic {
   void bound_step();  // sets the bound and the stable step for the reference configuration
   // s, with damping by stiffness, which makes a step shorter.
   double damped(double step) const;
+  double of_gamma() const;                                                    // factor of the stable step
   double bound_of(double rate) const { return damped(2 / std::sqrt(rate)); }  // s, of a rate_bound()
   void report_step_bound();
   bool lead_drawn_seams();   // around what their straight way passes through; whether there is any more
