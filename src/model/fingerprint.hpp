@@ -17,7 +17,7 @@ struct FingerprintPart {
 };
 using Fingerprint = std::vector<FingerprintPart>;
 // To be raised when the parts change, or what they cover: those of another edition cannot be compared.
-inline constexpr int fingerprint_edition = 3;
+inline constexpr int fingerprint_edition = 4;
 
 // Covers mesh, regions, warp, thickness, supports, motions, loads, ties, velocities, rigid bodies and
 // contacts, but not the cards.

@@ -34,7 +34,7 @@ void Schedule::check_interval(double interval) const {
 
 std::size_t Schedule::add(Timed timed) {
   timed_.push_back(std::move(timed));
-  take_up(timed_.back(), timed_.size() - 1);
+  take_up(timed_.back());
   return timed_.size() - 1;
 }
 
@@ -158,25 +158,30 @@ void Schedule::keep_schedule(Archive& archive, bool waits) {
     kept_timed_.clear();
     kept_events_.clear();
     for (const auto& timed : timed_)
-      kept_timed_.push_back({timed.count, timed.repeats() || (timed.pending && waits)});
+      kept_timed_.push_back({timed.interval, timed.after == AfterError::repeat,
+                             timed.repeats() || (timed.pending && waits), timed.count});
     for (const auto& event : events_)
       kept_events_.push_back({event.last, event.largest, event.side + (event.pending && waits ? kDue : 0)});
   }
   archive(kept_timed_, kept_events_);
   if (archive.reading()) {
-    for (std::size_t i = 0; i < timed_.size(); ++i) take_up(timed_[i], i);
+    for (Timed& timed : timed_) take_up(timed);
     for (std::size_t i = 0; i < events_.size(); ++i) take_up(events_[i], i);
   }
   windows_.keep(archive);
 }
 
 // A hook added after the state was stored counts from now.
-void Schedule::take_up(Timed& timed, std::size_t i) {
+void Schedule::take_up(Timed& timed) {
   timed.pending = false;
   timed.count = 1;
-  if (i < kept_timed_.size()) {
-    timed.count = kept_timed_[i].count;
-    timed.pending = kept_timed_[i].repeats;
+  const auto kept = std::find_if(kept_timed_.begin(), kept_timed_.end(), [&](const TimedState& k) {
+    return !k.taken && k.interval == timed.interval && k.is_output == (timed.after == AfterError::repeat);
+  });
+  if (kept != kept_timed_.end()) {
+    kept->taken = true;
+    timed.count = kept->count;
+    timed.pending = kept->repeats;
   } else if (timed.interval > 0) {
     timed.count += static_cast<std::int64_t>(std::floor(run_.time() / timed.interval + 1e-9));
   }

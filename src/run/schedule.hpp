@@ -140,10 +140,17 @@ class Schedule {
     bool pending = false;
     bool repeats() const { return after == AfterError::repeat && pending; }
   };
-  struct TimedState {  // state of a Timed
+  // The state of a hook, with what it is known by in a run with others: it goes to the first hook that is
+  // called as often and has no state yet.
+  struct TimedState {
+    double interval = 0;
+    bool is_output = false, repeats = false;
     std::int64_t count = 0;
-    bool repeats = false;
-    void keep(Archive& archive) { archive(count, repeats); }
+    bool taken = true;  // by a hook of this run
+    void keep(Archive& archive) {
+      archive(interval, is_output, repeats, count);
+      if (archive.reading()) taken = false;
+    }
   };
   struct EventState {
     double last = 0, largest = 0;
@@ -152,7 +159,7 @@ class Schedule {
   };
   void check_interval(double interval) const;
   std::size_t add(Timed timed);
-  void take_up(Timed& timed, std::size_t i);  // restores the stored state of the i-th, or starts it now
+  void take_up(Timed& timed);  // restores its stored state, or starts it now
   void take_up(Event& event, std::size_t i);
 
   Run& run_;
