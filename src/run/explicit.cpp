@@ -249,7 +249,7 @@ std::optional<double> Explicit::try_shorter(double size, StepReport& report) {
 
 void Explicit::open_block() {
   if (!block_.start.empty() && !hooked_ && block_.steps < kBlock) return;
-  const bool whole = block_.steps >= kBlock;
+  const bool whole = block_.watched >= kBlock;
   if (whole && contact_->guarded()) lead_drawn_seams();
   if (block_.guarded) block_.barrier_free_blocks = 0;
   if (whole && block_.halved > 0 && !block_.guarded && ++block_.barrier_free_blocks >= kBarrierFreeBlocks) {
@@ -260,7 +260,11 @@ void Explicit::open_block() {
   block_.struck = false;
   block_.start.clear();
   block_.steps = 0;
-  block_.guarded = hooked_ = false;
+  if (whole) {
+    block_.watched = 0;
+    block_.guarded = false;
+  }
+  hooked_ = false;
   block_.start = save_state();
 }
 
@@ -285,7 +289,7 @@ void Explicit::redo(const StepReport& report) {
   block_ = std::move(block);
   block_.halved += same_steps ? 0 : 1;
   block_.barrier_free_blocks = 0;
-  block_.steps = 0;
+  block_.steps = block_.watched = 0;
   block_.guarded = true;
   // A seam whose way passed the body by at first may be drawn against it by now.
   if (!lead_drawn_seams()) return;
@@ -295,6 +299,7 @@ void Explicit::redo(const StepReport& report) {
 
 void Explicit::report_guard() {
   ++block_.steps;
+  ++block_.watched;
   block_.guarded = block_.guarded || contact_->needs_short_steps();
   block_.struck = block_.struck || contact_->struck();
   if (!contact_->guarded() || block_.reported) return;

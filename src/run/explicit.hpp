@@ -83,14 +83,16 @@ class Explicit final : public Dynamic {
 
   struct RepeatableBlock {
     std::string start;  // see Run::save_state()
-    std::int64_t steps = 0;
+    // From its start; and since guards were last looked at, which hooks, whose states are not taken back, do
+    // not put off.
+    std::int64_t steps = 0, watched = 0;
     int halved = 0,
-        barrier_free_blocks = 0;  // number of halvings; number of blocks since the guard was last needed
+        barrier_free_blocks = 0;  // number of halvings; of times so watched since the guard was last needed
     bool guarded = false, reported = false;
     // Whether guards are met by shorter steps alone, and whether something has struck them since its start.
     bool uneased = false, struck = false;
     void keep(Archive& archive) {
-      archive(start, steps, halved, barrier_free_blocks, guarded, reported, uneased, struck);
+      archive(start, steps, watched, halved, barrier_free_blocks, guarded, reported, uneased, struck);
     }
   } block_;
   double nominal_ = 0, bound_ = 0;  // s: the step of the waves in the cloth; one that no frequency forbids
