@@ -701,6 +701,12 @@ std::vector<Contact::Overlap> Contact::overlaps(std::span<const Vec3> x) const {
     const double gap = gap_of(c, corners_of(c, x));
     if (gap <= law(c).floor() * c.pair.scale) found.push_back({c.point, gap});
   }
+  for (const Overlap& crossing : crossings(x, 0)) found.push_back(crossing);
+  return found;
+}
+
+std::vector<Contact::Overlap> Contact::crossings(std::span<const Vec3> x, double least) const {
+  std::vector<Overlap> found;
   std::vector<Edge> edges;
   std::vector<Triangle> triangles;
   for (const EdgeRow& e : scene_->edges()) edges.push_back({e.a, e.b});
@@ -708,15 +714,25 @@ std::vector<Contact::Overlap> Contact::overlaps(std::span<const Vec3> x) const {
   for (const auto& [e, t] : intersections(x, edges, triangles)) {
     const EdgeRow& edge = scene_->edges()[e];
     const TriangleRow& triangle = scene_->triangles()[t];
-    if (scene_->between(edge.surface, triangle.surface) == nullptr) continue;
+    const Interaction* const meet = scene_->between(edge.surface, triangle.surface);
+    if (meet == nullptr) continue;
     // Sides that a seam holds together have a place in common, as those that share a corner.
+    const Neighbours& near = scene_->neighbours();
     const auto sewn = [&](std::int32_t end) {
-      return std::any_of(triangle.nodes.begin(), triangle.nodes.end(),
-                         [&](std::int32_t corner) { return scene_->neighbours().are_sewn(end, corner); });
+      return std::any_of(triangle.nodes.begin(), triangle.nodes.end(), [&](std::int32_t corner) {
+        const bool parted = near.apart(end) >= 0 && near.apart(corner) >= 0;
+        return near.are_sewn(end, corner) && !(parted && least > 0);
+      });
     };
     if (sewn(edge.a) || sewn(edge.b)) continue;
-    const std::int32_t apex = triangle.nodes[2];
-    found.push_back({{edge.a, edge.b, triangle.nodes[0], apex}, 0});
+    const auto& [p, q, r] = triangle.nodes;
+    const Vec3 normal =
+        (x[std::size_t(q)] - x[std::size_t(p)]).cross(x[std::size_t(r)] - x[std::size_t(p)]).normalized();
+    const auto height = [&](std::int32_t end) {
+      return std::abs(normal.dot(x[std::size_t(end)] - x[std::size_t(p)]));
+    };
+    const double depth = std::min(height(edge.a), height(edge.b));
+    if (!(depth < least * meet->law.gap())) found.push_back({{edge.a, edge.b, p, r}, -depth});
   }
   return found;
 }

@@ -133,9 +133,11 @@ class Contact {
   // Pairs below their floor, and edges that cut a facet: states that cannot be computed.
   struct Overlap {
     std::array<std::int32_t, 4> point;  // corners, -1: none
-    double gap;                         // m; 0 if the edge cuts the facet
+    double gap;  // m; if the edge cuts the facet, less how far the nearer of its ends is beyond its plane
   };
   std::vector<Overlap> overlaps(std::span<const Vec3> x) const;
+  // The latter alone, whose ends are both at least so far from the facet's plane, in ranges of the law.
+  std::vector<Overlap> crossings(std::span<const Vec3> x, double least) const;
   // The pair that is closest to its floor among those within the range of contact; `gap` is measured
   // above the floor. Without such a pair there are no corners, and `gap` is the range of contact.
   Overlap nearest(std::span<const Vec3> x);

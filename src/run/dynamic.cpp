@@ -561,6 +561,7 @@ void Dynamic::check() {
   if (end) {
     watch_guard(e);
     watch_pressed(e);
+    watch_crossings();
     watch_loss(e);
     watch_inertia();
     report_unrest(e);

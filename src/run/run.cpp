@@ -333,6 +333,22 @@ void Run::watch_pressed(const EnergyAccount& e) {
           "on it as much; give stiffness=, or the card compression=, as measured");
 }
 
+// Crack faces touch each other only once they have been apart, and what is cut where it is pressed may come
+// through before.
+void Run::watch_crossings() {
+  const auto* const contact = std::as_const(*assembly_).terms().find<mechanics::Contacts>();
+  if (contact == nullptr || warned("crossing")) return;
+  const auto found = contact->readings().crossings();
+  if (found.empty()) return;
+  const auto deepest = std::min_element(found.begin(), found.end(),
+                                        [](const auto& a, const auto& b) { return a.gap < b.gap; });
+  warn("crossing", "warning: " + std::string(kind()) + ": at time " + number(time()) + " s " +
+                       std::to_string(found.size()) + (found.size() == 1 ? " edge passes" : " edges pass") +
+                       " through facets, the deepest by " + number(-deepest->gap, 3) +
+                       " m: " + contact->surfaces().words(deepest->point) +
+                       ": the results about there are doubtful, as where cloth is cut while it is pressed");
+}
+
 namespace {
 // Where the rim of a volume of gas is apart from the body that closes it; empty: nowhere by much.
 std::string open_rim(const mechanics::Assembly& assembly, const model::Model& model) {

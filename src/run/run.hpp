@@ -152,6 +152,7 @@ class Run : public Readings, public Schedule {
   void watch_guard(const EnergyAccount& energies);
   // Likewise that contact does, whose stiffness was assumed.
   void watch_pressed(const EnergyAccount& energies);
+  void watch_crossings();
   void watch_barrier(const EnergyAccount& energies);
   // Reports once an element that is turned inside out in the committed state, and a fold that the mesh is too
   // coarse for.

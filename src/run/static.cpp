@@ -728,6 +728,7 @@ void Static::check() {
     watch_path();
     watch_guard(e);
     watch_pressed(e);
+    watch_crossings();
   }
   if (end && work_.largest() == 0 && e.internal() == 0 && loads_nothing(*model_, *assembly_) &&
       !warned("idle"))

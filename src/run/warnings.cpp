@@ -28,6 +28,7 @@ constexpr WarningKind kinds[] = {
     {"guard", "contact is pressed so far that a barrier keeps the surfaces apart"},
     {"nip",
      "held or driven bodies press cloth between them from the start; serious if it cannot fit between them"},
+    {"crossing", "surfaces that may touch pass through each other at the end", serious},
     {"pressed", "contact of an assumed stiffness has a noticeable part of the stored energy"},
     {"rim", "the rim of a volume of gas has left the rigid body that closes it", serious},
     {"nodes", "the force of a ball or a rod on flat cloth depends on where the nodes lie"},

@@ -47,6 +47,11 @@ ContactReadings::NearestPair ContactReadings::nearest() const {
   return {found.gap, found.point};
 }
 
+std::vector<contact::Contact::Overlap> ContactReadings::crossings() const {
+  constexpr double least = 0.1;
+  return state_.pairs.crossings(read().x, least);
+}
+
 double ContactReadings::gap(Index node) const {
   return read().at_points.gap[static_cast<std::size_t>(state_.surfaces.point_of(node))];
 }

@@ -36,6 +36,8 @@ class ContactReadings {
     std::array<std::int32_t, 4> point;  // corners, -1: none
   };
   NearestPair nearest() const;
+  // Edges through facets, by more than rounding can put sides of a slit or a tear through each other.
+  std::vector<contact::Contact::Overlap> crossings() const;
   double gap(Index node) const;       // m, above the floor; at most the range of contact
   double pressure(Index node) const;  // Pa, without friction, of both faces added
   OnSkin on_skin(std::size_t body) const;
