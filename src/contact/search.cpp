@@ -173,8 +173,8 @@ class Search {
   bool same_sheet(int which, std::int32_t p, std::int32_t q) const {
     return scene_.interactions()[std::size_t(which)].opening.empty() || scene_.neighbours().same_sheet(p, q);
   }
-  // Factor on the law's lengths: 1, less for neighbours in a sheet, 0 for pairs that share a place, as on both
-  // sides of a slit.
+  // Factor on the law's lengths: 1, less for neighbours in a sheet, 0 for pairs that share a place, as on
+  // both sides of a slit.
   double scale(double reference_distance, const ContactLaw& law) const {
     if (reference_distance < same_place * cell_) return 0;
     return std::min(1.0, neighbour_share * reference_distance / law.gap());
