@@ -1,6 +1,7 @@
 // Pairs that touch, a batch at a time: compiled once per instruction set.
 #include "contact/batch.hpp"
 #include "contact/jet.hpp"
+#include "simd/pack3.hpp"
 #include "simd/rows.hpp"
 
 namespace fabricsh::contact {
@@ -8,31 +9,12 @@ inline namespace FABRICSH_ISA {
 
 namespace {
 
-struct Pack3 {
-  Pack x, y, z;
-  friend Pack3 operator+(const Pack3& a, const Pack3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-  friend Pack3 operator-(const Pack3& a, const Pack3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-  friend Pack3 operator*(Pack s, const Pack3& a) { return {s * a.x, s * a.y, s * a.z}; }
-  friend Pack3 operator/(const Pack3& a, Pack s) { return {a.x / s, a.y / s, a.z / s}; }
-};
-Pack dot(const Pack3& a, const Pack3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 Pack squared(const Pack3& a) { return dot(a, a); }
 Pack norm(const Pack3& a) { return sqrt(squared(a)); }
-Pack3 cross(const Pack3& a, const Pack3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 Pack3 select(PackMask c, const Pack3& a, const Pack3& b) {
   return {fabricsh::select(c, a.x, b.x), fabricsh::select(c, a.y, b.y), fabricsh::select(c, a.z, b.z)};
 }
 PackMask same(const Pack3& a, const Pack3& b) { return (a.x == b.x) & (a.y == b.y) & (a.z == b.z); }
-Pack3 load3(const ByLane* v, int first) {
-  return {load(v[0] + first), load(v[1] + first), load(v[2] + first)};
-}
-void store3(ByLane* v, int first, const Pack3& a) {
-  store(v[0] + first, a.x);
-  store(v[1] + first, a.y);
-  store(v[2] + first, a.z);
-}
 constexpr double zero = 0, one = 1;  // packs at this place would be made before the processor is known
 PackMask all() { return Pack(one) > Pack(zero); }
 

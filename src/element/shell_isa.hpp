@@ -5,7 +5,7 @@
 #include "law/branches.hpp"
 #include "law/part.hpp"
 #include "law/potential.hpp"
-#include "simd/pack.hpp"
+#include "simd/pack3.hpp"
 
 namespace fabricsh::element {
 inline namespace FABRICSH_ISA {
@@ -13,16 +13,7 @@ namespace {
 
 constexpr int transform_size = 8;  // T11 T12 T21 T22 q1 q2 s w
 
-struct V3 {
-  Pack x, y, z;
-  friend V3 operator+(V3 a, V3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-  friend V3 operator-(V3 a, V3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-  friend V3 operator*(Pack s, V3 a) { return {s * a.x, s * a.y, s * a.z}; }
-  V3& operator+=(V3 b) { return *this = *this + b; }
-  V3& operator-=(V3 b) { return *this = *this - b; }
-};
-inline Pack dot(V3 a, V3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-inline V3 cross(V3 a, V3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
+using V3 = Pack3;
 inline V3 load3(const double* p, int i) {
   return {load(p + i * lanes), load(p + (i + 1) * lanes), load(p + (i + 2) * lanes)};
 }
