@@ -120,7 +120,7 @@ int Scene::add_rigid(Surface surface, std::span<const Vec3> vertices) {
 }
 
 int Scene::add_solid(std::span<const Vec3> vertices, std::span<const Triangle> triangles, double radius,
-                     bool flat) {
+                     bool changes_shape) {
   if (!(radius >= 0) || !std::isfinite(radius))
     refuse("solid: radius: expected 0 or a positive length in m, got " + number(radius));
   const auto first = std::int32_t(reference_.size()), count = std::int32_t(vertices.size());
@@ -139,7 +139,7 @@ int Scene::add_solid(std::span<const Vec3> vertices, std::span<const Triangle> t
       id += first;
     }
   Surface surface;
-  surface.flat = flat;
+  surface.changes_shape = changes_shape;
   surface.shape = Shape::solid;
   surface.radius = radius;
   surface.first_vertex = first;
@@ -216,6 +216,7 @@ int Scene::add_triangles(Surface surface, std::span<const Triangle> triangles,
   add_edges(surface);
   count_places(surface);
   find_sheets(surface);
+  if (surface.shape == Shape::solid && !surface.changes_shape) find_flat_parts(surface);
   surfaces_.push_back(std::move(surface));
   return number;
 }
@@ -348,13 +349,34 @@ void Scene::find_sheets(const Surface& surface) {
   }
 }
 
+// Edges between two facets in one plane, and vertices with such edges alone.
+void Scene::find_flat_parts(Surface& surface) {
+  constexpr double flat = 1e-4;  // rad; files round vertices to six digits
+  std::vector<char> at_rim(reference_.size(), 0);
+  for (std::int32_t e = surface.first_edge; e < surface.first_edge + surface.edges; ++e) {
+    EdgeRow& row = edges_[std::size_t(e)];
+    const Vec3 &from = reference_[std::size_t(row.a)], way = reference_[std::size_t(row.b)] - from;
+    Vec3 sum = Vec3::Zero();  // of the directions from the edge into its triangles
+    for (const std::int32_t t : triangles_at_edge(e)) {
+      const TriangleRow& triangle = triangles_[std::size_t(t)];
+      const auto k =
+          std::find(triangle.edge_row.begin(), triangle.edge_row.end(), e) - triangle.edge_row.begin();
+      const Vec3 to = reference_[std::size_t(triangle.nodes[std::size_t(k)])] - from;
+      sum += (to - to.dot(way) / way.squaredNorm() * way).normalized();
+    }
+    row.inside_flat = triangles_at_edge(e).size() == 2 && sum.norm() <= flat;
+    if (!row.inside_flat) at_rim[std::size_t(row.a)] = at_rim[std::size_t(row.b)] = 1;
+  }
+  std::erase_if(surface.points, [&](std::int32_t p) { return at_rim[std::size_t(p)] == 0; });
+}
+
 Scene Scene::with_corners(const std::function<Triangle(const TriangleRow&)>& corners) const {
   Scene out(std::vector<Vec3>(reference_.begin(), reference_.begin() + std::ptrdiff_t(nodes_)));
   for (const Surface& from : surfaces_) {
     Surface surface;
     surface.shape = from.shape;
     surface.radius = from.radius;
-    surface.flat = from.flat;
+    surface.changes_shape = from.changes_shape;
     const auto vertices =
         std::span(reference_).subspan(std::size_t(from.first_vertex), std::size_t(from.vertices));
     const auto followers =
@@ -494,7 +516,7 @@ int add_disc(Scene& scene, const Vec3& centre, const Vec3& normal, double radius
     vertices.push_back(centre + (radius - edge) * (std::cos(angle) * u + std::sin(angle) * v));
     triangles.push_back({0, i + 1, (i + 1) % sides + 1});
   }
-  return scene.add_solid(vertices, triangles, edge, true);
+  return scene.add_solid(vertices, triangles, edge);
 }
 
 Vec3 warp_at(const Scene& scene, const Interaction& it, const std::array<std::int32_t, 4>& points,

@@ -80,15 +80,18 @@ struct Surface {
   std::int32_t followers = 0;                      // points after them that move with it and touch nothing
   std::int32_t first_edge = 0, edges = 0;          // rows of Scene::edges
   std::int32_t first_triangle = 0, triangles = 0;  // rows of Scene::triangles
-  std::vector<std::int32_t> points;                // ascending
+  std::vector<std::int32_t> points;                // ascending; of a solid without those inside flat parts
   double mean_area = 0;                            // m2 per point
-  bool flat = false;  // a rigid solid in one plane: the edges inside it press nothing
+  bool changes_shape = false;                      // a solid whose vertices move against each other
 };
 
 struct EdgeRow {
   std::int32_t a = 0, b = 0, surface = 0;
   double length = 0;  // m, reference
   double area = 0;    // m2: a third of the area of its triangles
+  // Between two facets of a solid in one plane. Nothing crosses it that does not pass through a facet or an
+  // edge at the rim of this plane, and cloth on it is pressed by its nodes alone.
+  bool inside_flat = false;
 };
 
 struct TriangleRow {
@@ -184,7 +187,7 @@ class Scene {
   // is not positive and finite (that of a solid may be 0), a wall with a zero normal, a rod without length.
   int add_cloth(std::span<const std::array<mesh::Index, 4>> elements, const std::optional<Vec3>& centre = {});
   int add_solid(std::span<const Vec3> vertices, std::span<const Triangle> triangles, double radius,
-                bool flat = false);
+                bool changes_shape = false);
   int add_ball(const Vec3& centre, double radius);
   int add_rod(const Vec3& from, const Vec3& to, double radius);
   int add_wall(const Vec3& point, const Vec3& normal);
@@ -233,6 +236,7 @@ class Scene {
   void add_edges(Surface& surface);
   void count_places(const Surface& surface);
   void find_sheets(const Surface& surface);
+  void find_flat_parts(Surface& surface);
   std::size_t nodes_ = 0;
   std::vector<Vec3> reference_;
   std::vector<double> area_;

@@ -156,7 +156,7 @@ class Search {
     join(scene_.edges().size(), out, [&](std::size_t e, std::vector<std::int32_t>& near, Rows& rows) {
       const EdgeRow& row = scene_.edges()[e];
       const double reach = reach_[std::size_t(row.surface)];
-      if (reach == 0 || surface(row.surface).shape == Shape::rod || inside_flat(std::int32_t(e))) return;
+      if (reach == 0 || surface(row.surface).shape == Shape::rod || row.inside_flat) return;
       const Box box = box_of({row.a, row.b}, reach);
       const std::int32_t after = cloth(row.surface) ? std::int32_t(e) : -1;  // each two once
       meeting(middles, boxes, box.grown(half_), box, near,
@@ -165,10 +165,6 @@ class Search {
     });
   }
 
-  // Nothing crosses an edge inside a flat polygon that does not pass through a facet or an edge of the rim.
-  bool inside_flat(std::int32_t e) const {
-    return surface(scene_.edges()[std::size_t(e)].surface).flat && scene_.triangles_at_edge(e).size() > 1;
-  }
   // Where overlaps are opened, sheets that share no node are no neighbours, however near they lie.
   bool same_sheet(int which, std::int32_t p, std::int32_t q) const {
     return scene_.interactions()[std::size_t(which)].opening.empty() || scene_.neighbours().same_sheet(p, q);

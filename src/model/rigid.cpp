@@ -197,7 +197,9 @@ struct AddTo {
     return contact::add_disc(scene, d.centre, d.normal, d.radius, d.edge);
   }
   int operator()(const Facets& f) const { return scene.add_solid(f.vertices, f.triangles, 0); }
-  int operator()(const MovingFacets& m) const { return (*this)(m.first); }
+  int operator()(const MovingFacets& m) const {
+    return scene.add_solid(m.first.vertices, m.first.triangles, 0, true);
+  }
 };
 
 // Rings about an axis, each with a position along it and a radius; facets connect neighbours.

@@ -156,7 +156,7 @@ TEST_CASE("contact: cloth over a disc is pressed as the law says, and kept out b
       const auto first = std::int32_t(scene.nodes());
       triangles.push_back({t.nodes[0] - first, t.nodes[1] - first, t.nodes[2] - first});
     }
-  all_edges.meet(0, all_edges.add_solid(vertices, triangles, edge), law, 0);
+  all_edges.meet(0, all_edges.add_solid(vertices, triangles, edge, true), law, 0);
   const Contact contact(scene), looks_at_all(all_edges);
   Random random(3);
   int stopped = 0;
@@ -168,6 +168,68 @@ TEST_CASE("contact: cloth over a disc is pressed as the law says, and kept out b
       by[i] = Vec3(0, 0, -0.12) + random.vector(0.02);
     }
     if (!contact.overlaps(x).empty()) continue;
+    const double share = contact.safe_fraction(x, by);
+    stopped += share < 1;
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] += share * by[i];
+    CHECK(looks_at_all.overlaps(x).empty());
+  }
+  CHECK(stopped > 30);
+}
+
+TEST_CASE("contact: cloth on flat facets is pressed as the law says, and kept out by the rim of the plate",
+          "[contact]") {
+  const ContactLaw law = blend_law();
+  Random random(5);
+  // A plate with a hole, of facets of any shape, turned in space.
+  const int n = 9;
+  const double cell = 0.007;
+  const Mat3 turn = Pose::about(random.vector(1), 1);
+  std::vector<Vec3> vertices;
+  std::vector<Triangle> triangles;
+  for (int j = 0; j <= n; ++j)
+    for (int i = 0; i <= n; ++i) {
+      const double jitter = i % n == 0 || j % n == 0 ? 0 : 0.3 * cell;
+      vertices.push_back(turn *
+                         Vec3(cell * i + random(-jitter, jitter), cell * j + random(-jitter, jitter), 0));
+    }
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) {
+      if (i == 7 && j == 7) continue;
+      const int a = j * (n + 1) + i;
+      triangles.push_back({a, a + 1, a + n + 2});
+      triangles.push_back({a, a + n + 2, a + n + 1});
+    }
+  for (const int elements : {2, 5, 20}) {
+    INFO("elements " << elements);
+    Sheets sheets;
+    sheets.add(0.03, elements, Vec3(0.008, 0.009, 0.3e-3));
+    for (Vec3& x : sheets.nodes) x = turn * x;
+    Scene scene = sheets.scene();
+    scene.meet(0, scene.add_solid(vertices, triangles, 0), law, 0);
+    std::vector<Vec3> force = none(scene.reference().size());
+    const Totals totals = Contact(scene).add_forces(scene.reference(), force);
+    CHECK(totals.contact == Approx(0.03 * 0.03 * law(0.3e-3).contact).epsilon(1e-9));
+    CHECK((sum(force, 0, scene.nodes()) - 0.03 * 0.03 * law(0.3e-3).pressure * turn.col(2)).norm() <
+          1e-9 * 0.03 * 0.03 * law(0.3e-3).pressure);
+  }
+
+  Sheets sheets;
+  sheets.add(0.08, 4, Vec3::Zero());
+  Scene scene = sheets.scene(), all_edges = sheets.scene();
+  scene.meet(0, scene.add_solid(vertices, triangles, 0), law, 0);
+  all_edges.meet(0, all_edges.add_solid(vertices, triangles, 0, true), law, 0);
+  CHECK(scene.surfaces()[1].points.size() == 4 * n + 4);  // of the rims
+  CHECK(all_edges.surfaces()[1].points.size() == vertices.size());
+  const Contact contact(scene), looks_at_all(all_edges);
+  int stopped = 0;
+  for (int k = 0; k < 60; ++k) {
+    std::vector<Vec3> x = scene.reference(), by = none(x.size());
+    const Mat3 tilt = Pose::about(random.vector(1), random(0, 3));
+    for (std::size_t i = 0; i < scene.nodes(); ++i) {
+      x[i] = turn * (tilt * (x[i] - Vec3(0.04, 0.04, 0)) + Vec3(0.03, 0.03, 0.05) + random.vector(0.004));
+      by[i] = turn * (Vec3(0, 0, -0.12) + random.vector(0.02));
+    }
+    if (!looks_at_all.overlaps(x).empty()) continue;
     const double share = contact.safe_fraction(x, by);
     stopped += share < 1;
     for (std::size_t i = 0; i < x.size(); ++i) x[i] += share * by[i];
