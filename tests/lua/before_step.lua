@@ -1,4 +1,4 @@
--- Readings of a run before its first step, and under --check, where there is never one.
+-- Readings of a run before its first step, and of its steps after it went back; and under --check, where there is never one.
 local fabric = require "fabric"
 
 local function strip(kind, fields)
@@ -20,9 +20,15 @@ for _, a in ipairs(runs) do
   local s = a:snapshot()
   a:step()
   assert(begun == 2 and select(2, a:reaction "bottom") ~= 0)
+  local steps, first = a.steps, a.steps[1].time
   a:restore(s)
   x, y, z = a:reaction "top"
   assert(x == 0 and y == 0 and z == 0)
+  -- The steps of before are not those of now, and a list that a deck holds stays as it is.
+  assert(#a.steps == 0)
+  a:advance(first / 4):advance(first / 2)
+  assert(#a.steps == 2 and a.steps[1].time == first / 4 and a.steps[2].time == first / 2 and #steps == 1 and steps[1].time == first)
+  assert(a.steps ~= a.steps and a.steps[1] == a.steps[1], "rows are made once")
 end
 
 -- A deck that reads the run that --check passes over.

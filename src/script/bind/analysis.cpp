@@ -286,20 +286,36 @@ lua_Integer count_of_steps(lua_State* L, DeckRun& run) {
   return steps;
 }
 
+void push_step(lua_State* L, const run::StepReport& report) {
+  push_record(L, "time", report.time, "step", report.step, "iterations", report.iterations, "cuts",
+              report.cuts, "negative_pivots", report.negative_pivots);
+  put(L, "stable", report.stability == solver::Stability::stable, "path", report.path, "residuals",
+      report.residuals);
+  if (report.stability == solver::Stability::unchecked) put(L, "stable", "unchecked");
+  if (std::isnan(report.path)) put(L, "path", "unchecked");
+}
+
+// The list is a new one each time, of rows that are made once: a hook may look at it at every step.
 int steps(Call& call) {
   lua_State* L = call.L();
   const auto run = call.self<DeckRun>();
   const lua_Integer count = count_of_steps(L, *run);
-  lua_newtable(L);
-  for (lua_Integer i = 0; i < count;) {
-    const run::StepReport& report = run->analysis->steps()[static_cast<std::size_t>(i)];
-    push_record(L, "time", report.time, "step", report.step, "iterations", report.iterations, "cuts",
-                report.cuts, "negative_pivots", report.negative_pivots);
-    put(L, "stable", report.stability == solver::Stability::stable, "path", report.path, "residuals",
-        report.residuals);
-    if (report.stability == solver::Stability::unchecked) put(L, "stable", "unchecked");
-    if (std::isnan(report.path)) put(L, "path", "unchecked");
-    lua_rawseti(L, -2, ++i);
+  lua_getiuservalue(L, 1, 1);
+  if (lua_getfield(L, -1, step_rows) != LUA_TTABLE) {
+    lua_newtable(L);
+    lua_pushvalue(L, -1);
+    lua_setfield(L, -4, step_rows);
+    lua_replace(L, -2);
+  }
+  const int rows = lua_gettop(L);
+  for (auto i = static_cast<lua_Integer>(lua_rawlen(L, rows)); i < count;) {
+    push_step(L, run->analysis->steps()[static_cast<std::size_t>(i)]);
+    lua_rawseti(L, rows, ++i);
+  }
+  lua_createtable(L, static_cast<int>(count), 0);
+  for (lua_Integer i = 1; i <= count; ++i) {
+    lua_rawgeti(L, rows, i);
+    lua_rawseti(L, -2, i);
   }
   return 1;
 }

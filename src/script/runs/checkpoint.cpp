@@ -121,6 +121,7 @@ void take_up(DeckRun& run) {
 void restart(DeckRun& run, std::shared_ptr<const run::Checkpoint> checkpoint) {
   if (run.job.driving()) throw Error("not from a hook of the same run");
   const ChangeRefused still(run.session, &run);
+  forget_steps(run);
   begin_from(run, std::move(checkpoint));
   take_up(run);
   run.passing = 0;

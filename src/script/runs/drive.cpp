@@ -199,6 +199,7 @@ void drive(DeckRun& run, const Drive& call) {
 void go_back(DeckRun& run, const std::shared_ptr<const run::Run::Snapshot>& snapshot) {
   refuse_in_hook(run);
   const ChangeRefused still(run.session, &run);
+  forget_steps(run);
   begin_call(run, {CallKind::restore});
   if (passes_over(run)) return;
   if (is_under_way(run)) return restore_tables(run);

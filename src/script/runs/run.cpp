@@ -114,6 +114,16 @@ void push_run(lua_State* L, std::shared_ptr<DeckRun> run) {
   lua_pop(L, 1);
 }
 
+void forget_steps(DeckRun& run) {
+  lua_State* L = run.session.active();
+  push_self(L, &run);
+  want_alive(L);
+  lua_getiuservalue(L, -1, 1);
+  lua_pushnil(L);
+  lua_setfield(L, -2, step_rows);
+  lua_pop(L, 2);
+}
+
 Hook::Hook(const Fields& fields, std::string_view name, DeckRun* run) : run_(run) {
   lua_State* L = fields.L();
   push_self(L, run);

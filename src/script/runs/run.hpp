@@ -126,4 +126,9 @@ struct ClassName<DeckRun> {
 
 void push_run(lua_State* L, std::shared_ptr<DeckRun> run);
 
+// Field of the values that Lua keeps for a run: the rows of the steps that a deck has looked at. They are
+// forgotten where the run goes back, or over to a checkpoint.
+inline constexpr const char* step_rows = "steps";
+void forget_steps(DeckRun& run);
+
 }  // namespace fabricsh::script
