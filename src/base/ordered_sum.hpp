@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/shares.hpp"
+
 namespace fabricsh {
 
 inline constexpr std::size_t ordered_block = 1024;
@@ -31,9 +33,9 @@ double ordered_sum(std::size_t n, Term term) {
   constexpr std::size_t side_by_side = 4, group = ordered_block * side_by_side;
   const std::size_t blocks = (n + ordered_block - 1) / ordered_block, groups = n / group;
   std::vector<double> part(blocks, 0);
-#pragma omp parallel for schedule(static) if (blocks >= 16)
-  for (std::size_t g = 0; g < groups; ++g)
+  for_each_index(groups, blocks >= 16, [&](std::size_t g) {
     sum_side_by_side<side_by_side>(g * group, term, part.data() + g * side_by_side);
+  });
   double* const rest = part.data() + groups * side_by_side;
   const std::size_t whole = (n - groups * group) / ordered_block;
   if (whole == 3) sum_side_by_side<3>(groups * group, term, rest);

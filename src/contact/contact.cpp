@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/shares.hpp"
 #include "contact/advance.hpp"
 #include "contact/tally.hpp"
 
@@ -86,12 +87,8 @@ namespace {
 
 // The largest way of any point, m.
 double farthest(std::span<const Vec3> x, const std::vector<Vec3>& since) {
-  const auto n = std::ptrdiff_t(x.size());
-  double most = 0;
-#pragma omp parallel for schedule(static) reduction(max : most) if (n > 4096)
-  for (std::ptrdiff_t i = 0; i < n; ++i)
-    most = std::max(most, (x[std::size_t(i)] - since[std::size_t(i)]).squaredNorm());
-  return std::sqrt(most);
+  const std::size_t n = x.size();
+  return std::sqrt(largest_of(n, n > 4096, [&](std::size_t i) { return (x[i] - since[i]).squaredNorm(); }));
 }
 
 }  // namespace
@@ -475,11 +472,10 @@ void Contact::barriers_between(const VisitBetween& visit) const {
 std::vector<std::uint32_t> Contact::touching(std::span<const Vec3> x) const {
   const double change = change_ + rounding * skins_.inner;
   std::vector<char> touches(inner_.size(), 0);
-#pragma omp parallel for schedule(static) if (inner_.size() > 256)
-  for (std::size_t i = 0; i < inner_.size(); ++i) {
+  for_each_index(inner_.size(), inner_.size() > 256, [&](std::size_t i) {
     const Candidate& c = inner_[i];
     if (idle_[i] <= change) touches[i] = gap_of(c, corners_of(c, x)) < law(c).gap() * c.pair.scale ? 1 : 0;
-  }
+  });
   std::vector<std::uint32_t> slots;
   for (std::size_t i = 0; i < inner_.size(); ++i)
     if (touches[i] != 0) slots.push_back(std::uint32_t(i));
@@ -530,8 +526,7 @@ void Contact::stiffness(std::span<const Vec3> x, const VisitStiffness& visit, co
   };
   for (std::size_t from = 0; from < slots.size(); from += at_a_time) {
     const std::size_t n = std::min(at_a_time, slots.size() - from);
-#pragma omp parallel for schedule(static) if (n > 32)
-    for (std::size_t i = 0; i < n; ++i) compute(slots[from + i], i);
+    for_each_index(n, n > 32, [&](std::size_t i) { compute(slots[from + i], i); });
     for (std::size_t i = 0; i < n; ++i) {
       const Candidate& c = inner_[slots[from + i]];
       const bool rubs_here = scene_->interactions()[std::size_t(c.interaction)].rubs();

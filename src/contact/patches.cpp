@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/shares.hpp"
+
 namespace fabricsh::contact {
 namespace {
 
@@ -77,10 +79,8 @@ std::int32_t Patches::grow(std::span<std::int32_t> triangles) {
 }
 
 void Patches::measure(std::span<const Vec3> from, std::span<const Vec3> to, bool whole_way) {
-  const auto n = std::ptrdiff_t(nodes_.size());
-#pragma omp parallel for schedule(static) if (points_.size() > 4096)
-  for (std::ptrdiff_t i = 0; i < n; ++i) {
-    Node& node = nodes_[std::size_t(i)];
+  for_each_index(nodes_.size(), points_.size() > 4096, [&](std::size_t i) {
+    Node& node = nodes_[i];
     node.place.clear();
     node.way.clear();
     for (std::size_t k = node.first; k < node.last; ++k) {
@@ -89,7 +89,7 @@ void Patches::measure(std::span<const Vec3> from, std::span<const Vec3> to, bool
       if (whole_way) node.place.add(from[p]);
       node.way.add(to[p] - from[p]);
     }
-  }
+  });
   for (std::size_t i = nodes_.size(); i-- > 0;) {
     Node& node = nodes_[i];
     if (node.left < 0) continue;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "base/shares.hpp"
 #include "contact/contact.hpp"
 
 namespace fabricsh::contact {
@@ -131,15 +132,14 @@ void Contact::put_pair(std::uint32_t slot, int lane, BatchPairs& batch) const {
 
 void Contact::place_points(std::span<const Vec3> x, const Way& way) {
   points_.resize(node_rows_);
-#pragma omp parallel for schedule(static) if (node_rows_ > 4096)
-  for (std::uint32_t row = 0; row < node_rows_; ++row) {
+  for_each_index(node_rows_, node_rows_ > 4096, [&](std::uint32_t row) {
     const auto p = std::size_t(touched_[row]);
     BatchPoint& out = points_[row];
     std::copy_n(x[p].data(), 3, out.x);
     std::copy_n(way.start[p].data(), 3, out.start);
     out.crowd = crowd_at(p);
     out.inverse_mass = way.inverse_mass[p] * out.crowd;
-  }
+  });
 }
 
 // Of one thread.

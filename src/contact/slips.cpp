@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 
+#include "base/shares.hpp"
 #include "contact/contact.hpp"
 
 namespace fabricsh::contact {
@@ -324,12 +325,11 @@ void Contact::keep_slip(std::size_t slot, const Corners& x, const Way& way, Forc
 
 void Contact::share_slips() {
   has_tried_ = true;
-#pragma omp parallel for schedule(static) if (touched_.size() > 1024)
-  for (std::size_t row = 0; row < touched_.size(); ++row) {
-    if (at_point_[row].slips < 2) continue;
+  for_each_index(touched_.size(), touched_.size() > 1024, [&](std::size_t row) {
+    if (at_point_[row].slips < 2) return;
     const std::size_t first = first_place_[row];
     join({by_first_.data() + first, first_place_[row + 1] - first});
-  }
+  });
 }
 
 double Contact::crowd_at(std::size_t point) const {

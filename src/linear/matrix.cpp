@@ -7,6 +7,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "base/shares.hpp"
 #include "linear/vector.hpp"
 
 namespace fabricsh::linear {
@@ -70,8 +71,7 @@ Index Pattern::slot(Index r, Index c) const {
 
 void Matrix::clear() {
   const Index n = static_cast<Index>(value.size());
-#pragma omp parallel for schedule(static) if (n > kShared)
-  for (Index i = 0; i < n; ++i) value[static_cast<std::size_t>(i)] = 0;
+  for_each_index(n, n > kShared, [&](Index i) { value[static_cast<std::size_t>(i)] = 0; });
   apart.clear();
   ranks = {};
 }

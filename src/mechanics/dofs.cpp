@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/error.hpp"
+#include "base/shares.hpp"
 #include "geometry/node_view.hpp"
 #include "geometry/turning.hpp"
 #include "mechanics/mesh_tools.hpp"
@@ -222,9 +223,9 @@ void Dofs::apply_increment(std::span<const double> delta, double scale, std::spa
         for (const auto& part : {x, d, b1}) at(part, other) = at(part, i);
     }
   };
-#pragma omp parallel for schedule(static) if (static_cast <Index>(n) >= 128)
-  for (Index from = 0; from < static_cast<Index>(n); from += lanes)
-    move_nodes(from, std::min(from + lanes, static_cast<Index>(n)));
+  const auto nodes = static_cast<Index>(n);
+  for_each_index((nodes + lanes - 1) / lanes, nodes >= 128,
+                 [&](Index k) { move_nodes(k * lanes, std::min((k + 1) * lanes, nodes)); });
   apply_ties(delta, scale);
   configuration_.touch();
 }
@@ -266,16 +267,12 @@ void Dofs::residual(std::span<const double> external, std::span<const double> in
     r[equation[3]] = q1;
     if (equation[4] >= 0) r[equation[4]] = q2;
   };
-#pragma omp parallel for schedule(static) if (count >= kParallelFrom)
-  for (Index i = 0; i < count; ++i) {
-    if (!joints_.leads(i)) continue;
-    if (const std::int32_t* equation = plain_equations(i)) {
-      put(i, equation, nullptr);
-      continue;
-    }
+  for_each_index(count, count >= kParallelFrom, [&](Index i) {
+    if (!joints_.leads(i)) return;
+    if (const std::int32_t* equation = plain_equations(i)) return put(i, equation, nullptr);
     const NodeFreedoms& node = freedoms_.nodes[i];
     put(i, node.equation, node.oblique ? &node.frame : nullptr);
-  }
+  });
   if (has_ties()) add_tied_residual(external, internal_x, internal_d, on_d, moments, r);
 }
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/shares.hpp"
 #include "geometry/node_view.hpp"
 #include "mechanics/terms/contact.hpp"
 
@@ -106,9 +107,9 @@ namespace {
 // 1/s^2: those of the elements, stretched as they are.
 std::vector<double> rates_of(const Cloth& cloth, bool scaled, At at) {
   std::vector<double> rates = cloth.rates().highest(scaled);
-#pragma omp parallel for schedule(static) if (rates.size() >= 4096)
-  for (std::size_t e = 0; e < rates.size(); ++e)
-    if (at == At::trial) rates[e] *= cloth.readings().growth(static_cast<Index>(e));
+  if (at == At::trial)
+    for_each_index(rates.size(), rates.size() >= 4096,
+                   [&](std::size_t e) { rates[e] *= cloth.readings().growth(static_cast<Index>(e)); });
   return rates;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/ordered_sum.hpp"
+#include "base/shares.hpp"
 
 namespace fabricsh::run {
 
@@ -34,12 +35,18 @@ bool CentralDifferences::predict(std::span<const unsigned char> turns,
   const double dt = this->dt(), early = (1 - gamma_) * dt;
   const Rates before = rates_of(committed_);
   double* const predicted = trial_.predicted.data();
-  std::int64_t far = 0;  // unknowns whose increment exceeds its limit or is not a number
-#pragma omp parallel for schedule(static) reduction(+ : far) if (mass_.size() >= kShare)
-  for (std::size_t i = 0; i < mass_.size(); ++i) {
+  // Whether the increment exceeds its limit or is not a number.
+  const auto is_far = [&](std::size_t i) {
     const double a = before.acceleration(i), v = before.velocity(i);
     predicted[i] = v + early * a;
-    far += std::abs(dt * (v + dt / 2 * a)) < farthest[turns[i]] ? 0 : 1;
+    return std::abs(dt * (v + dt / 2 * a)) < farthest[turns[i]] ? 0 : 1;
+  };
+  std::int64_t far = 0;
+  if (in_shares(mass_.size() >= kShare)) {
+#pragma omp parallel for schedule(static) reduction(+ : far)
+    for (std::size_t i = 0; i < mass_.size(); ++i) far += is_far(i);
+  } else {
+    for (std::size_t i = 0; i < mass_.size(); ++i) far += is_far(i);
   }
   return far == 0;
 }
@@ -47,8 +54,8 @@ bool CentralDifferences::predict(std::span<const unsigned char> turns,
 const std::vector<double>& CentralDifferences::increments() const {
   increments_.resize(mass_.size());
   const Rates before = rates_of(committed_);
-#pragma omp parallel for schedule(static) if (mass_.size() >= kShare)
-  for (std::size_t i = 0; i < mass_.size(); ++i) increments_[i] = increment(before, i);
+  for_each_index(mass_.size(), mass_.size() >= kShare,
+                 [&](std::size_t i) { increments_[i] = increment(before, i); });
   return increments_;
 }
 

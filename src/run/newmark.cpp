@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/ordered_sum.hpp"
+#include "base/shares.hpp"
 #include "geometry/node_view.hpp"
 
 namespace fabricsh::run {
@@ -57,12 +58,8 @@ void Newmark::update() {
     rates->d.resize(3 * nodes);
   }
   const mechanics::Freedoms& freedoms = assembly_.dofs().freedoms();
-#pragma omp parallel for schedule(static) if (nodes >= 256)
-  for (std::size_t n = 0; n < nodes; ++n) {
-    if (freedoms.body(static_cast<mechanics::Index>(n)) >= 0) {
-      update_rigid(n, x, old);
-      continue;
-    }
+  for_each_index(nodes, nodes >= 256, [&](std::size_t n) {
+    if (freedoms.body(static_cast<mechanics::Index>(n)) >= 0) return update_rigid(n, x, old);
     const NodeRates node =
         run::update(scheme_, dt(), at(x, n) - at(old, n), at(before_.v.x, n), at(before_.a.x, n));
     at(trial_.v.x, n) = node.v;
@@ -73,7 +70,7 @@ void Newmark::update() {
                                        parallel_transport(at(before_.a.d, n), d0, d1));
     at(trial_.v.d, n) = turn.v;
     at(trial_.a.d, n) = turn.a;
-  }
+  });
 }
 
 // The midpoint's rule, x+ - x = dt (v + v+) / 2, or the scheme's weights in its place, for nodes and

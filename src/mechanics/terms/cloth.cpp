@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "base/error.hpp"
+#include "base/shares.hpp"
 #include "geometry/node_view.hpp"
 #include "mechanics/scatter.hpp"
 #include "mechanics/terms/turned.hpp"
@@ -426,8 +427,7 @@ Index Cloth::evaluate(Index b, const law::Step& step, double* trial, const Tange
 // Adds for each node the forces of its elements in their order.
 void Cloth::sum_forces(Forces& forces) const {
   const auto nodes = static_cast<Index>(X_.size());
-#pragma omp parallel for schedule(static) if (nodes >= few_batches * lanes)
-  for (Index n = 0; n < nodes; ++n) sum_node(n, forces);
+  for_each_index(nodes, nodes >= few_batches * lanes, [&](Index n) { sum_node(n, forces); });
 }
 
 // The sums stay in registers: an array of them would be written in single numbers and copied in pairs, for
@@ -455,12 +455,9 @@ constexpr Index in_cache = 384;
 // earlier part are summed when all threads are done. Returns an element whose law failed, or -1.
 Index Cloth::evaluate_and_sum(const law::Step& step, double* aside, Forces& forces) {
   const auto batches = static_cast<Index>(batches_.size());
-  Index failed = -1;
-#pragma omp parallel reduction(max : failed) if (batches >= few_batches)
-  {
-    const Index threads = omp_get_num_threads(), self = omp_get_thread_num();
-    const Index from = batches * self / threads, to = batches * (self + 1) / threads;
-    std::vector<std::uint32_t> later;
+  // The batches of one part; nodes that have others before it come to `later`.
+  const auto compute = [&](Index from, Index to, std::vector<std::uint32_t>& later) {
+    Index failed = -1;
     for (Index i = from; i < to; ++i) {
       if (i + 1 < to && batches >= in_cache) fetch(batches_[order_[i + 1]], aside);
       const Index b = order_[i];
@@ -473,6 +470,18 @@ Index Cloth::evaluate_and_sum(const law::Step& step, double* aside, Forces& forc
           sum_node(n, forces);
       }
     }
+    return failed;
+  };
+  Index failed = -1;
+  if (!in_shares(batches >= few_batches)) {
+    std::vector<std::uint32_t> none;
+    return compute(0, batches, none);
+  }
+#pragma omp parallel reduction(max : failed)
+  {
+    const Index threads = omp_get_num_threads(), self = omp_get_thread_num();
+    std::vector<std::uint32_t> later;
+    failed = compute(batches * self / threads, batches * (self + 1) / threads, later);
 #pragma omp barrier
     for (const auto n : later) sum_node(n, forces);
   }
@@ -624,12 +633,11 @@ std::vector<double> Cloth::all_batch_energies() const {
   const auto count = static_cast<Index>(batches_.size());
   constexpr int each = law::energy_values * lanes;
   std::vector<double> per(static_cast<std::size_t>(count) * each);
-#pragma omp parallel for schedule(static) if (count >= few_batches)
-  for (Index b = 0; b < count; ++b) {
+  for_each_index(count, count >= few_batches, [&](Index b) {
     alignas(64) double x[12 * lanes], d[12 * lanes];
     gather(batches_[b], x, d, nullptr);
     batch_energies(batches_[b], x, d, states_.current().data() + batches_[b].law, per.data() + b * each);
-  }
+  });
   return per;
 }
 
@@ -643,8 +651,8 @@ void Cloth::add_energies(const Trial&, std::vector<Energy>& out) const {
   const bool bends = std::any_of(model_.sections().begin(), model_.sections().end(),
                                  [](const section::Section& s) { return s.bends_apart; });
   if (bends) bending.resize(static_cast<std::size_t>(elements()));
-#pragma omp parallel for schedule(static) if (bending.size() >= few_batches * lanes)
-  for (std::size_t e = 0; e < bending.size(); ++e) bending[e] = bending_energy(static_cast<Index>(e));
+  for_each_index(bending.size(), bending.size() >= few_batches * lanes,
+                 [&](std::size_t e) { bending[e] = bending_energy(static_cast<Index>(e)); });
   double sum[law::energy_values] = {}, bent = 0;
   for (Index e = 0; e < elements(); ++e) {
     const BatchLane place = place_[e];
@@ -678,12 +686,11 @@ void Cloth::look_for_astray(Index b, const double* x, const double* d) {
 std::span<const unsigned char> Cloth::astray() {
   if (astray_version_ == configuration_.version()) return astray_;
   const auto count = static_cast<Index>(batches_.size());
-#pragma omp parallel for schedule(static) if (count >= few_batches)
-  for (Index b = 0; b < count; ++b) {
+  for_each_index(count, count >= few_batches, [&](Index b) {
     alignas(64) double x[12 * lanes], d[12 * lanes];
     gather(batches_[b], x, d, nullptr);
     look_for_astray(b, x, d);
-  }
+  });
   astray_version_ = configuration_.version();
   return astray_;
 }

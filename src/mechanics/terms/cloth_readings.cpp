@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/shares.hpp"
 #include "geometry/node_view.hpp"
 #include "mechanics/terms/cloth.hpp"
 
@@ -156,36 +157,36 @@ double ClothReadings::largest_stretch() const {
   const RestShape& rest = cloth_.rest();
   const auto& elements = cloth_.model().mesh().elements;
   const auto x = cloth_.configuration().x();
-  double largest = 0;  // squared
-#pragma omp parallel for schedule(static) reduction(max : largest) if (elements.size() >= 4096)
-  for (std::size_t i = 0; i < elements.size(); ++i) {
+  const auto of_element = [&](std::size_t i) {
     const auto& e = elements[i];
     const int n = corners(e);
+    double largest = 0;  // squared
     for (int a = 0; a < n; ++a)
       for (int b = a + 1; b < n; ++b)
         largest = std::max(
             largest, (at(x, e[b]) - at(x, e[a])).squaredNorm() /
                          (rest.X(static_cast<Index>(i), b) - rest.X(static_cast<Index>(i), a)).squaredNorm());
-  }
-  return std::sqrt(largest);
+    return largest;
+  };
+  return std::sqrt(largest_of(elements.size(), elements.size() >= 4096, of_element));
 }
 
 double ClothReadings::largest_turn(const NodalRates& way) const {
   const RestShape& rest = cloth_.rest();
   const auto& elements = cloth_.model().mesh().elements;
-  double largest = 0;  // squared
-#pragma omp parallel for schedule(static) reduction(max : largest) if (elements.size() >= 4096)
-  for (std::size_t i = 0; i < elements.size(); ++i) {
+  const auto of_element = [&](std::size_t i) {
     const auto& e = elements[i];
     const int n = corners(e);
+    double largest = 0;  // squared
     for (int a = 0; a < n; ++a) {
       const Index from = e[a], to = e[(a + 1) % n], id = static_cast<Index>(i);
       const double edge = (at(way.x, to) - at(way.x, from)).squaredNorm() /
                           (rest.X(id, (a + 1) % n) - rest.X(id, a)).squaredNorm();
       largest = std::max({largest, edge, at(way.d, from).squaredNorm()});
     }
-  }
-  return std::sqrt(largest);
+    return largest;
+  };
+  return std::sqrt(largest_of(elements.size(), elements.size() >= 4096, of_element));
 }
 
 StrainsReached::StrainsReached(const model::Model& model, const std::vector<Batch>& batches,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/shares.hpp"
 #include "geometry/node_view.hpp"
 
 namespace fabricsh::mechanics {
@@ -74,8 +75,8 @@ Outcome Contacts::add_forces(const law::Step& step, const Trial& trial, Forces& 
   surfaces_.bodies().load(std::span(s.force).subspan(nodes), std::span(s.torque).subspan(nodes));
   scheme().evaluated();
   if (!s.acts()) return {};
-#pragma omp parallel for schedule(static) if (nodes >= many_nodes)
-  for (std::size_t n = 0; n < nodes; ++n) at(forces.on_x, static_cast<Index>(n)) -= s.force[n];
+  for_each_index(nodes, nodes >= many_nodes,
+                 [&](std::size_t n) { at(forces.on_x, static_cast<Index>(n)) -= s.force[n]; });
   return {};
 }
 

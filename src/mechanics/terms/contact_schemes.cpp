@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
+#include "base/shares.hpp"
 #include "contact/advance.hpp"
 
 namespace fabricsh::mechanics {
@@ -69,10 +70,8 @@ contact::Way ExplicitContact::way(double dt) {
 // The largest motion of any point in the step so far.
 void ExplicitContact::evaluated() {
   const auto &x = state_.x, &start = state_.start;
-  double most = 0;
-#pragma omp parallel for schedule(static) reduction(max : most) if (x.size() >= many_nodes)
-  for (std::size_t i = 0; i < x.size(); ++i) most = std::max(most, (x[i] - start[i]).squaredNorm());
-  moved_ = std::sqrt(most);
+  moved_ = std::sqrt(largest_of(x.size(), x.size() >= many_nodes,
+                                [&](std::size_t i) { return (x[i] - start[i]).squaredNorm(); }));
 }
 
 bool ExplicitContact::may_have_passed() {

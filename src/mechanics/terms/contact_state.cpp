@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/shares.hpp"
 #include "geometry/node_view.hpp"
 
 namespace fabricsh::mechanics {
@@ -75,8 +76,8 @@ ContactState::ContactState(ContactSurfaces& surfaces, const Configuration& confi
 
 void ContactState::positions(std::span<const double> of_nodes, double share, std::vector<Vec3>& out) const {
   const std::size_t nodes = surfaces.nodes();
-#pragma omp parallel for schedule(static) if (nodes >= many_nodes)
-  for (std::size_t n = 0; n < nodes; ++n) out[n] = at(of_nodes, static_cast<Index>(n));
+  for_each_index(nodes, nodes >= many_nodes,
+                 [&](std::size_t n) { out[n] = at(of_nodes, static_cast<Index>(n)); });
   const auto &from = surfaces.bodies().state().committed, &to = surfaces.bodies().state().target;
   for (std::size_t v = 0; v < from.size(); ++v)
     out[nodes + v] = share >= 1 ? to[v] : share <= 0 ? from[v] : Vec3(from[v] + share * (to[v] - from[v]));
