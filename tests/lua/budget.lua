@@ -85,7 +85,7 @@ assert(#b.warnings == 1 and b.warnings[1].text:find("the meshes do not tell", 1,
 -- --- the card: a band of the warp's parameters, of which nu is read; its deviation is half the band over 1.96.
 local card = fabric.card("blend"):with { bands = { warp = { low = { 7e6, 800e6, 850e6, 0.2 }, high = { 9e6, 852e6, 878e6, 0.3 },
   covariance = { 2.6e11, 0, 0, 0, 0, 1.8e14, 0, 0, 0, 0, 5.1e13, 0, 0, 0, 0, 6.5e-4 } } } }
-b = budget { card = card, samples = 256, run = function(p)
+b = budget { card = card, samples = 64, run = function(p)
   assert(not p.card:check().text:find("does not hold", 1, true)) -- a drawn card leaves the middle of its fit's band
   return { nu = p.card.warp.poisson, same = p.card.shear.unloading }
 end }
@@ -121,7 +121,7 @@ assert(b.text:find("not varied: thickness", 1, true))
 
 -- --- the specimen: a seed that run() reads; and the same numbers for any number of processes.
 local function drawn(processes)
-  return budget { samples = 128, processes = processes, assumed = { a = { -1, 1 } }, run = function(p)
+  return budget { samples = 64, processes = processes, assumed = { a = { -1, 1 } }, run = function(p)
     return { v = p.assumed.a + require "fabric.lab.random"(p.specimen).normal() }
   end }
 end
@@ -131,8 +131,8 @@ assert(again.text == b.text and again.band.v.low == b.band.v.low)
 near(by_source(b.contributions.v).specimen.share, 0.75, 0.12, "share of the specimen")
 
 -- --- the band alone: of 2 a, a uniform on 0 to 3, the deviation is 6 / sqrt(12)
-b = budget { assumed = { a = { 0, 3 }, c = { 0, 1 } }, samples = 256, shares = false, run = function(p) return { v = 2 * p.assumed.a } end }
-assert(b.runs == 2 * 256 + 1 and #b.contributions.v == 1 and b.contributions.v[1].source == "inputs" and b.contributions.v[1].share == 1)
+b = budget { assumed = { a = { 0, 3 }, c = { 0, 1 } }, samples = 128, shares = false, run = function(p) return { v = 2 * p.assumed.a } end }
+assert(b.runs == 2 * 128 + 1 and #b.contributions.v == 1 and b.contributions.v[1].source == "inputs" and b.contributions.v[1].share == 1)
 near(b.of.v.deviation, 6 / math.sqrt(12), 0.01, "deviation without shares")
 near(b.band.v.low, 0.15, 0.05, "low end without shares")
 near(b.band.v.high, 5.85, 0.05, "high end without shares")
