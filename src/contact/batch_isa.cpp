@@ -193,7 +193,7 @@ Pack3 carried(const Pack3& slip, const Pack3& u0, const Pack3& v0, const Pack3& 
   const Pack size = squared(n), e = dot(slip, u0), f = dot(slip, v0);
   const Pack3 turned =
       (c * e - b * f) / det * u + (a * f - b * e) / det * v + dot(slip, n0) / norm(n0) * (n / sqrt(size));
-  return select((det > 1e-12 * a * c) & (size > zero), turned, slip);
+  return select((det > 1e-12 * a * c) & (size > zero), norm(slip) / norm(turned) * turned, slip);
 }
 
 Pack3 turned(BatchKind kind, const Pack3& slip, const Pack3 from[4], const Pack3 to[4]) {

@@ -22,13 +22,16 @@ constexpr double tangential = 2.0 / 7;
 // pairs whose resistances add up to more share this.
 constexpr double most_resistance = 4;
 
-// The vector with the components in the frame of u and v that `slip` has in the frame of u0 and v0.
+// The vector with the components in the frame of u and v that `slip` has in the frame of u0 and v0, of its
+// length: it turns with what it belongs to, and does not stretch, which would make energy of nothing.
 Vec3 carried(const Vec3& slip, const Vec3& u0, const Vec3& v0, const Vec3& u, const Vec3& v) {
   const double a = u0.dot(u0), b = u0.dot(v0), c = v0.dot(v0), det = a * c - b * b;
   const Vec3 n0 = u0.cross(v0), n = u.cross(v);
   if (!(det > 1e-12 * a * c) || !(n.squaredNorm() > 0)) return slip;
   const double e = slip.dot(u0), f = slip.dot(v0);
-  return (c * e - b * f) / det * u + (a * f - b * e) / det * v + slip.dot(n0) / n0.norm() * n.normalized();
+  const Vec3 out =
+      (c * e - b * f) / det * u + (a * f - b * e) / det * v + slip.dot(n0) / n0.norm() * n.normalized();
+  return slip.norm() / out.norm() * out;
 }
 
 // The slip after the step, turned with what it belongs to.

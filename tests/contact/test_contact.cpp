@@ -339,6 +339,40 @@ TEST_CASE("contact: friction turns a ball with its radius as the lever", "[conta
   }
 }
 
+TEST_CASE("contact: what friction holds does not grow as the cloth stretches", "[contact]") {
+  Sheets sheets;
+  sheets.add(0.02, 4, Vec3(-0.0103, -0.0098, 0));
+  Scene scene = sheets.scene();
+  scene.meet(0, scene.add_ball(Vec3(0, 0, -0.0302), 0.03), blend_law(), 1e3);
+  const std::vector<double> inverse_mass(scene.reference().size(), 1e5);
+  for (const bool explicitly : {true, false}) {
+    INFO((explicitly ? "explicit" : "implicit"));
+    Contact contact(scene);
+    std::vector<Vec3> x = scene.reference(), start = x;
+    double lost = 0, stick = 0;
+    const auto step = [&] {
+      auto f = none(x.size());
+      const Totals totals =
+          contact.add_forces(x, f, explicitly ? Way{start, {}, 1e-6, inverse_mass} : Way{start});
+      contact.commit();
+      lost = totals.work - (totals.stick - stick);
+      stick = totals.stick;
+      start = x;
+    };
+    step();
+    for (std::size_t i = 0; i < scene.nodes(); ++i) x[i].x() += 1e-4;
+    step();
+    REQUIRE(stick > 0);
+    // The sheet stretches and shears about the place that the ball presses: what is held there stays.
+    for (int k = 0; k < 10; ++k) {
+      for (std::size_t i = 0; i < scene.nodes(); ++i) x[i].x() *= 1.02;
+      for (std::size_t i = 0; i < scene.nodes(); ++i) x[i].y() += 0.02 * x[i].x();
+      step();
+      CHECK(lost > -1e-6 * stick);
+    }
+  }
+}
+
 TEST_CASE("contact: a pair that begins too near is opened smoothly, and stores the work of it", "[contact]") {
   const ContactLaw law = blend_law();
   Sheets sheets;
