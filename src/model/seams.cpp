@@ -87,8 +87,9 @@ EdgeChain from(const mesh::Mesh& mesh, EdgeChain ring, std::size_t i) {
   return ring;
 }
 
-// The place at a share of a chain's length.
-std::vector<Lead> place_at(const EdgeChain& chain, double share) {
+// The place at a share of a chain's length; on the node that is as near to it as a share of the element's
+// edge.
+std::vector<Lead> place_at(const EdgeChain& chain, double share, double on_node) {
   const double s = share * chain.length;
   const auto above = std::upper_bound(chain.along.begin(), chain.along.end(), s);
   const auto i = static_cast<std::size_t>(above - chain.along.begin()) - 1;
@@ -97,8 +98,8 @@ std::vector<Lead> place_at(const EdgeChain& chain, double share) {
   const double end = last ? chain.length : chain.along[i + 1];
   const Index a = chain.nodes[i], b = last ? chain.nodes.front() : chain.nodes[i + 1];
   const double w = (s - chain.along[i]) / (end - chain.along[i]);
-  if (w < kOnNode) return {{a, 1}};
-  if (w > 1 - kOnNode) return {{b, 1}};
+  if (w < on_node) return {{a, 1}};
+  if (w > 1 - on_node) return {{b, 1}};
   return {{a, 1 - w}, {b, w}};
 }
 
@@ -147,7 +148,8 @@ class Matching {
   }
 
   std::vector<Stitch> stitches() {
-    const std::vector<Stitch> plain = matched(coarse_), other = matched(turned(rest_, coarse_));
+    const EdgeChain back = turned(rest_, coarse_);
+    const std::vector<Stitch> plain = matched(coarse_), other = matched(back);
     const double as_is = apart(plain), the_other = apart(other);
     const bool equal = std::abs(as_is - the_other) <= kEqual * (as_is + the_other);
     if (equal && !seam_.reverse)
@@ -161,6 +163,8 @@ class Matching {
                         metres(mine) + " apart, and " + metres(better) +
                         " with reverse=" + (turn ? "false" : "true") + (fine_.ring ? "" : sketch(turn)));
     std::vector<Stitch> all = turn ? other : plain;
+    if (!seam_.over && !std::all_of(all.begin(), all.end(), [&](const Stitch& s) { return meets(s); }))
+      all = placed(turn ? back : coarse_);
     std::erase_if(all, [](const Stitch& s) { return s.leads.size() == 1 && s.leads[0].node == s.node; });
     check_shared(all);
     if (!seam_.over) check_together(all);
@@ -174,11 +178,26 @@ class Matching {
     for (std::size_t i = 0; i < fine_.nodes.size(); ++i) {
       Stitch stitch{fine_.nodes[i], {}, length_at(fine_, i), which_};
       stitch.leads = one_to_one ? std::vector<Lead>{{coarse.nodes[i], 1}}
-                                : place_at(coarse, fine_.along[i] / fine_.length);
+                                : place_at(coarse, fine_.along[i] / fine_.length, kOnNode);
       all.push_back(std::move(stitch));
     }
     return all;
   }
+  // Edges that are one from the start: what follows is moved to its place at once, so that a node as near to
+  // another as is good enough for edges that are drawn together may still be too far from it.
+  std::vector<Stitch> placed(const EdgeChain& coarse) const {
+    std::vector<Stitch> all;
+    for (std::size_t i = 0; i < fine_.nodes.size(); ++i) {
+      Stitch stitch{fine_.nodes[i], place_at(coarse, fine_.along[i] / fine_.length, kOnNode),
+                    length_at(fine_, i), which_};
+      if (!meets(stitch)) stitch.leads = place_at(coarse, fine_.along[i] / fine_.length, 0);
+      all.push_back(std::move(stitch));
+    }
+    return all;
+  }
+  // Whether a node lies where it is sewn to.
+  bool meets(const Stitch& stitch) const { return distance(mesh_, stitch) <= kTogether * mean(); }
+  double mean() const { return fine_.length / static_cast<double>(fine_.nodes.size()); }  // m
   // Whether each node is nearer to its partner along the edge than a quarter of an element's edge.
   bool pairs(const EdgeChain& coarse) const {
     for (std::size_t i = 0; i < fine_.nodes.size(); ++i)
@@ -235,12 +254,30 @@ class Matching {
                           "itself");
   }
   void check_together(const std::vector<Stitch>& stitches) const {
-    const double mean = fine_.length / static_cast<double>(fine_.nodes.size());
+    const Stitch* worst = nullptr;
     for (const Stitch& s : stitches)
-      if (const double d = distance(mesh_, s); !(d <= kTogether * mean))
-        refuse(seam_, "node " + std::to_string(s.node + 1) + " is " + metres(d) +
-                          " from where it belongs on the other edge: expected edges that lie on each other, "
-                          "or a time in which they are drawn together (field 'over', s)");
+      if (!meets(s) && (worst == nullptr || distance(mesh_, s) > distance(mesh_, *worst))) worst = &s;
+    if (worst == nullptr) return;
+    const double d = distance(mesh_, *worst);
+    refuse(
+        seam_,
+        "node " + std::to_string(worst->node + 1) + " is " + metres(d) +
+            " from where it belongs on the other edge: expected edges that lie on each other, " +
+            (d <= bulge() ? "which edges along a curve do where they have the same places of nodes, " : "") +
+            "or a time in which they are drawn together (field 'over', s)");
+  }
+  // m, by which edges of elements part whose nodes lie in other places of the same curve: twice the height of
+  // an arc over its chord, as the lengths along the chords differ, too.
+  double bulge() const {
+    double most = 0;
+    for (const EdgeChain* chain : {&fine_, &coarse_})
+      for (std::size_t i = 1; i + 1 < chain->nodes.size(); ++i) {
+        const auto at = [&](std::size_t k) -> const Vec3& { return mesh_.nodes[chain->nodes[k]]; };
+        const Vec3 before = at(i) - at(i - 1), behind = at(i + 1) - at(i);
+        const double longer = std::max(before.norm(), behind.norm());
+        most = std::max(most, (behind.normalized() - before.normalized()).norm() * longer / 4);
+      }
+    return most;
   }
 
   const mesh::Mesh &mesh_, &rest_;
