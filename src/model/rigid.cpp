@@ -196,10 +196,10 @@ struct AddTo {
   int operator()(const Disc& d) const {
     return contact::add_disc(scene, d.centre, d.normal, d.radius, d.edge);
   }
-  int operator()(const Facets& f) const { return scene.add_solid(f.vertices, f.triangles, 0); }
-  int operator()(const MovingFacets& m) const {
-    return scene.add_solid(m.first.vertices, m.first.triangles, 0, true);
+  int operator()(const Facets& f, bool changes_shape = false) const {
+    return scene.add_solid(f.vertices, f.triangles, 0, changes_shape);
   }
+  int operator()(const MovingFacets& m) const { return (*this)(m.first, true); }
 };
 
 // Rings about an axis, each with a position along it and a radius; facets connect neighbours.

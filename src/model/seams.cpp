@@ -164,7 +164,7 @@ class Matching {
                         " with reverse=" + (turn ? "false" : "true") + (fine_.ring ? "" : sketch(turn)));
     std::vector<Stitch> all = turn ? other : plain;
     if (!seam_.over && !std::all_of(all.begin(), all.end(), [&](const Stitch& s) { return meets(s); }))
-      all = placed(turn ? back : coarse_);
+      all = matched(turn ? back : coarse_, false);
     std::erase_if(all, [](const Stitch& s) { return s.leads.size() == 1 && s.leads[0].node == s.node; });
     check_shared(all);
     if (!seam_.over) check_together(all);
@@ -172,25 +172,17 @@ class Matching {
   }
 
  private:
-  std::vector<Stitch> matched(const EdgeChain& coarse) const {
+  // paired: nodes of equal numbers are partners where they are near each other. If not, edges are one from
+  // the start: what follows is moved to its place at once, so that a node as near to another as is good
+  // enough for edges that are drawn together may still be too far from it.
+  std::vector<Stitch> matched(const EdgeChain& coarse, bool paired = true) const {
     std::vector<Stitch> all;
-    const bool one_to_one = fine_.nodes.size() == coarse.nodes.size() && pairs(coarse);
+    const bool one_to_one = paired && fine_.nodes.size() == coarse.nodes.size() && pairs(coarse);
     for (std::size_t i = 0; i < fine_.nodes.size(); ++i) {
+      const double share = fine_.along[i] / fine_.length;
       Stitch stitch{fine_.nodes[i], {}, length_at(fine_, i), which_};
-      stitch.leads = one_to_one ? std::vector<Lead>{{coarse.nodes[i], 1}}
-                                : place_at(coarse, fine_.along[i] / fine_.length, kOnNode);
-      all.push_back(std::move(stitch));
-    }
-    return all;
-  }
-  // Edges that are one from the start: what follows is moved to its place at once, so that a node as near to
-  // another as is good enough for edges that are drawn together may still be too far from it.
-  std::vector<Stitch> placed(const EdgeChain& coarse) const {
-    std::vector<Stitch> all;
-    for (std::size_t i = 0; i < fine_.nodes.size(); ++i) {
-      Stitch stitch{fine_.nodes[i], place_at(coarse, fine_.along[i] / fine_.length, kOnNode),
-                    length_at(fine_, i), which_};
-      if (!meets(stitch)) stitch.leads = place_at(coarse, fine_.along[i] / fine_.length, 0);
+      stitch.leads = one_to_one ? std::vector<Lead>{{coarse.nodes[i], 1}} : place_at(coarse, share, kOnNode);
+      if (!paired && !meets(stitch)) stitch.leads = place_at(coarse, share, 0);
       all.push_back(std::move(stitch));
     }
     return all;
