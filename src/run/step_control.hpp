@@ -52,6 +52,8 @@ class StepControl {
   // Sliding friction takes many iterations whatever the step: from here on, steps that have not failed do not
   // shrink below this part of the largest.
   void expect_friction() { held_ = largest_ / 16; }
+  // Cloth that slides on cloth takes as many in a shorter step: from here on only failures shorten them.
+  void follow_failures() { held_ = std::numeric_limits<double>::infinity(); }
   // Where loose cloth buckles steps are cut one after another: after one that has failed before, some are
   // made until the next one is longer, and twice as many if that had come too soon.
   void rest_after_failure() {
@@ -62,11 +64,13 @@ class StepControl {
   // it grows back to the largest.
   void grow(int iterations, bool was_cut) {
     const double n = std::max(1, iterations), before = current_;
-    if (iterations > iterations_.many)
+    const bool by_failures = std::isinf(held_);
+    if (iterations > iterations_.many && !by_failures)
       current_ = std::max({0.5 * current_, std::min(current_, smallest_),
                            current_ * std::sqrt(iterations_.wanted / n), std::min(current_, held_)});
     else if (!was_cut && rest_ == 0)
-      current_ = std::min(largest(), current_ * std::clamp(2 * iterations_.wanted / n, 1.0, 2.0));
+      current_ = std::min(largest(),
+                          current_ * (by_failures ? 2 : std::clamp(2 * iterations_.wanted / n, 1.0, 2.0)));
     if (!was_cut && rest_ > 0) --rest_;
     grown_ = current_ > before ? 0 : std::min(grown_ + 1, kSoon);
   }
