@@ -9,6 +9,10 @@
 -- the coefficients of one disc with each assumption at the ends of its range, alone, and the test that would determine it.
 -- warns: carries without folding within it
 -- warns: the steps are long: in two halves they end
+-- warns: relaxation has taken
+-- warns: turned inside out
+-- warns: is turned over: it is more than 90 degrees
+-- warns: hangs where the pedestal is
 local fabric = require "fabric"
 local assumed, tests_for = require "fabric.assumed", require "fabric.lab.card.tests_for"
 local which, samples, cells, write = arg[1] or "worsted", tonumber(arg[2] or 8), tonumber(arg[3] or 3), arg[4] == "write"

@@ -6,6 +6,9 @@
 --   fabricsh --threads 1 scripts/long/contact/cost.lua near 500 300       one of them (near floor layers crumple), cells along an edge, steps
 --   fabricsh --threads 1 scripts/long/contact/cost.lua crumple 100 8 0.5  a sheet that is thrown together at 8 m/s, half of its time
 --   fabricsh --threads 2 scripts/long/contact/cost.lua wall 100 200       seconds on the wall and of the busiest thread; compare with --threads 1
+-- warns: is turned over: it is more than 90 degrees
+-- warns: turned inside out
+-- warns: the guard of the directors has
 local fabric = require "fabric"
 local which, cells, steps = arg[1] or "all", tonumber(arg[2] or 100), tonumber(arg[3] or 200)
 if fabric.checking() then cells = 4 end
