@@ -123,9 +123,8 @@ double steps_per_turn(const model::Model& model) {
 
 StepControl control_of(const DynamicOptions& o, const mechanics::Assembly& assembly) {
   const double usual = o.duration / (o.error ? 20 : 200);
-  StepControl control{o.step.value_or(usual), 0, o.max_cuts, kMotionIterations};
-  if (has_contact(assembly)) control.follow_failures();
-  return control;
+  return {o.step.value_or(usual), 0, o.max_cuts,
+          has_contact(assembly) ? kContactIterations : kMotionIterations};
 }
 
 }  // namespace

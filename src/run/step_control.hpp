@@ -15,6 +15,9 @@ struct StepIterations {
 // A static step follows a smooth path. In a step of a motion contacts and slack yarns switch, which takes
 // some ten iterations however short the step is, so that shorter ones only cost more.
 inline constexpr StepIterations kStaticIterations{6, 12}, kMotionIterations{12, 20};
+// Cloth that slides on cloth takes as many in a sixteenth of a step: any number is right, and only failures
+// shorten a step.
+inline constexpr StepIterations kContactIterations{1'000'000, 1'000'000};
 
 // The end of the next step, when the way to a landing is divided into equal steps of at most `step`.
 inline double end_of_step(double now, double landing, double step) {
@@ -52,8 +55,6 @@ class StepControl {
   // Sliding friction takes many iterations whatever the step: from here on, steps that have not failed do not
   // shrink below this part of the largest.
   void expect_friction() { held_ = largest_ / 16; }
-  // Cloth that slides on cloth takes as many in a shorter step: from here on only failures shorten them.
-  void follow_failures() { held_ = std::numeric_limits<double>::infinity(); }
   // Where loose cloth buckles steps are cut one after another: after one that has failed before, some are
   // made until the next one is longer, and twice as many if that had come too soon.
   void rest_after_failure() {
@@ -64,13 +65,11 @@ class StepControl {
   // it grows back to the largest.
   void grow(int iterations, bool was_cut) {
     const double n = std::max(1, iterations), before = current_;
-    const bool by_failures = std::isinf(held_);
-    if (iterations > iterations_.many && !by_failures)
+    if (iterations > iterations_.many)
       current_ = std::max({0.5 * current_, std::min(current_, smallest_),
                            current_ * std::sqrt(iterations_.wanted / n), std::min(current_, held_)});
     else if (!was_cut && rest_ == 0)
-      current_ = std::min(largest(),
-                          current_ * (by_failures ? 2 : std::clamp(2 * iterations_.wanted / n, 1.0, 2.0)));
+      current_ = std::min(largest(), current_ * std::clamp(2 * iterations_.wanted / n, 1.0, 2.0));
     if (!was_cut && rest_ > 0) --rest_;
     grown_ = current_ > before ? 0 : std::min(grown_ + 1, kSoon);
   }
