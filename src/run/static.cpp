@@ -191,7 +191,7 @@ void Static::begin() {
   problem_->start();
   dead_ = problem_->external();
   work_.start(*assembly_, dead_);
-  now_.internal = internal();
+  note_energy();
   note_shape();
   if (origin() != 0) return begin_loaded();
   WorkingForces loads;
@@ -572,10 +572,10 @@ void Static::commit(StepReport& report) {
   const double before = work_.total(), internal_before = now_.internal;
   dead_ = problem_->external();
   assembly_->finish_step();
-  now_.internal = internal();
+  note_energy();
   const auto done = work_.bounded(*assembly_, dead_);
   const double excess = now_.internal - internal_before - done.work;
-  const bool fell = step_.last.left_unstable > 0 || relaxing_ || crept_;
+  const bool fell = left_shape();
   const bool jumps = now_.jumps && reports_.empty();
   // Along equilibria loads and supports work what the cloth stores and loses. That tells their work where
   // their forces at both ends leave it open, as where yarns unload or stiffen within the step.
@@ -663,9 +663,11 @@ void Static::report_notices(const StepReport& report) {
   }
 }
 
-double Static::internal() const {
+void Static::note_energy() {
   const EnergyAccount e = energy();
-  return e.internal() + e.damping;
+  now_.internal = e.internal() + e.damping;
+  now_.stored = e.stored;
+  now_.most_stored = std::max(now_.most_stored, e.stored);
 }
 
 namespace {
@@ -765,7 +767,7 @@ void Static::give_up(const StepReport& report) {
 
 void Static::take(const mechanics::Transfer& change, const std::vector<double>&) {
   if (arc_) arc_->turn([&](linear::Vector& way) { way = change.apply(way); });
-  if (started()) now_.internal = internal();
+  if (started()) note_energy();
 }
 
 void Static::memory(Archive& archive) {

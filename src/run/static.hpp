@@ -102,14 +102,20 @@ class Static final : public Run {
   // --- the way that laws remember (static_path.cpp)
   bool depends_on_path() const;
   bool asks_path(double part);
+  bool left_shape() const;  // whether the step that has been solved may have
+  bool falls();             // whether much of the energy stored, or of the work, is gone after it
   bool by_shares() const;  // whether contact moves bodies by shares of their way in Newton's iterations
   bool follows_path(double end, StepReport& report);
-  struct Halves {  // the difference of a step to its halves: over what is largest so far, m and N
-    double error = std::numeric_limits<double>::quiet_NaN(), moved = 0, pulled = 0;
+  struct Halves {  // the difference of a step to its halves: over what is largest so far, m, N and J
+    double error = std::numeric_limits<double>::quiet_NaN(), moved = 0, pulled = 0, fallen = 0;
     int parts = 2;
   };
+  struct StepEnd {  // what parts of a step are compared with
+    std::vector<double> kinematics, pulls;
+    double stored = 0;
+  };
   Halves path_error(double end, StepReport& report);
-  Halves compare_parts(int parts, double end, std::span<const double> to);
+  Halves compare_parts(int parts, double end, const StepEnd& to);
   double no_displacement(double force) const;
   bool solve_part(double end, std::span<const double> guess);
   std::vector<double> held_by_supports() const;  // N, 3 per node
@@ -134,7 +140,7 @@ class Static final : public Run {
   bool finish(solver::NewtonResult result, double end, StepReport& report);
   void report_notices(const StepReport& report);  // gives notices
   void check_balance();                           // stops the run if energy was made from nothing
-  double internal() const;                        // J, of the trial state; see Now
+  void note_energy();                             // of the committed state
   bool turns_inside_out() const;                  // whether an element or a director does that had not before
   void note_shape();
 
@@ -158,6 +164,7 @@ class Static final : public Run {
   std::unique_ptr<solver::Descent> helper_;        // of Newton's method
   Diagnosis step_;                                 // the present one
   bool cutting_ = false;     // whether a step that fails is halved, or is as long as asked for
+  bool falls_ = false;       // whether the last step that was solved does
   bool afresh_ = false;      // whether halves of a step are solved as any step is
   bool hard_parts_ = false;  // whether one of them took many iterations
   bool relaxing_ = false;    // whether the last try at the present step was by relaxation
@@ -177,18 +184,19 @@ class Static final : public Run {
     double unsure = 0;    // J, the part of it in steps in which bodies move or seams are drawn
     double fallen = 0;    // J, the part of `relaxed` in steps in which the cloth may have fallen
     double internal = 0;  // J, stored, dissipated and lost to damping in the committed state
-    // Of path_error(): m and N, the largest so far and the sums of what steps err; the step that errs most;
+    double stored = 0, most_stored = 0;  // J, in it, and in any so far
+    // Of path_error(): m, N and J, the largest so far and the sums of what steps err; the step that errs most;
     // its error over what is allowed; committed steps when it was asked last, when it is next, and how many
     // between.
-    double way = 0, path_force = 0, path_moved = 0, path_pulled = 0, path_worst = 0, path_step = 0,
-           path_time = 0, path_ratio = 0;
+    double way = 0, path_force = 0, path_moved = 0, path_pulled = 0, path_fallen = 0, path_worst = 0,
+           path_step = 0, path_time = 0, path_ratio = 0;
     std::int64_t path_asked = -1, path_next = 0, path_gap = 1;
     int path_parts = 2;  // in which the step that errs most was made again
     void keep(Archive& archive) {
       archive(step, arc_length, tried_length, longest_length, landing, reported_pivots, reported_damping,
               reported_error, reported_balance, left, jumps, settled, inverted, turned, relaxed, made, unsure,
-              fallen, internal, way, path_force, path_moved, path_pulled, path_worst, path_step, path_time,
-              path_ratio, path_asked, path_next, path_gap, path_parts);
+              fallen, internal, stored, most_stored, way, path_force, path_moved, path_pulled, path_fallen,
+              path_worst, path_step, path_time, path_ratio, path_asked, path_next, path_gap, path_parts);
     }
   } now_;
 };

@@ -145,40 +145,43 @@ double Static::no_displacement(double force) const {
 
 // The step from the committed state to the trial state at `to` is made again in two halves, or in four parts
 // that are solved afresh. Halves begin at the shapes that are known. Returns by how much the end differs: the
-// largest distance of a node over the largest displacement so far, or the largest difference of a support's
-// force over the largest force. NaN: the parts have no answer.
-Static::Halves Static::compare_parts(int parts, double end, std::span<const double> to) {
+// largest distance of a node over the largest displacement so far, the largest difference of a support's force
+// over the largest force, or, of a step in which the cloth falls, the difference of the energy stored over the
+// most that was. NaN: the parts have no answer.
+Static::Halves Static::compare_parts(int parts, double end, const StepEnd& to) {
   const auto& state = std::as_const(*assembly_).state();
-  const std::vector<double> from(state.committed_kinematics().begin(), state.committed_kinematics().end()),
-      held = held_by_supports();
+  const std::vector<double> from(state.committed_kinematics().begin(), state.committed_kinematics().end());
   std::vector<double> reference;
   for (const Vec3& X : assembly_->dofs().reference()) reference.insert(reference.end(), X.begin(), X.end());
   const auto numbers = reference.size();
   const double start = committed_time();
   double way = now_.way;
-  for (const std::span<const double> shape : {std::span<const double>(from), to})
+  for (const std::vector<double>& shape : {from, to.kinematics})
     way = std::max(way, largest_distance(shape, reference, numbers));
   now_.way = way;
   rollback();
   for (int i = 1; i < parts; ++i) {
     const double time = start + i * (end - start) / parts;
-    if (!solve_part(time, middle(from, to))) return {};
+    if (!solve_part(time, middle(from, to.kinematics))) return {};
     way = now_.way = std::max(way, largest_distance(state.x(), reference, numbers));
     assembly_->finish_step();
     problem_->commit(time);
   }
-  if (!solve_part(end, to)) return {};
+  if (!solve_part(end, to.kinematics)) return {};
   const double force = now_.path_force = std::max(now_.path_force, problem_->force_scale());
   const auto now = state.x();
   const auto pulls = held_by_supports();
-  const double moved = afresh_ ? difference_of_sizes(now, to, reference) : largest_distance(now, to, numbers),
-               pulled = afresh_ ? difference_of_sizes(pulls, held, std::vector<double>(numbers))
-                                : largest_distance(pulls, held, numbers);
+  const double moved = afresh_ ? difference_of_sizes(now, to.kinematics, reference)
+                               : largest_distance(now, to.kinematics, numbers),
+               pulled = afresh_ ? difference_of_sizes(pulls, to.pulls, std::vector<double>(numbers))
+                                : largest_distance(pulls, to.pulls, numbers),
+               fallen = falls_ ? std::abs(energy().stored - to.stored) : 0;
   const double nothing = no_displacement(force);
-  if (way <= nothing) return {0, 0, 0, parts};
-  const double error = std::max(moved > nothing ? moved / way : 0, force > 0 ? pulled / force : 0);
-  if (error < kHalves.tolerance) return {0, 0, 0, parts};  // below it the halves say nothing
-  return {error, moved, pulled, parts};
+  if (way <= nothing) return {0, 0, 0, 0, parts};
+  const double error = std::max({moved > nothing ? moved / way : 0, force > 0 ? pulled / force : 0,
+                                 fallen > 0 ? fallen / now_.most_stored : 0});
+  if (error < kHalves.tolerance) return {0, 0, 0, 0, parts};  // below it the halves say nothing
+  return {error, moved, pulled, fallen, parts};
 }
 
 // Where a step of almost the whole run and its halves are both hard to solve and end at the same shape, four
@@ -186,7 +189,7 @@ Static::Halves Static::compare_parts(int parts, double end, std::span<const doub
 // more slowly do not. The trial state is afterwards what it was.
 Static::Halves Static::path_error(double end, StepReport& report) {
   const auto& state = std::as_const(*assembly_).state();
-  const std::vector<double> to(state.kinematics().begin(), state.kinematics().end());
+  const StepEnd to{{state.kinematics().begin(), state.kinematics().end()}, held_by_supports(), energy().stored};
   const std::string start = save_state();
   const double committed_start = committed_time();
   hard_parts_ = false;
@@ -205,7 +208,7 @@ Static::Halves Static::path_error(double end, StepReport& report) {
     return error;
   }
   problem_->set_time(end);
-  put(to);
+  put(to.kinematics);
   // The forces as the step ended: those that come with a tangent are rounded differently.
   linear::Matrix K;
   linear::Vector r(static_cast<std::size_t>(problem_->size()));
@@ -217,14 +220,28 @@ Static::Halves Static::path_error(double end, StepReport& report) {
   return error;
 }
 
+bool Static::left_shape() const { return step_.last.left_unstable > 0 || relaxing_ || crept_; }
+
+// A search for the least energy finds lower ones in a long step than those along the way.
+bool Static::falls() {
+  if (!left_shape() && step_.last.iterations <= kStaticIterations.many) return false;
+  const EnergyAccount e = energy();
+  const double much = usual_path * now_.most_stored;
+  ExternalWork work = work_;
+  return e.stored < now_.stored - much ||
+         e.internal() + e.damping < now_.internal + work.bounded(*assembly_, problem_->external()).work - much;
+}
+
 // In a step of many iterations the shape may be another one in two halves, with any law: these are then
-// solved afresh, and in runs of a few steps without being asked for. Otherwise only laws that remember their
-// path are asked; without `path` not with contact, whose steps are short, and the more seldom the less the
-// steps err.
+// solved afresh, and in runs of a few steps, and where the cloth falls, without being asked for. Otherwise
+// only laws that remember their path are asked; without `path` not with contact, whose steps are short, and
+// the more seldom the less the steps err.
 bool Static::asks_path(double part) {
   if (arc_) return false;
   const bool many = step_.last.iterations > kStaticIterations.many;
-  afresh_ = by_shares() || (many && (options_.path || part > kLong));
+  falls_ = falls();
+  afresh_ = by_shares() || falls_ || (many && (options_.path || part > kLong));
+  if (falls_) return true;
   if (options_.path) return remembers_path_ || many;
   if (by_shares()) return false;
   return afresh_ || (remembers_path_ && static_cast<std::int64_t>(reports_.size()) >= now_.path_next);
@@ -239,23 +256,30 @@ bool Static::follows_path(double end, StepReport& report) {
   halves_ = path_error(end, report);
   report.path = halves_.error;
   now_.path_ratio = options_.path ? report.path / (*options_.path * std::max(part, kLeast)) : 0;
+  if (falls_ && report.path > usual_path) return false;
   return !options_.path || now_.path_ratio <= 1;
 }
 
 void Static::note_path(const StepReport& report) {
   if (std::isnan(report.path)) {
-    if (options_.path && remembers_path_ && !warned("path"))
+    if ((falls_ || (options_.path && remembers_path_)) && !warned("path"))
       warn("path", "warning: static: the step of " + number(report.step) + " s at time " +
                        number(report.time) +
                        " s could not be compared with two halves, which have no equilibrium that is found: "
-                       "whether laws that remember their path need shorter steps is not known");
+                       "whether " +
+                       (falls_ ? "the cloth, which falls in it to another shape, does so in shorter steps"
+                               : "laws that remember their path need shorter steps") +
+                       " is not known");
     return;
   }
   const auto steps = static_cast<std::int64_t>(reports_.size());
-  const auto stands_for = static_cast<double>(std::max<std::int64_t>(1, steps - now_.path_asked));
+  // A fall is no measure of the steps before it.
+  const auto stands_for =
+      falls_ ? 1.0 : static_cast<double>(std::max<std::int64_t>(1, steps - now_.path_asked));
   now_.path_gap = options_.path ? 1 : report.path < kSmall ? 2 * now_.path_gap : 1;
   now_.path_moved += stands_for * halves_.moved;
   now_.path_pulled += stands_for * halves_.pulled;
+  now_.path_fallen += halves_.fallen;
   now_.path_asked = steps;
   now_.path_next = steps + now_.path_gap;
   if (report.path <= now_.path_worst) return;
@@ -269,12 +293,13 @@ void Static::note_path(const StepReport& report) {
 // are small while it begins.
 void Static::watch_path() {
   const double said = options_.path.value_or(usual_path),
-               sum = std::max(now_.way > 0 ? now_.path_moved / now_.way : 0,
-                              now_.path_force > 0 ? now_.path_pulled / now_.path_force : 0);
+               sum = std::max({now_.way > 0 ? now_.path_moved / now_.way : 0,
+                               now_.path_force > 0 ? now_.path_pulled / now_.path_force : 0,
+                               now_.most_stored > 0 ? now_.path_fallen / now_.most_stored : 0});
   if (warned("path") || sum <= said) return;
   warn("path", "warning: static: by time " + number(time()) + " s the steps are long: in " +
                    (now_.path_parts > 2 ? "four parts" : "two halves") + " they end " + number(100 * sum, 2) +
-                   " % of the largest displacement or force elsewhere, most that of " +
+                   " % of the largest displacement, force or energy elsewhere, most that of " +
                    number(now_.path_step) + " s at time " + number(now_.path_time) + " s. Expected at most " +
                    number(100 * said) +
                    (options_.path ? " %, which the smallest step does not reach: a smaller min_step, or more "
