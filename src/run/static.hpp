@@ -103,8 +103,8 @@ class Static final : public Run {
   bool depends_on_path() const;
   bool asks_path(double part);
   bool left_shape() const;  // whether the step that has been solved may have
-  bool falls();             // whether much of the energy stored, or of the work, is gone after it
-  bool by_shares() const;  // whether contact moves bodies by shares of their way in Newton's iterations
+  bool falls() const;       // whether it ends with much less energy stored than it began with
+  bool by_shares() const;   // whether contact moves bodies by shares of their way in Newton's iterations
   bool follows_path(double end, StepReport& report);
   struct Halves {  // the difference of a step to its halves: over what is largest so far, m, N and J
     double error = std::numeric_limits<double>::quiet_NaN(), moved = 0, pulled = 0, fallen = 0;
@@ -185,9 +185,9 @@ class Static final : public Run {
     double fallen = 0;    // J, the part of `relaxed` in steps in which the cloth may have fallen
     double internal = 0;  // J, stored, dissipated and lost to damping in the committed state
     double stored = 0, most_stored = 0;  // J, in it, and in any so far
-    // Of path_error(): m, N and J, the largest so far and the sums of what steps err; the step that errs most;
-    // its error over what is allowed; committed steps when it was asked last, when it is next, and how many
-    // between.
+    // Of path_error(): m, N and J, the largest so far and the sums of what steps err; the step that errs
+    // most; its error over what is allowed; committed steps when it was asked last, when it is next, and how
+    // many between.
     double way = 0, path_force = 0, path_moved = 0, path_pulled = 0, path_fallen = 0, path_worst = 0,
            path_step = 0, path_time = 0, path_ratio = 0;
     std::int64_t path_asked = -1, path_next = 0, path_gap = 1;

@@ -145,9 +145,9 @@ double Static::no_displacement(double force) const {
 
 // The step from the committed state to the trial state at `to` is made again in two halves, or in four parts
 // that are solved afresh. Halves begin at the shapes that are known. Returns by how much the end differs: the
-// largest distance of a node over the largest displacement so far, the largest difference of a support's force
-// over the largest force, or, of a step in which the cloth falls, the difference of the energy stored over the
-// most that was. NaN: the parts have no answer.
+// largest distance of a node over the largest displacement so far, the largest difference of a support's
+// force over the largest force, or, of a step in which the cloth falls, the difference of the energy stored
+// over the most that was. NaN: the parts have no answer.
 Static::Halves Static::compare_parts(int parts, double end, const StepEnd& to) {
   const auto& state = std::as_const(*assembly_).state();
   const std::vector<double> from(state.committed_kinematics().begin(), state.committed_kinematics().end());
@@ -189,7 +189,8 @@ Static::Halves Static::compare_parts(int parts, double end, const StepEnd& to) {
 // more slowly do not. The trial state is afterwards what it was.
 Static::Halves Static::path_error(double end, StepReport& report) {
   const auto& state = std::as_const(*assembly_).state();
-  const StepEnd to{{state.kinematics().begin(), state.kinematics().end()}, held_by_supports(), energy().stored};
+  const StepEnd to{
+      {state.kinematics().begin(), state.kinematics().end()}, held_by_supports(), energy().stored};
   const std::string start = save_state();
   const double committed_start = committed_time();
   hard_parts_ = false;
@@ -222,25 +223,22 @@ Static::Halves Static::path_error(double end, StepReport& report) {
 
 bool Static::left_shape() const { return step_.last.left_unstable > 0 || relaxing_ || crept_; }
 
-// A search for the least energy finds lower ones in a long step than those along the way.
-bool Static::falls() {
-  if (!left_shape() && step_.last.iterations <= kStaticIterations.many) return false;
-  const EnergyAccount e = energy();
-  const double much = usual_path * now_.most_stored;
-  ExternalWork work = work_;
-  return e.stored < now_.stored - much ||
-         e.internal() + e.damping < now_.internal + work.bounded(*assembly_, problem_->external()).work - much;
+// A search for the least energy finds lower ones in a long step than those along the way. Beside contact no
+// other step is compared.
+bool Static::falls() const {
+  return by_shares() && (left_shape() || step_.last.iterations > kStaticIterations.many) &&
+         energy().stored < now_.stored - usual_path * now_.most_stored;
 }
 
 // In a step of many iterations the shape may be another one in two halves, with any law: these are then
-// solved afresh, and in runs of a few steps, and where the cloth falls, without being asked for. Otherwise
-// only laws that remember their path are asked; without `path` not with contact, whose steps are short, and
+// solved afresh, and in runs of a few steps without being asked for. Otherwise only laws that remember their
+// path are asked; without `path` with contact, whose steps are short, only where the cloth falls, and else
 // the more seldom the less the steps err.
 bool Static::asks_path(double part) {
   if (arc_) return false;
   const bool many = step_.last.iterations > kStaticIterations.many;
   falls_ = falls();
-  afresh_ = by_shares() || falls_ || (many && (options_.path || part > kLong));
+  afresh_ = by_shares() || (many && (options_.path || part > kLong));
   if (falls_) return true;
   if (options_.path) return remembers_path_ || many;
   if (by_shares()) return false;
