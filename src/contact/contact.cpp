@@ -584,11 +584,12 @@ void Contact::couples(std::span<const Vec3> x,
   for (const Candidate& c : inner_) visit(scene_->spots().with_nodes(c.point));
 }
 
-void Contact::mark_pressed(std::int32_t first, std::int32_t end, std::span<char> marked) const {
+void Contact::mark_pressed(std::int32_t first, std::int32_t end, bool have, std::span<char> marked) const {
   for (std::size_t i = 0; i < inner_.size(); ++i) {
     if ((active_[i] & pressing) == 0) continue;
     const auto points = scene_->spots().with_nodes(inner_[i].point);
-    if (std::any_of(points.begin(), points.end(), [&](auto p) { return p >= first && p < end; })) continue;
+    if (std::any_of(points.begin(), points.end(), [&](auto p) { return p >= first && p < end; }) != have)
+      continue;
     for (const auto p : points)
       if (p >= 0) marked[std::size_t(p)] = 1;
   }

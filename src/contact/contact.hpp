@@ -85,9 +85,9 @@ class Contact {
   using VisitBetween = std::function<void(const std::array<std::int32_t, 4>&, const Force::Barrier&)>;
   void barriers_between(const VisitBetween& visit) const;
 
-  // Of the forces that were last added: marks the points of all pairs that press and have no corner from
-  // `first` to `end`, as others than the vertices of a body.
-  void mark_pressed(std::int32_t first, std::int32_t end, std::span<char> marked) const;
+  // Of the forces that were last added: marks the points of all pairs that press and have a corner from
+  // `first` to `end`, as the vertices of a body, or of all that have none there.
+  void mark_pressed(std::int32_t first, std::int32_t end, bool have, std::span<char> marked) const;
 
   // Stiffness of the touching pairs, in the pairs' order: visit(points of the pair, Hessian of its energy,
   // N/m, its friction). With a way the Hessian contains the part of friction: -d force/dx, not symmetric.

@@ -412,7 +412,11 @@ std::optional<Transfer> Assembly::sew(Sewn next, double within) {
 void Assembly::balance(const char* call) {
   const double now = configuration_.time();
   set_time(now);
-  if (!forces({now, 0})) throw Error(std::string(call) + ": the law failed where the nodes of a joint meet");
+  if (!forces({now, 0})) {
+    const std::string why = outcome_.why.empty() ? "the law failed" : outcome_.why;
+    rollback();
+    throw Error(std::string(call) + ": " + why + ", where the nodes of a joint meet");
+  }
   commit(now);
 }
 

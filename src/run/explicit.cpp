@@ -51,7 +51,6 @@ Explicit::Explicit(std::shared_ptr<model::Model> model, const DynamicOptions& op
   check_stable_step(undamped);
   choose_step();
   report_step_bound();
-  if (contact_ != nullptr && seams_ != nullptr) seams_->feel(contact_->nodal_forces());
   lead_drawn_seams();
   farthest_ = {smallest_, std::numbers::pi / 2};
   list_unknowns();

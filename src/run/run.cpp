@@ -66,8 +66,10 @@ Run::Run(std::shared_ptr<model::Model> model, double duration, std::shared_ptr<N
   seams_ = assembly_->terms().find<mechanics::Seams>();
   if (tears_ != nullptr)
     for (const std::string& words : tears_->describe()) notices_->once(words, words);
-  if (seams_ != nullptr)
+  if (seams_ != nullptr) {
     for (const std::string& words : seams_->describe()) notices_->remark(words);
+    if (const auto* const contact = assembly_->terms().find<mechanics::Contacts>()) seams_->feel(*contact);
+  }
   for (const std::string& words : model::unconnected(*model_)) {
     notices_->once(words, "warning: " + words);
     note("mesh", words);

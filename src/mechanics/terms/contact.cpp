@@ -80,6 +80,15 @@ Outcome Contacts::add_forces(const law::Step& step, const Trial& trial, Forces& 
   return {};
 }
 
+std::vector<char> Contacts::pressed_by_bodies() const {
+  const ContactState& s = state_;
+  std::vector<char> marked(s.x.size());
+  s.pairs.mark_pressed(static_cast<std::int32_t>(surfaces_.nodes()), static_cast<std::int32_t>(s.x.size()),
+                       true, marked);
+  marked.resize(surfaces_.nodes());
+  return marked;
+}
+
 void Contacts::couple(const Trial& trial, std::vector<NodePair>& pairs) {
   state_.place(trial);
   tangent_.couple(scheme().way(state_.dt()), pairs);

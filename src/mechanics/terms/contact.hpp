@@ -48,6 +48,8 @@ class Contacts final : public Term {
   void go_static(double rise) { unknowns_.go_static(rise); }  // s, see Bodies
   ExplicitContact& go_explicit();
 
+  std::span<const Vec3> nodal_forces() const { return state_.nodal_forces(); }  // N
+  std::vector<char> pressed_by_bodies() const;                                  // of all nodes
   const ContactSurfaces& surfaces() const { return surfaces_; }
   const Bodies& bodies() const { return surfaces_.bodies(); }
   const BodyUnknowns& unknowns() const { return unknowns_; }

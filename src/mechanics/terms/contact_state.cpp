@@ -52,7 +52,8 @@ double BodyTies::work_of_pressure(std::span<const Vec3> start, std::span<const V
     if (tie.body == nullptr || tie.body->turned.isZero(0)) continue;
     if (std::exchange(marked_for, tie.body) != tie.body) {
       pressed.assign(x.size(), 0);
-      pairs.mark_pressed(static_cast<std::int32_t>(tie.from), static_cast<std::int32_t>(tie.to) + 1, pressed);
+      pairs.mark_pressed(static_cast<std::int32_t>(tie.from), static_cast<std::int32_t>(tie.to) + 1, false,
+                         pressed);
     }
     if (pressed[tie.node] != 0) continue;
     const Vec3 pressure = force[tie.node] - stiffness(tie) * (x[tie.point] - x[tie.node]),

@@ -23,7 +23,7 @@ constexpr double kHarder = 3;  // times as much at most, in proportion to the ti
 constexpr double kPresses = 0.1;         // share of the pull against a body that may press on it
 constexpr double kTurned = 3;            // by how much at most what is left of the pull along it is enlarged
 constexpr double kAverage = 1e-3;        // s, over which what presses is averaged
-constexpr double kMeet = 0.01;           // of a mean edge: a seam that is led around a body closes from there
+constexpr double kMeet = 0.01;           // of a mean edge: a seam that a body presses on closes from there
 constexpr double kPatience = 0.25;       // of the time of a late seam, in which its gap has to fall
 constexpr double kNoNearer = 0.98;       // of that gap, at most
 constexpr double kSlow = 0.2;            // of a thread's own frequency: the same, in motion
@@ -163,7 +163,7 @@ void Seams::pull(const law::Step& step, const Trial& trial, std::size_t i) {
   t.gap = dofs_.gap(dofs_.stitches()[i], trial.configuration.x());
   if (step.dt > 0) {
     const auto& over = seam(i).over;
-    const bool drawing = over && (t.is_led() || time_before_ < *over);
+    const bool drawing = over && (state(i) == State::drawn || time_before_ < *over);
     const bool moves = drawing && trial.motion != nullptr && trial.motion->moves();
     t.shift = t.shift_before;
     const Vec3 before = nominal(i, time_before_);
@@ -456,6 +456,20 @@ double Seams::widest(std::size_t s) const {
   return most;
 }
 
+bool Seams::is_pressed(std::size_t s) const {
+  if (contact_ == nullptr) return false;
+  const std::vector<char> pressed = contact_->pressed_by_bodies();
+  const auto at_node = [&](Index n) { return pressed[static_cast<std::size_t>(n)] != 0; };
+  for (std::size_t i = 0; i < threads_.size(); ++i) {
+    const model::Stitch& stitch = dofs_.stitches()[i];
+    if (stitch.seam != s || state(i) != State::drawn) continue;
+    if (at_node(stitch.node) || std::any_of(stitch.leads.begin(), stitch.leads.end(),
+                                            [&](const auto& lead) { return at_node(lead.node); }))
+      return true;
+  }
+  return false;
+}
+
 void Seams::lead_around(std::size_t stitch, double speed) {
   for (std::size_t i = 0; i < threads_.size(); ++i) {
     const model::Stitch& at_stitch = dofs_.stitches()[i];
@@ -496,14 +510,15 @@ void Seams::deflect(std::size_t i, std::span<const double> x) {
 }
 
 void Seams::average_pressing() {
-  if (pressing_.empty()) return;
+  if (contact_ == nullptr) return;
+  const auto pressing = contact_->nodal_forces();
   const double part = std::min(1.0, (configuration_.time() - time_before_) / kAverage);
   for (std::size_t i = 0; i < threads_.size(); ++i) {
     if (!threads_[i].is_led() || state(i) != State::drawn) continue;
     auto& ends = threads_[i].ends;
     ends[0].pressed +=
-        part * (pressing_[static_cast<std::size_t>(dofs_.stitches()[i].node)] - ends[0].pressed);
-    ends[1].pressed += part * (on_place(i, pressing_) - ends[1].pressed);
+        part * (pressing[static_cast<std::size_t>(dofs_.stitches()[i].node)] - ends[0].pressed);
+    ends[1].pressed += part * (on_place(i, pressing) - ends[1].pressed);
   }
 }
 
@@ -525,27 +540,33 @@ std::optional<Seams::Lagging> Seams::lagging(std::optional<std::size_t> of_seam)
   return most;
 }
 
+bool Seams::is_over(std::size_t i, double time) const { return time >= *seam(i).over * (1 - 1e-9); }
+
+// A body that presses on an edge would be passed through where the edges are moved together: such a seam
+// waits.
 std::optional<Seams::Lagging> Seams::stuck() {
+  std::optional<Lagging> found;
   for (std::size_t i = 0; i < threads_.size(); ++i) {
-    if (state(i) != State::drawn || !threads_[i].is_led() || time_before_ < *seam(i).over) continue;
+    if (state(i) != State::drawn || !is_over(i, time_before_)) continue;
     const std::size_t s = dofs_.stitches()[i].seam;
     Late& late = late_[s];
+    if (late.since < 0 && !threads_[i].is_led() && !is_pressed(s)) continue;
     if (late.told || (late.since >= 0 && time_before_ < late.since + kPatience * *seam(i).over)) continue;
     const double gap = widest(s);
-    late.told = late.since >= 0 && gap > kNoNearer * late.gap;
-    if (late.told) return lagging(s);
+    late.told = !found && late.since >= 0 && gap > kNoNearer * late.gap;
+    if (late.told) found = lagging(s);
     late.since = time_before_;
     late.gap = gap;
   }
-  return {};
+  return found;
 }
 
 Sewn Seams::due(double time) const {
   Sewn next = dofs_.sewn();
   for (std::size_t i = 0; i < threads_.size(); ++i) {
-    if (state(i) != State::drawn || time < *seam(i).over * (1 - 1e-9)) continue;
-    if (!threads_[i].is_led() || widest(dofs_.stitches()[i].seam) <= kMeet * dofs_.length())
-      next.closed[i] = 1;
+    if (state(i) != State::drawn || !is_over(i, time)) continue;
+    const std::size_t s = dofs_.stitches()[i].seam;
+    if (late_[s].since < 0 || widest(s) <= kMeet * dofs_.length()) next.closed[i] = 1;
   }
   if (next != dofs_.sewn()) decide_turning(next);
   return next;

@@ -11,6 +11,7 @@
 #include "mechanics/facets.hpp"
 #include "mechanics/term.hpp"
 #include "mechanics/terms/cloth.hpp"
+#include "mechanics/terms/contact.hpp"
 #include "mechanics/terms/tears.hpp"
 #include "model/model.hpp"
 
@@ -96,8 +97,8 @@ class Seams final : public Term {
   // them. The seam closes when they meet, at the end of its time or later.
   void lead_around(std::size_t stitch, double speed);
   bool is_led(std::size_t stitch) const { return threads_[stitch].is_led(); }
-  // What presses on the nodes, N, which stays in its place; to be given before steps are made.
-  void feel(std::span<const Vec3> pressing) { pressing_ = pressing; }
+  // What presses on the nodes; to be given before steps are made.
+  void feel(const Contacts& contact) { contact_ = &contact; }
   bool draws() const;  // threads draw edges together
   // Of the stitches that are drawn, of all seams or of one: that whose gap is most above what is wanted by
   // now.
@@ -107,8 +108,8 @@ class Seams final : public Term {
     Vec3 at = Vec3::Zero();  // m, where its node is
   };
   std::optional<Lagging> lagging(std::optional<std::size_t> of_seam = {}) const;
-  // The same of a seam that is led around a body and is late, once: if it has not got any closer for a
-  // quarter of its time. To be asked after each step.
+  // The same of a seam that is late, once: if it has not got any closer for a quarter of its time. To be
+  // asked after each step.
   std::optional<Lagging> stuck();
   // One line for each seam.
   std::vector<std::string> describe() const;
@@ -120,6 +121,8 @@ class Seams final : public Term {
   bool has_strength(std::size_t stitch) const { return seam(stitch).strength.has_value(); }
   Vec3 nominal(std::size_t stitch, double time) const;  // m, the gap wanted at a time
   double widest(std::size_t seam) const;                // m, gap of its stitches
+  bool is_pressed(std::size_t seam) const;              // by a body, at one of its edges
+  bool is_over(std::size_t stitch, double time) const;  // the time in which it is drawn
   Vec3 on_place(std::size_t stitch, std::span<const Vec3> at_nodes) const;
   void deflect(std::size_t stitch, std::span<const double> x);
   void average_pressing();
@@ -142,11 +145,11 @@ class Seams final : public Term {
   std::vector<Thread> threads_;
   std::vector<std::uint8_t> burst_;  // per stitch: a spring is there
   struct Late {
-    double since = -1, gap = 0;  // s, -1: not late; m, its widest gap then
+    double since = -1, gap = 0;  // s, -1: it does not wait; m, its widest gap then
     bool told = false;
     void keep(Archive& archive) { archive(since, gap, told); }
   };
-  std::span<const Vec3> pressing_;               // N, on the edges of seams that are led
+  const Contacts* contact_ = nullptr;
   std::vector<Late> late_;                       // per seam
   std::vector<CohesiveSpring> springs_, ready_;  // per stitch; ready: of stitches that are about to open
   std::vector<std::size_t> ready_at_;
