@@ -23,13 +23,4 @@ for _, dt in ipairs { 1e-5, 2e-5, 5e-5 } do
 end
 for _, cells in ipairs { 10, 40, 80 } do hang(("%d x %d elements"):format(cells, cells), { card = blend, cells = cells }) end
 for _, name in ipairs { "duck", "muslin", "denim" } do hang(name, { card = chapter.card(name), step = 1e-5 }, 1e-6) end
-
--- Scaled rotary inertia moves a result by less than a finer mesh does.
-for _, name in ipairs { "muslin", "denim", "duck" } do
-  local card = chapter.card(name)
-  local scaled, fine = hang(name .. ", 0.7 dt0", { card = card }), hang(name .. ", 40 x 40", { card = card, cells = 40 })
-  local own = hang(name .. ", inertia of its thickness", { card = card, inertia = "true" })
-  expected[#expected + 1] = { name .. ": scaled inertia moves the middle by less than the mesh does",
-                              math.abs(scaled - own) < math.abs(fine - scaled) and 1 or 0, 1, absolute = 0 }
-end
 chapter.expect(expected)

@@ -7,7 +7,6 @@
 --     ways      usually "0.25 0.05 0.01 relaxation"; "motion" is slow implicit motion
 -- warns: guard.shear
 -- warns: the card extrapolates
--- warns: the guard of the directors has
 -- warns: nine measured cloths in ten have
 -- warns: no tested strain is stated
 local fabric = require "fabric"
