@@ -7,7 +7,6 @@
 -- gravity or punch rotations: the punch is at 0.4 (1 - cos 4 pi t) / 2 m until 0.5 s and rests at 0 until 1 s.
 -- Elements of 100 mm are far wider than the folds of this cloth.
 -- warns: what its cloth carries without folding within it
--- warns: is turned over: it is more than 90 degrees
 -- warns: nine measured cloths in ten have 1 to 70 uN.m
 -- warns: tangent NOT positive definite
 -- warns: breaks the printed law

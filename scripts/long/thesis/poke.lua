@@ -3,6 +3,7 @@
 --   fabricsh scripts/long/thesis/poke.lua
 -- warns: nine measured cloths in ten have 1 to 70 uN.m
 -- warns: the card was tested to
+-- warns: carries without folding within it
 local here = arg[0]:gsub("[^/]*$", "") .. "../../thesis/"
 local chapter = dofile(here .. "chapter.lua")
 local ledger = dofile(here .. "ledger.lua")

@@ -257,7 +257,7 @@ local function by_peak(specimen, p)
 end
 
 -- Covariance of one specimen's parameters by linearisation, with the noise of the rows (those whose neighbours deviate alike count as fewer) and
--- of the peaks that they are scaled to; a parameter on a bound is taken as known.
+-- of the peaks that they are scaled to; and the part of the peaks. A parameter on a bound is taken as known.
 local function covariance(specimen, p)
   local rest, free, columns = residuals(specimen, p), {}, {}
   for _, name in ipairs(names) do
@@ -270,12 +270,12 @@ local function covariance(specimen, p)
       free[#free + 1], columns[#columns + 1] = name, column
     end
   end
-  local out = {}
+  local out, of_peaks = {}, {}
   for _, a in ipairs(names) do
-    out[a] = {}
-    for _, b in ipairs(names) do out[a][b] = 0.0 end
+    out[a], of_peaks[a] = {}, {}
+    for _, b in ipairs(names) do out[a][b], of_peaks[a][b] = 0.0, 0.0 end
   end
-  if #free == 0 then return out end
+  if #free == 0 then return out, of_peaks end
   local normal = linear.zeros(#free)
   for i = 1, #free do
     for j = 1, #free do
@@ -291,27 +291,33 @@ local function covariance(specimen, p)
   for _, peak in ipairs(by_peak(specimen, p)) do
     local shift = linear.solve(normal, lists.map(columns, function(column) return lists.dot(column, peak) end))
     for i, a in ipairs(free) do
-      for j, b in ipairs(free) do out[a][b] = out[a][b] + shift[i] * shift[j] end
+      for j, b in ipairs(free) do
+        out[a][b], of_peaks[a][b] = out[a][b] + shift[i] * shift[j], of_peaks[a][b] + shift[i] * shift[j]
+      end
     end
   end
-  return out
+  return out, of_peaks
 end
 
 -- Friction and reach are correlated along a curved valley: their bands, and with them the others', hold every reach whose best fit is
--- not worse than noise explains. Visits the parameters along it.
+-- not worse than noise explains. Visits the parameters along it, up to its ends.
 local function along_valley(specimen, p, deviation, quantile, visit)
   if p.bound.reach or not (deviation > 0) then return end
   local alike = likeness(residuals(specimen, p))
   local allowed = p.chi2 + quantile ^ 2 * p.chi2 / math.max(specimen.rows - 4, 1) * (1 + alike) / (1 - alike)
   for _, way in ipairs { -1, 1 } do
-    local x, reach = p.x, p.reach
+    local x, reach, step, ended = p.x, p.reach, deviation / 2, false
     for _ = 1, 20 do
-      reach = reach + way * deviation / 2
-      if reach < p.low_reach or reach > p.high_reach then break end
-      local chi2, at, next_x = p.at_reach(reach, x)
-      if chi2 > allowed then break end
-      visit(at)
-      x = next_x
+      local next_reach = math.min(math.max(reach + way * step, p.low_reach), p.high_reach)
+      if next_reach == reach then break end
+      local chi2, at, next_x = p.at_reach(next_reach, x)
+      ended = ended or chi2 > allowed
+      if chi2 <= allowed then
+        visit(at)
+        x, reach = next_x, next_reach
+      end
+      if ended then step = step / 2 end
+      if step < deviation / 50 then break end
     end
   end
 end
@@ -343,14 +349,17 @@ local function banded(out, found, t)
     end
     out.variance = band.covariance[1]
   else
-    local cov, quantile = covariance(found[1].specimen, found[1].loop), fabric.lab.student(0.5 + t.level / 2, math.max(found[1].specimen.rows - 4, 1))
+    local cov, of_peaks = covariance(found[1].specimen, found[1].loop)
+    local quantile = fabric.lab.student(0.5 + t.level / 2, math.max(found[1].specimen.rows - 4, 1))
     for i, name in ipairs(names) do
       local half = quantile * math.sqrt(cov[name][name])
       out.values[name], out.low[name], out.high[name] = numbers[1][i], numbers[1][i] - half, numbers[1][i] + half
     end
     along_valley(found[1].specimen, found[1].loop, math.sqrt(cov.reach.reach), quantile, function(at)
-      for _, name in ipairs(names) do
-        out.low[name], out.high[name] = math.min(out.low[name], at[name]), math.max(out.high[name], at[name])
+      for i, name in ipairs(names) do
+        local way = at[name] - numbers[1][i]
+        local far = numbers[1][i] + (way < 0 and -1 or 1) * math.sqrt(way ^ 2 + quantile ^ 2 * of_peaks[name][name])
+        out.low[name], out.high[name] = math.min(out.low[name], far), math.max(out.high[name], far)
       end
     end)
     out.variance = cov.unloading.unloading
