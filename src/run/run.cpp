@@ -417,11 +417,16 @@ void Run::watch_accounts(const EnergyAccount& energies, double scale, double of_
     });
   const auto fall = accounts_.look(rising, time(), rounding * scale, std::max(rounding, of_scheme) * scale);
   if (!fall) return;
+  const std::string caught = caught_text();
   const std::string text =
       "stopped at time " + number(time()) + " s: the energy '" + fall->name + "', which can only rise, is " +
       number(fall->by) + " J below the " + number(fall->to + fall->by) + " J of time " + number(fall->since) +
       " s (" + number(100 * fall->by / scale) +
-      " % of the run's energies): the results from there on are wrong.\nTry: a smaller step";
+      " % of the run's energies): the results from there on are wrong" +
+      (caught.empty()
+           ? ".\nTry: a smaller step"
+           : "; " + caught +
+                 ".\nTry: a longer field 'over' of m:seam; explicit motion leads seams around bodies");
   fail(NumericalFailure(std::string(kind()) + ": " + text + ".", time()), text);
 }
 
